@@ -1,0 +1,1 @@
+"""The beds: springs under an equivalent plane profile."""

@@ -1,0 +1,126 @@
+"""What a bed is: the springs that every problem holds, as functions of x, without a grid."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from winkler.media.medium import Medium
+from winkler.numerics.types import Array
+from winkler.validity import Note
+from winkler.values import value
+
+__all__ = ["Bed", "Pressed"]
+
+
+class Bed(Protocol):
+    """The contract of a foundation, spoken to its implementer.
+
+    Lengths [m], x >= 0 (everything is even in x); arrays in, arrays of the same shape out.
+    """
+
+    @property
+    def medium(self) -> Medium:
+        """What translates between springs and body."""
+        ...
+
+    @property
+    def reach(self) -> float:
+        """Up to which x the bed is known [m]."""
+        ...
+
+    @property
+    def rim(self) -> float:
+        """Where the contact is pinned [m]; infinite if nowhere."""
+        ...
+
+    @property
+    def size(self) -> float:
+        """Radius of the body [m]; infinite if unknown."""
+        ...
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2)."""
+        ...
+
+    @property
+    def rising(self) -> bool:
+        """Whether g is known never to fall."""
+        ...
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What must be said about shape and medium."""
+        ...
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m], the body of revolution that stands above the bed."""
+        ...
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        ...
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        ...
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        ...
+
+    def gap_load(self, radius: Array) -> Array:
+        """The integral of k'(x) g(x) from 0 to `radius` [N]."""
+        ...
+
+    def stiffness(self, radius: Array) -> Array:
+        """k(a) [N/m]."""
+        ...
+
+    def normal_stiffness(self, x: Array) -> Array:
+        """c_N(x) [Pa]."""
+        ...
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) [Pa]."""
+        ...
+
+
+@value
+class Pressed:
+    """The springs of a bed pressed to a depth: u(x) = d - g(x) up to the contact radius, nothing outside.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth : float
+        d [m].
+    radius : float
+        a [m].
+    """
+
+    bed: Bed
+    depth: float
+    radius: float
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)`` within the contact."""
+        return tuple((b, strength) for b, strength in self.bed.kinks if b < self.radius)
+
+    @property
+    def edge(self) -> float:
+        """u(a-) [m]; exactly zero where the contact closes smoothly."""
+        if self.radius < self.bed.rim:
+            return 0.0
+        return float(self.depth - self.bed.gap(np.array([self.radius]))[0])
+
+    def value(self, x: Array) -> Array:
+        """u(x) [m]."""
+        return self.depth - self.bed.gap(x)
+
+    def slope(self, x: Array) -> Array:
+        """u'(x) [-]."""
+        return -self.bed.gap_slope(x)

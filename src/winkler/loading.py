@@ -1,0 +1,81 @@
+"""Loads: what is prescribed, one of force, depth or contact radius.
+
+A load's value may be an array; the answer then has its shape.  Taken apart by ``match``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Quantity
+from winkler.values import value
+
+__all__ = ["Depth", "Force", "Load", "Radius"]
+
+
+def _check(word: str, unit: str, given: Quantity) -> None:
+    try:
+        numbers = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{word}: {given!r} is not a number; give a number or an array in {unit}.") from None
+    if numbers.size == 0:
+        raise InvalidInput(f"{word}: the array is empty; give at least one value in {unit}.")
+    bad = np.flatnonzero(~np.isfinite(numbers))
+    if bad.size:
+        where = "" if numbers.ndim == 0 else f" at index {', '.join(map(str, bad[:5]))}"
+        raise InvalidInput(f"{word}: {numbers.flat[bad[0]]}{where} is not finite; give finite values in {unit}.")
+
+
+@value
+class Force:
+    """A prescribed normal force.
+
+    Parameters
+    ----------
+    force : float or ndarray
+        [N], compression positive.
+    """
+
+    force: Quantity
+
+    def __post_init__(self) -> None:
+        _check("force", "N", self.force)
+
+
+@value
+class Depth:
+    """A prescribed indentation depth: how far the bodies have approached since first touch.
+
+    Parameters
+    ----------
+    depth : float or ndarray
+        [m], approach positive; below zero the bodies are apart.
+    """
+
+    depth: Quantity
+
+    def __post_init__(self) -> None:
+        _check("depth", "m", self.depth)
+
+
+@value
+class Radius:
+    """A prescribed contact radius.
+
+    Parameters
+    ----------
+    radius : float or ndarray
+        [m], not negative.
+    """
+
+    radius: Quantity
+
+    def __post_init__(self) -> None:
+        _check("radius", "m", self.radius)
+        if np.any(np.asarray(self.radius) < 0.0):
+            raise InvalidInput(f"radius: {np.min(self.radius):g} m is negative; a contact radius is zero or positive.")
+
+
+Load = Force | Depth | Radius
+"""What may be prescribed."""

@@ -1,0 +1,1 @@
+"""What the bodies are made of."""

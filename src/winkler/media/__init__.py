@@ -1,0 +1,1 @@
+"""Media: they translate body -> springs and springs -> body."""

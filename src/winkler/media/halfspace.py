@@ -1,0 +1,177 @@
+r"""Two homogeneous, isotropic, elastic half-spaces: the medium of Hertz, Galin and Sneddon.
+
+A flat punch has the stiffness :math:`k(a) = 2E^*a`, so the springs have the constant stiffness E* per length, and g
+is the profile's own Abel transform.  Everything is exact for frictionless contact, and with friction if the
+bodies are elastically similar.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.media.medium import Displacement
+from winkler.numerics import abel
+from winkler.numerics.types import Array
+from winkler.profiles.profile import Profile
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["HalfSpace", "HomogeneousMedium"]
+
+GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
+
+
+class HomogeneousMedium:
+    """What every homogeneous pair of half-spaces shares, once its two effective moduli are known."""
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa]."""
+        raise NotImplementedError
+
+    @property
+    def shear_modulus(self) -> float:
+        """G* [Pa]."""
+        raise NotImplementedError
+
+    def gap(self, profile: Profile, x: Array) -> Array:
+        """g(x) [m]: the profile's own transform."""
+        return profile.gap(x)
+
+    def gap_slope(self, profile: Profile, x: Array) -> Array:
+        """g'(x) [-]."""
+        return profile.gap_slope(x)
+
+    def gap_load(self, profile: Profile, radius: Array) -> Array:
+        """2 E* times the integral of g from 0 to `radius` [N]."""
+        return 2.0 * self.modulus * profile.gap_integral(radius)
+
+    def punch_stiffness(self, radius: Array) -> Array:
+        """k(a) = 2 E* a [N/m]."""
+        return 2.0 * self.modulus * radius
+
+    def normal_stiffness(self, x: Array) -> Array:
+        """c_N = E* [Pa], the same for every spring."""
+        return np.full(np.shape(x), self.modulus)
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T = G* [Pa], the same for every spring."""
+        return np.full(np.shape(x), self.shear_modulus)
+
+    def pressure(self, displacement: Displacement, r: Array) -> Array:
+        """p(r) [Pa] by T4."""
+        return self.modulus * abel.pressure(
+            displacement.slope, displacement.kinks, displacement.edge, displacement.radius, r
+        )
+
+    def displacement(self, displacement: Displacement, r: Array) -> Array:
+        """The displacement of the surface [m] by T3, inside and outside the contact, sum over both bodies."""
+        edges = [b for b, _ in displacement.kinks]
+        return abel.surface(displacement.value, edges, r, displacement.radius)
+
+
+class Body(NamedTuple):
+    """What the field below the surface of one isotropic body depends on."""
+
+    poisson: float
+    shear: float
+
+
+@value
+class HalfSpace(HomogeneousMedium):
+    """Two homogeneous, isotropic half-spaces in contact.
+
+    Parameters
+    ----------
+    first : Elastic or Rigid
+        The body below, z > 0.
+    second : Elastic or Rigid, optional
+        The body above, z < 0; rigid unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If both bodies are rigid.
+
+    Examples
+    --------
+    >>> steel = Elastic(young=210e9, poisson=0.3)
+    >>> round(HalfSpace.between(steel, steel).modulus / 1e9, 6)
+    115.384615
+    """
+
+    first: Solid
+    second: Solid = Rigid()
+
+    def __post_init__(self) -> None:
+        for word, body in (("first", self.first), ("second", self.second)):
+            if not isinstance(body, Elastic | Rigid):
+                raise InvalidInput(
+                    f"HalfSpace: {word} is a {type(body).__name__}; give Elastic(young, poisson) or Rigid()."
+                )
+        if not self._elastic:
+            raise InvalidInput("HalfSpace: both bodies are rigid; at least one must be Elastic(young, poisson).")
+
+    @classmethod
+    def between(cls, first: Solid, second: Solid = Rigid()) -> HalfSpace:
+        """Return the medium between two bodies; the second is rigid unless given."""
+        return cls(first, second)
+
+    @property
+    def _elastic(self) -> list[Elastic]:
+        return [body for body in (self.first, self.second) if isinstance(body, Elastic)]
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa], 1/E* = sum of (1 - nu^2) / E."""
+        return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in self._elastic)
+
+    @property
+    def shear_modulus(self) -> float:
+        """G* [Pa], 1/G* = sum of (2 - nu) / (4 G)."""
+        return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in self._elastic)
+
+    @property
+    def mismatch(self) -> float:
+        """Dundurs' second constant beta [-]; zero for elastically similar bodies."""
+        normal = [2.0 * (1.0 - body.poisson) / body.shear for body in self._elastic]
+        lateral = [(1.0 - 2.0 * body.poisson) / body.shear for body in self._elastic]
+        sign = [1.0 if body is self.first else -1.0 for body in (self.first, self.second) if isinstance(body, Elastic)]
+        return sum(s * part for s, part in zip(sign, lateral, strict=True)) / sum(normal)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """The assumptions of the half-space, and whether friction would couple in."""
+        exact = Note(
+            Standing.EXACT,
+            "Frictionless contact of homogeneous, isotropic, linear elastic half-spaces: for one round contact the "
+            "springs give the three-dimensional solution itself.",
+            GALIN,
+        )
+        if abs(self.mismatch) < 1e-12:
+            return (exact,)
+        return (
+            exact,
+            Note(
+                Standing.ASYMPTOTIC,
+                f"The bodies are elastically dissimilar (Dundurs beta = {self.mismatch:.3g}): with friction at the "
+                "interface the pressure would change by terms of the order of beta times the friction coefficient.",
+                "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 5, doi:10.1017/CBO9781139171731",
+            ),
+        )
+
+    def body(self, below: bool) -> Body | None:
+        """Return Poisson ratio and shear modulus of the body at z > 0 (`below`) or z < 0; None if it is rigid."""
+        chosen = self.first if below else self.second
+        return Body(chosen.poisson, chosen.shear) if isinstance(chosen, Elastic) else None
+
+    @property
+    def strengths(self) -> tuple[float, float]:
+        """Yield strength of the first and the second body [Pa]; infinite where not given."""
+        first, second = (body.strength if isinstance(body, Elastic) else math.inf for body in (self.first, self.second))
+        return first, second

@@ -1,0 +1,54 @@
+"""Where a stress is greatest below a contact: a coarse search over the meridian, then ever finer ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["Place", "greatest"]
+
+ZOOMS = 14
+"""Rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
+
+
+class Place(NamedTuple):
+    """A greatest value and where it stands, r and z in the units they were searched in."""
+
+    value: float
+    r: float
+    z: float
+
+
+def greatest(field: Callable[[Array, Array], Array], radius: float) -> Place:
+    """Return the greatest value of `field` below a contact.
+
+    Parameters
+    ----------
+    field
+        Takes r and z of one shape [m], z >= 0 into the body; returns the quantity.
+    radius
+        Contact radius [m]; the search goes to 1.2 radii from the axis and 3 radii deep.
+    """
+    r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 0.98, 1.0, 1.02, 1.05, 1.2]]) * radius
+    z = np.concatenate([[0.0], np.geomspace(0.01, 3.0, 24)]) * radius
+    dr, dz = 0.1 * radius, 0.25
+    best = _best(field, r, z)
+    depth_step = max(dz * best.z, 0.01 * radius)
+    for _ in range(ZOOMS):
+        around_r = np.unique(np.clip(best.r + dr * np.linspace(-1.0, 1.0, 7), 0.0, None))
+        around_z = np.unique(np.clip(best.z + depth_step * np.linspace(-1.0, 1.0, 7), 0.0, None))
+        found = _best(field, around_r, around_z)
+        best = found if found.value >= best.value else best
+        dr, depth_step = 0.36 * dr, 0.36 * depth_step
+    return best
+
+
+def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Place:
+    rr, zz = (grid.ravel() for grid in np.meshgrid(r, z, indexing="ij"))
+    values = field(rr, zz)
+    place = int(np.nanargmax(values))
+    return Place(float(values[place]), float(rr[place]), float(zz[place]))

@@ -1,0 +1,305 @@
+r"""Abel-type transforms between a body of revolution and its line of springs.
+
+======  ================================================================  =======================
+name    formula                                                           function
+======  ================================================================  =======================
+T1      :math:`g(x) = x\int_0^x f'(r)\,(x^2-r^2)^{-1/2}\,dr`              `gap`
+T1'     its derivative, with the kinks' inverse square roots              `gap_slope`
+T7      :math:`\int_0^x g = \int_0^x f\,r\,(x^2-r^2)^{-1/2}\,dr`          `gap_integral`
+T2, T3  :math:`\frac2\pi\int_0^r u(x)\,(r^2-x^2)^{-1/2}\,dx`              `surface`
+T4      :math:`-\frac1\pi\int_r^a u'(x)\,(x^2-r^2)^{-1/2}\,dx` + edge     `pressure`
+T5      :math:`2\int_x^a r\,p(r)\,(r^2-x^2)^{-1/2}\,dr`                   `line_load`
+======  ================================================================  =======================
+
+Each integral is split at the points where the integrand is not smooth and mapped so that what is left is
+analytic: :math:`r = x\sin\theta` removes the kernel's singularity, :math:`y=\sqrt{x^2-b^2}` the square root that
+a kink at b leaves in g.  Gauss-Legendre rules then converge geometrically; they are doubled until the result
+settles (`numerics.settling`), so every answer is either good to about 1e-13 or refused.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from winkler.numerics.settling import settled
+from winkler.numerics.types import Array, Curve
+
+__all__ = ["gap", "gap_integral", "gap_slope", "integral", "line_load", "pressure", "root_difference", "surface"]
+
+Kinks = Sequence[tuple[float, float]]
+
+
+def root_difference(x: Array, b: float | Array) -> Array:
+    """Return sqrt(x^2 - b^2) without cancellation; zero where x < b."""
+    return np.sqrt(np.maximum(x - b, 0.0) * (x + b))
+
+
+def _pieces(edges: Sequence[float], end: float) -> list[tuple[float, float]]:
+    """Return the pieces into which `edges` cut the interval from 0 to `end`."""
+    inner = sorted({edge for edge in edges if 0.0 < edge < end})
+    bounds = [0.0, *inner, math.inf]
+    return list(zip(bounds[:-1], bounds[1:], strict=True))
+
+
+def _angular(function: Curve, edges: Sequence[float], x: Array, what: str) -> Array:
+    """Integrate function(r) / sqrt(x^2 - r^2) over r from 0 to x, for every x > 0."""
+    total = np.zeros_like(x)
+    for low, high in _pieces(edges, float(np.max(x, initial=0.0))):
+        (active,) = np.nonzero(x > low)
+        total[active] += _angular_piece(function, low, high, x[active], what)
+    return total
+
+
+def _angle_to(high: float, x: Array) -> Array:
+    """Return arcsin(high / x), a right angle where high is not reached."""
+    if high == math.inf:
+        return np.full(x.shape, 0.5 * np.pi)
+    return np.where(x <= high, 0.5 * np.pi, np.arctan2(high, root_difference(x, high)))
+
+
+def _angular_piece(function: Curve, low: float, high: float, x: Array, what: str) -> Array:
+    start = np.arctan2(low, root_difference(x, low))
+    width = _angle_to(high, x) - start
+
+    def integrand(node: Array, index: Array) -> Array:
+        angle = start[index, None] + width[index, None] * node
+        return np.asarray(function(x[index, None] * np.sin(angle))) * width[index, None]
+
+    return settled(integrand, x.size, what)
+
+
+def _on(x: Array, result: Array, inner: Array) -> Array:
+    """Scatter `inner`, known where x > 0, into `result` of the shape of x."""
+    result[x > 0.0] = inner
+    return result
+
+
+def gap(slope: Curve, edges: Sequence[float], x: Array) -> Array:
+    """Return g(x), the transform T1 of a profile given by its slope.
+
+    Parameters
+    ----------
+    slope
+        f'(r) [-], smooth between the `edges`.
+    edges
+        Radii [m] where f is not smooth.
+    x : ndarray, any shape
+        Places on the line [m], not negative.
+
+    Returns
+    -------
+    ndarray of the shape of x
+        g(x) [m].
+
+    Raises
+    ------
+    NotConverged
+        If the integrals do not settle: f is not smooth between the edges.
+    """
+    x = np.asarray(x, dtype=float)
+    inner = x[x > 0.0]
+    return _on(x, np.zeros(x.shape), inner * _angular(slope, edges, inner, "g(x)"))
+
+
+def gap_slope(slope: Curve, curvature: Curve, kinks: Kinks, x: Array) -> Array:
+    """Return g'(x), from f', f'' and the jumps of f' at the kinks.
+
+    Above each kink b with a jump j of the slope, g' carries ``b j / sqrt(x^2 - b^2)``.
+    """
+    x = np.asarray(x, dtype=float)
+    inner = x[x > 0.0]
+    result = _angular(lambda r: slope(r) + r * curvature(r), [b for b, _ in kinks], inner, "g'(x)")
+    for b, jump in kinks:
+        above = inner > b
+        result[above] += b * jump / root_difference(inner[above], b)
+    return _on(x, np.full(x.shape, 0.5 * math.pi) * slope(np.zeros(1)), result)
+
+
+def gap_integral(height: Curve, edges: Sequence[float], x: Array) -> Array:
+    """Return the integral of g from 0 to x, by T7: no derivative of f is needed.
+
+    Its derivative is g: the integral form of T1 for noisy heights.
+    """
+    x = np.asarray(x, dtype=float)
+    inner = x[x > 0.0]
+    return _on(x, np.zeros(x.shape), _angular(lambda r: height(r) * r, edges, inner, "integral of g"))
+
+
+def surface(function: Curve, edges: Sequence[float], r: Array, end: float = math.inf) -> Array:
+    """Return (2/pi) times the integral of function(x) / sqrt(r^2 - x^2) from 0 to min(r, end): T2 and T3.
+
+    With g it gives the profile f(r) back; with the springs' displacement, zero beyond `end`, the displacement of
+    the surface.  `edges` are the places where `function` starts a new square root, as g does above a kink.
+    """
+    r = np.asarray(r, dtype=float)
+    inner = r[r > 0.0]
+    total = np.zeros_like(inner)
+    for low, high in _pieces(edges, min(end, float(np.max(inner, initial=0.0)))):
+        (active,) = np.nonzero(inner > low)
+        total[active] += _surface_piece(function, low, min(high, end), inner[active])
+    at_axis = np.full(r.shape, 0.5 * math.pi) * function(np.zeros(1))
+    return (2.0 / math.pi) * _on(r, at_axis, total)
+
+
+def _surface_piece(function: Curve, low: float, top: float, r: Array) -> Array:
+    # y = sqrt(x^2 - low^2) = span sin(angle): the square root above the kink and the kernel's are both gone
+    span = root_difference(r, low)
+    width = np.full(r.shape, 0.5 * np.pi)
+    if top < math.inf:
+        last = np.arctan2(root_difference(np.asarray(top), low), root_difference(r, top))
+        width = np.where(r <= top, width, last)
+
+    def integrand(node: Array, index: Array) -> Array:
+        y = span[index, None] * np.sin(width[index, None] * node)
+        x = np.minimum(np.hypot(low, y), r[index, None])
+        return np.asarray(function(x)) * (y / x) * width[index, None]
+
+    return settled(integrand, r.size, "surface transform")
+
+
+def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array) -> Array:
+    """Return T4 for unit modulus: the pressure under springs displaced by u(x), zero beyond `end`.
+
+    Parameters
+    ----------
+    slope
+        u'(x) [-], smooth between the `kinks`.
+    kinks
+        ``(x, strength)``: just above x the slope holds ``-strength / sqrt(x^2 - x_kink^2)``.
+    edge
+        u(end-) [m], the jump at the edge.
+    end
+        The radius a of the contact [m].
+    r : ndarray, any shape
+        Distance from the axis [m].
+
+    Returns
+    -------
+    ndarray
+        p / E*; zero outside, infinite at an edge that jumps, at a kink, and at the apex of a cone.
+    """
+    r = np.asarray(r, dtype=float)
+    result = np.zeros(r.shape)
+    (inside,) = np.nonzero((r < end).ravel())
+    radii = r.ravel()[inside]
+    # the axis itself: the limit of small r, which is infinite where u' does not vanish
+    tiny = 1e-9 * min([end] + [b for b, _ in kinks if b > 0.0])
+    pointed = _pointed(slope, tiny)
+    total = _tail(slope, kinks, end, np.maximum(radii, 1e-3 * tiny))
+    if pointed:
+        total[radii == 0.0] = math.inf if float(slope(np.array([tiny]))[0]) < 0.0 else -math.inf
+    if edge != 0.0:
+        total += edge / root_difference(np.asarray(end), radii)
+    flat = result.ravel()
+    flat[inside] = total / math.pi
+    if edge != 0.0:
+        flat[r.ravel() == end] = math.copysign(math.inf, edge)
+    for b, strength in kinks:
+        if strength != 0.0 and 0.0 < b < end:
+            flat[r.ravel() == b] = math.copysign(math.inf, strength)
+    return flat.reshape(r.shape)
+
+
+def _pointed(slope: Curve, tiny: float) -> bool:
+    """Whether u'(x) tends to a constant (or grows) as x -> 0, so that the pressure diverges at the axis."""
+    far, near = np.abs(slope(np.array([tiny, 1e-2 * tiny])))
+    return bool(near > 0.5 * far > 0.0)
+
+
+def _tail(slope: Curve, kinks: Kinks, end: float, r: Array) -> Array:
+    """Integrate -u'(x) / sqrt(x^2 - r^2) over x from r to `end`."""
+    total = np.zeros_like(r)
+    strengths = dict(kinks)
+    for low, high in _pieces([b for b, _ in kinks], end):
+        top = min(high, end)
+        # the piece that holds r starts at r; those beyond start at their kink, with its inverse square root
+        (inside,) = np.nonzero((r >= low) & (r < top))
+        (before,) = np.nonzero(r < low)
+        total[inside] += _tail_from_r(slope, top, r[inside])
+        total[before] += _tail_from_kink(slope, low, top, strengths.get(low, 0.0), r[before])
+    return total
+
+
+def _tail_from_r(slope: Curve, top: float, r: Array) -> Array:
+    # x = r cosh(w), so that dx / sqrt(x^2 - r^2) = dw, for any r however small
+    reach = np.arcsinh(root_difference(np.asarray(top), r) / r)
+
+    def integrand(node: Array, index: Array) -> Array:
+        x = np.minimum(r[index, None] * np.cosh(reach[index, None] * node), top)
+        return -np.asarray(slope(x)) * reach[index, None]
+
+    return settled(integrand, r.size, "pressure")
+
+
+def _tail_from_kink(slope: Curve, low: float, top: float, strength: float, r: Array) -> Array:
+    # y = sqrt(x^2 - low^2) removes the kink's square root, y = scale sinh(w) the near singularity at x = r
+    scale = root_difference(np.asarray(low), r)
+    reach = np.arcsinh(root_difference(np.asarray(top), low) / scale)
+
+    def integrand(node: Array, index: Array) -> Array:
+        y = scale[index, None] * np.sinh(reach[index, None] * node)
+        x = np.minimum(np.hypot(low, y), top)
+        # u' and its singular part are taken at the same rounded x, so that their errors cancel
+        own = root_difference(x, low)
+        regular = np.where(own > 0.0, -np.asarray(slope(x)) - strength / np.where(own > 0.0, own, 1.0), 0.0)
+        return (strength + y * regular) / x * reach[index, None]
+
+    return settled(integrand, r.size, "pressure")
+
+
+def line_load(pressure: Curve, edges: Sequence[float], end: float, x: Array) -> Array:
+    """Return q(x) = 2 times the integral of r p(r) / sqrt(r^2 - x^2) from x to `end`: T5.
+
+    The pressure may rise or fall like (end^2 - r^2)^(+-1/2) at the edge, and diverge logarithmically at `edges`.
+    """
+    x = np.asarray(x, dtype=float)
+    result = np.zeros(x.shape)
+    inside = x < end
+    places = x[inside]
+    span = root_difference(np.asarray(end), places)
+    total = np.zeros_like(places)
+    for low, high in _pieces(edges, end):
+        top = min(high, end)
+        (active,) = np.nonzero(places < top)
+        total[active] += _line_load_piece(pressure, low, top, end, places[active], span[active])
+    result[inside] = 2.0 * total
+    return result
+
+
+def _line_load_piece(pressure: Curve, low: float, top: float, end: float, x: Array, span: Array) -> Array:
+    # y = sqrt(r^2 - x^2) = span sin(angle): the square root of the pressure at the edge is gone
+    first = np.arcsin(np.minimum(root_difference(np.asarray(low), x) / span, 1.0))
+    width = np.arcsin(np.minimum(root_difference(np.asarray(top), x) / span, 1.0)) - first
+
+    def integrand(node: Array, index: Array) -> Array:
+        angle = first[index, None] + width[index, None] * node
+        r = np.hypot(x[index, None], span[index, None] * np.sin(angle))
+        rise = span[index, None] * np.cos(angle) * width[index, None]
+        return np.asarray(pressure(np.minimum(r, np.nextafter(end, 0.0)))) * rise
+
+    return settled(integrand, x.size, "line load")
+
+
+def integral(function: Curve, edges: Sequence[float], end: Array) -> Array:
+    """Return the integral of `function` from 0 to every `end`; just above an edge it may start a square root."""
+    end = np.asarray(end, dtype=float)
+    ends = end[end > 0.0]
+    total = np.zeros_like(ends)
+    for low, high in _pieces(edges, float(np.max(ends, initial=0.0))):
+        (active,) = np.nonzero(ends > low)
+        total[active] += _integral_piece(function, low, np.minimum(ends[active], high))
+    return _on(end, np.zeros(end.shape), total)
+
+
+def _integral_piece(function: Curve, low: float, top: Array) -> Array:
+    span = root_difference(top, low)
+
+    def integrand(node: Array, index: Array) -> Array:
+        y = span[index, None] * node
+        x = np.minimum(np.hypot(low, y), top[index, None])
+        return np.asarray(function(x)) * (y / x) * span[index, None]
+
+    return settled(integrand, top.size, "integral along the springs")

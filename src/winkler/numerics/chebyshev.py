@@ -1,0 +1,109 @@
+"""Functions on an interval as Chebyshev polynomials on adaptive panels."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.types import Array, Curve
+from winkler.values import value
+
+__all__ = ["Panels", "fit_panels"]
+
+DEGREE = 16
+MOST_PANELS = 4096
+
+
+@value
+class Panels:
+    """A piecewise polynomial: Chebyshev coefficients on consecutive panels.
+
+    Parameters
+    ----------
+    edges : ndarray, (panels + 1,)
+        Ascending.
+    coefficients : ndarray, (panels, degree + 1)
+        On each panel, in Chebyshev polynomials of the panel's own variable from -1 to 1.
+    """
+
+    edges: Array
+    coefficients: Array
+
+    def __call__(self, x: Array) -> Array:
+        """Evaluate by Clenshaw's recurrence; outside the interval the outer panels go on."""
+        x = np.asarray(x, dtype=float)
+        index = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.edges) - 2)
+        low, high = self.edges[index], self.edges[index + 1]
+        t = (2.0 * x - low - high) / (high - low)
+        rows = np.moveaxis(self.coefficients[index], -1, 0)
+        last = np.zeros_like(t)
+        current = np.zeros_like(t)
+        for row in rows[:0:-1]:
+            last, current = current, row + 2.0 * t * current - last
+        return rows[0] + t * current - last
+
+    @property
+    def derivative(self) -> Panels:
+        """The derivative, panel by panel."""
+        width = np.diff(self.edges)[:, None]
+        derived = np.polynomial.chebyshev.chebder(self.coefficients, axis=1) * 2.0 / width
+        return Panels(self.edges, derived)
+
+    @property
+    def integral(self) -> Panels:
+        """The integral from the first edge on, continuous."""
+        width = np.diff(self.edges)[:, None]
+        raised = np.polynomial.chebyshev.chebint(self.coefficients, axis=1) * 0.5 * width
+        signs = np.where(np.arange(raised.shape[1]) % 2 == 0, 1.0, -1.0)
+        start = raised @ signs
+        gain = raised.sum(axis=1) - start
+        raised[:, 0] += np.concatenate([[0.0], np.cumsum(gain)[:-1]]) - start
+        return Panels(self.edges, raised)
+
+
+@functools.lru_cache(maxsize=8)
+def _matrix(degree: int) -> tuple[Array, Array]:
+    """Return Chebyshev nodes on [-1, 1] and the matrix from values there to coefficients."""
+    nodes = np.polynomial.chebyshev.chebpts1(degree + 1)
+    return nodes, np.linalg.inv(np.polynomial.chebyshev.chebvander(nodes, degree))
+
+
+def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
+    """Return `function` as panels, halved until each resolves it.
+
+    Parameters
+    ----------
+    function
+        Smooth inside each of the given panels, or at least continuous.
+    edges : ndarray
+        Where to start, ascending.
+    tolerance
+        Absolute error wanted, in the units of the function.
+
+    Raises
+    ------
+    NotConverged
+        If more than 4096 panels would be needed.
+    """
+    nodes, matrix = _matrix(DEGREE)
+    done: list[tuple[float, Array]] = []
+    low, high = np.asarray(edges[:-1], dtype=float), np.asarray(edges[1:], dtype=float)
+    while low.size:
+        points = 0.5 * (low + high)[:, None] + 0.5 * (high - low)[:, None] * nodes
+        coefficients = np.asarray(function(points)) @ matrix.T
+        tail = np.abs(coefficients[:, -3:]).sum(axis=1)
+        good = (tail <= tolerance) | (high - low <= 1e-9 * (edges[-1] - edges[0]))
+        done.extend(zip(low[good], coefficients[good], strict=True))
+        middle = 0.5 * (low[~good] + high[~good])
+        low, high = np.concatenate([low[~good], middle]), np.concatenate([middle, high[~good]])
+        if len(done) + low.size > MOST_PANELS:
+            raise NotConverged(
+                f"A curve needs more than {MOST_PANELS} panels to be resolved to {tolerance:.1e}; it is too rough: "
+                "smooth it, or give fewer points."
+            )
+    done.sort(key=lambda panel: panel[0])
+    return Panels(
+        np.array([start for start, _ in done] + [float(edges[-1])]), np.array([panel for _, panel in done])
+    )

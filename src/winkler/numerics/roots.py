@@ -1,0 +1,90 @@
+"""Inversion of rising functions, for many targets at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.types import Array
+
+__all__ = ["invert"]
+
+ITERATIONS = 200
+
+
+def invert(
+    function: Callable[[Array], tuple[Array, Array]], target: Array, *, lower: float, upper: float, guess: float
+) -> Array:
+    """Return x with function(x) = target, for a function that rises from 0 at `lower`.
+
+    Newton's method in logarithms, log(function) against log(x - lower), which meets a power law in one step;
+    every step is kept inside a bracket that only shrinks.
+
+    Parameters
+    ----------
+    function
+        Takes x ``(m,)`` inside (lower, upper), returns its values and derivatives, both ``(m,)``.
+    target : ndarray, (m,)
+        Positive values to be met.
+    lower, upper
+        The interval; `upper` may be infinite, and the function may diverge there.
+    guess
+        Where to begin, inside the interval.
+
+    Returns
+    -------
+    ndarray, (m,)
+
+    Raises
+    ------
+    NotConverged
+        If a target is not met to rounding after 200 steps.
+    """
+    low = np.full(target.shape, lower)
+    high = np.full(target.shape, upper)
+    x = np.full(target.shape, guess)
+    for _ in range(ITERATIONS):
+        value, slope = function(x)
+        miss = value - target
+        step = _newton_step(x - lower, value, slope, target)
+        done = np.abs(step) <= 4e-16 * x
+        if done.all():
+            return x
+        below = miss < 0.0
+        low = np.where(below, x, low)
+        high = np.where(below, high, x)
+        new = x + step
+        wild = ~((new > low) & (new < high))
+        if wild.any():
+            new = np.where(wild, _middle(low, high, lower), new)
+        # neighbours in floating point, or a step that rounding can no longer resolve
+        if np.all(done | (new == x) | ((high < np.inf) & (high - low <= 4e-16 * np.abs(low)))):
+            return np.where(done, x, new)
+        x = np.where(done, x, new)
+    worst = float(np.max(np.abs(function(x)[0] / target - 1.0)))
+    if worst < 1e-12:
+        return x
+    raise NotConverged(f"No contact radius meets the load: after {ITERATIONS} steps the misfit is {worst:.1e}.")
+
+
+def _newton_step(distance: Array, value: Array, slope: Array, target: Array) -> Array:
+    """Return the step of Newton's method in logarithms, infinite where it is not defined."""
+    usable = (value > 0.0) & (slope > 0.0) & np.isfinite(slope)
+    exponent = np.where(usable, slope * distance / np.where(usable, value, 1.0), 1.0)
+    ratio = np.where(usable, target / np.where(usable, value, 1.0), 1.0)
+    close = np.abs(ratio - 1.0) < 1e-6
+    power = np.where(close, (ratio - 1.0) - 0.5 * (ratio - 1.0) ** 2, np.log(ratio)) / exponent
+    return np.where(usable, distance * np.expm1(np.minimum(power, 50.0)), math.inf)
+
+
+def _middle(low: Array, high: Array, lower: float) -> Array:
+    """Return a point inside the bracket: geometric in the distance from `lower`, doubling while it is open."""
+    near, far = low - lower, high - lower
+    doubled = np.where(near > 0.0, 4.0 * near, 1.0)
+    far = np.where(np.isinf(far), 16.0 * doubled, far)
+    geometric = np.sqrt(np.maximum(near, 1e-30 * far) * far)
+    arithmetic = 0.5 * (near + far)
+    return lower + np.where(far > 4.0 * near, geometric, arithmetic)

@@ -1,0 +1,160 @@
+r"""Contacts under a g(x) that rises and falls: answered while they are one disc, refused when they are not.
+
+A disc of radius a needs every spring inside compressed, so g(a) must be a record: :math:`g(a)\ge g(x)` for
+:math:`x<a`.  Beyond a crest of g the radius jumps to where g is back at the crest; forces in between belong to rings.
+A candidate is accepted only if the restored pressure is nowhere tensile and the bodies do not overlap outside,
+
+.. math:: h(r) = \frac2\pi\int_a^r \frac{g(x)-d}{\sqrt{r^2-x^2}}\,\mathrm dx \ge 0 .
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed, Pressed
+from winkler.numerics import abel
+from winkler.numerics.types import Array
+
+__all__ = ["radius_at_depth", "radius_at_force", "refuse_unless_disc"]
+
+SAMPLES = 4096
+"""How finely g' is searched for changes of sign; narrower waves are not seen."""
+MOST_TURNS = 400
+"""More turning points than this cannot be told apart by the samples."""
+
+
+class Climb(NamedTuple):
+    """An interval of x on which g rises above everything before it."""
+
+    start: float
+    stop: float
+
+
+def _root(function, low: float, high: float) -> float:  # type: ignore[no-untyped-def]
+    from scipy.optimize import brentq
+
+    return float(brentq(function, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=300))
+
+
+def _turns(bed: Bed, end: float) -> list[float]:
+    """Return the places up to `end` where g' changes sign."""
+    x = np.linspace(0.0, end, SAMPLES + 1)[1:]
+    slope = bed.gap_slope(x)
+    changes = np.flatnonzero(np.sign(slope[1:]) * np.sign(slope[:-1]) < 0)
+    if changes.size > MOST_TURNS:
+        raise OutsideValidity(
+            f"g(x) turns more than {MOST_TURNS} times within {end:.3g} m; so many waves cannot be one contact: ask for "
+            "a smaller load, or treat the body as rough."
+        )
+    return [_root(lambda t: float(bed.gap_slope(np.array([t]))[0]), x[i], x[i + 1]) for i in changes]
+
+
+def _gap(bed: Bed, x: float) -> float:
+    return float(bed.gap(np.array([x]))[0])
+
+
+def _climbs(bed: Bed, end: float) -> list[Climb]:
+    bounds = [0.0, *_turns(bed, end), end]
+    record = 0.0
+    climbs = []
+    for low, high in zip(bounds[:-1], bounds[1:], strict=True):
+        top = _gap(bed, high)
+        if top <= record:
+            continue
+        start = low if _gap(bed, low) >= record else _root(lambda t, r=record: _gap(bed, t) - r, low, high)  # type: ignore[misc]
+        climbs.append(Climb(start, high))
+        record = top
+    return climbs
+
+
+def _horizon(bed: Bed, reached, end: float, guess: float) -> float:  # type: ignore[no-untyped-def]
+    """Return a place beyond which the target is met, by doubling or halving the guess."""
+    place = guess
+    for _ in range(400):
+        if reached(place):
+            if not reached(0.5 * place):
+                return min(2.0 * place, end)
+            place *= 0.5
+        elif place >= end:
+            return end
+        else:
+            place = min(2.0 * place, end)
+    raise NotConverged("The load is not met at any contact radius that can be represented; check the profile's units.")
+
+
+def _force(bed: Bed, a: float) -> float:
+    place = np.array([a])
+    return float((bed.stiffness(place) * bed.gap(place) - bed.gap_load(place))[0])
+
+
+def radius_at_depth(bed: Bed, depth: float, end: float, guess: float) -> float:
+    """Return the contact radius at a depth, or refuse."""
+    horizon = _horizon(bed, lambda x: _gap(bed, x) >= depth, end, guess)
+    for climb in _climbs(bed, horizon):
+        if _gap(bed, climb.stop) >= depth:
+            radius = _root(lambda t: _gap(bed, t) - depth, climb.start, climb.stop)
+            refuse_unless_disc(bed, depth, radius, end)
+            return radius
+    raise OutsideValidity(_falling(bed, f"depth {depth:.6g} m"))
+
+
+def radius_at_force(bed: Bed, force: float, end: float, guess: float) -> float:
+    """Return the contact radius under a force, or refuse."""
+    horizon = _horizon(bed, lambda x: _force(bed, x) >= force, end, guess)
+    for climb in _climbs(bed, horizon):
+        low, high = _force(bed, climb.start), _force(bed, climb.stop)
+        if force < low:
+            raise OutsideValidity(
+                f"force {force:.6g} N lies where the contact is no disc: up to {_gap(bed, climb.start):.6g} m depth it "
+                f"closes inside, from {low:.6g} N on as a disc of {climb.start:.6g} m; ask for a force outside."
+            )
+        if force <= high:
+            radius = _root(lambda t: _force(bed, t) - force, climb.start, climb.stop)
+            refuse_unless_disc(bed, _gap(bed, radius), radius, end)
+            return radius
+    raise OutsideValidity(_falling(bed, f"force {force:.6g} N"))
+
+
+def _falling(bed: Bed, asked: str) -> str:
+    return (
+        f"{asked} is not met by a round contact: the profile falls with the distance from the axis, so that it touches "
+        "as a ring; give a profile that rises from its apex."
+    )
+
+
+def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> None:
+    """Raise `OutsideValidity` if a disc of this radius would pull or overlap."""
+    if radius == 0.0:
+        return
+    inside = np.linspace(0.0, 1.0, SAMPLES + 1)[1:-1] * radius
+    if np.any(bed.gap_slope(inside) < 0.0):
+        r = (np.arange(400) + 0.5) / 400.0 * radius
+        pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
+        if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
+            raise OutsideValidity(
+                f"At depth {depth:.6g} m a round contact of {radius:.6g} m would need tension at r = "
+                f"{r[np.argmin(pressure)]:.6g} m: the true contact has a gap there; the profile is too concave or wavy "
+                "for this load."
+            )
+    beyond = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
+    if beyond.size and beyond[-1] > radius and np.any(bed.gap(beyond) < depth):
+        _refuse_overlap(bed, depth, radius, beyond[:: SAMPLES // 400])
+
+
+def _refuse_overlap(bed: Bed, depth: float, radius: float, r: Array) -> None:
+    edges = [b for b, _ in bed.kinks]
+    whole = abel.surface(bed.gap, edges, r)
+    pressed = bed.medium.displacement(Pressed(bed, depth, radius), r)
+    separation = whole - depth + pressed
+    if np.min(separation) < -1e-9 * depth:
+        place = float(r[int(np.argmin(separation))])
+        raise OutsideValidity(
+            f"At depth {depth:.6g} m the bodies would overlap outside the contact, at r = {place:.6g} m: there the "
+            f"contact has begun as a ring around the disc of {radius:.6g} m; ask for a smaller load."
+        )
+    if not math.isfinite(float(separation[0])):
+        raise NotConverged("The separation outside the contact could not be computed.")

@@ -1,0 +1,89 @@
+"""What an indentation says about its own validity: slopes, size of the body, pinned edges, onset of yield."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.numerics.types import Array
+from winkler.validity import Note, Standing
+
+__all__ = ["indentation_notes"]
+
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
+HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
+
+
+def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tuple[Note, ...]:
+    """Return the notes of an indentation; of several loads, those of the widest contact.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth, force, radius : ndarray, (m,)
+        [m], [N], [m].
+    """
+    notes = list(bed.notes)
+    if not np.any(radius > 0.0):
+        return (*notes, Note(Standing.EXACT, "The bodies do not touch under this load.", "no spring is compressed"))
+    last = int(np.argmax(depth))
+    widest = float(radius[last])
+    notes.append(_slope_note(bed, widest))
+    if math.isfinite(bed.size):
+        notes.append(_size_note(bed, widest))
+    if widest >= bed.rim:
+        notes.append(
+            Note(
+                Standing.EXACT,
+                "The contact is pinned at the rim; the pressure is infinite there, so a real edge yields or is rounded.",
+                "Boussinesq's flat punch",
+            )
+        )
+    elif not bed.rising:
+        notes.append(
+            Note(
+                Standing.EXACT,
+                "The equivalent profile is not known to rise everywhere; that the contact is one disc was checked "
+                "(no tension inside, no overlap outside up to three contact radii).",
+                "a-posteriori check of pressure and separation",
+            )
+        )
+    return (*notes, *_yield_notes(bed, float(np.max(force))))
+
+
+def _slope_note(bed: Bed, radius: float) -> Note:
+    inside = radius * np.linspace(0.0, 1.0, 65)[1:-1]
+    slope = float(np.max(np.abs(bed.slope(inside))))
+    if slope <= 0.1:
+        standing, verdict = Standing.ASYMPTOTIC, "small, as the theory assumes"
+    elif slope <= 1.0:
+        standing, verdict = Standing.APPROXIMATE, "not small: expect deviations of the order of (1 - 2 nu) times the slope"
+    else:
+        standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
+    return Note(standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY)
+
+
+def _size_note(bed: Bed, radius: float) -> Note:
+    ratio = radius / bed.size
+    if ratio <= 0.1:
+        standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"
+    elif ratio <= 0.5:
+        standing, verdict = Standing.APPROXIMATE, "the body is hardly a half-space any more"
+    else:
+        standing, verdict = Standing.OUTSIDE, "the body is no half-space"
+    return Note(standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON)
+
+
+def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
+    from winkler.problems.yielding import YieldOnset, can_yield
+
+    if not can_yield(bed):
+        return ()
+    onset = YieldOnset(bed).solve()
+    if force < onset.force:
+        standing, verdict = Standing.EXACT, f"yielding begins at {onset.force:.4g} N; the contact stays elastic"
+    else:
+        standing, verdict = Standing.OUTSIDE, f"yielding began at {onset.force:.4g} N; beyond it the result is not elastic"
+    return (Note(standing, f"By von Mises' criterion {verdict}.", "largest von Mises stress of the restored field"),)

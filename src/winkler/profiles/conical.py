@@ -1,0 +1,281 @@
+r"""Cones, sharp, cut and rounded, and the pyramids that are commonly replaced by them.
+
+Half-angles are measured from the axis, :math:`f = r/\tan\theta`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.abel import root_difference
+from winkler.numerics.types import Array
+from winkler.profiles.check import angle, positive
+from winkler.profiles.pieces import PowerPieces, Term
+from winkler.profiles.profile import Shape
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["Berkovich", "Cone", "CubeCorner", "RoundedCone", "SpheroConical", "TruncatedCone", "Vickers"]
+
+
+@value
+class Cone(PowerPieces):
+    """A cone, f = r / tan(half_angle).
+
+    Parameters
+    ----------
+    half_angle : float
+        Measured from the axis [rad], between 0 and pi/2.
+
+    References
+    ----------
+    A. E. H. Love, Quart. J. Math. 10 (1939) 161-175, doi:10.1093/qmath/os-10.1.161
+    """
+
+    half_angle: float
+
+    def __post_init__(self) -> None:
+        angle(self, "half_angle")
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """A constant slope."""
+        return ((0.0, 0, 1.0 / math.tan(self.half_angle)),)
+
+
+@value
+class TruncatedCone(PowerPieces):
+    """A cone with its tip cut off: flat up to `flat_radius`, then a cone.
+
+    Parameters
+    ----------
+    half_angle : float
+        Measured from the axis [rad], between 0 and pi/2.
+    flat_radius : float
+        b [m], positive.
+    """
+
+    half_angle: float
+    flat_radius: float
+
+    def __post_init__(self) -> None:
+        angle(self, "half_angle")
+        positive(self, "flat_radius")
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """A constant slope beyond the flat."""
+        return ((self.flat_radius, 0, 1.0 / math.tan(self.half_angle)),)
+
+
+@value
+class RoundedCone(PowerPieces):
+    """A cone with a parabolic tip that meets it with a common tangent.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m], at the apex; the cone begins at r = R / tan(half_angle).
+    half_angle : float
+        Measured from the axis [rad], between 0 and pi/2.
+
+    See Also
+    --------
+    SpheroConical : the same with a spherical tip.
+
+    References
+    ----------
+    D. Maugis, M. Barquins, J. Phys. Lett. 42 (1981) L95-L97, doi:10.1051/jphyslet:0198100420509500
+    """
+
+    curvature_radius: float
+    half_angle: float
+
+    def __post_init__(self) -> None:
+        positive(self, "curvature_radius")
+        angle(self, "half_angle")
+
+    @property
+    def blend_radius(self) -> float:
+        """Where the tip meets the cone [m]."""
+        return self.curvature_radius / math.tan(self.half_angle)
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """A paraboloid that goes over into a cone."""
+        m, b = 1.0 / math.tan(self.half_angle), self.blend_radius
+        return ((0.0, 1, m / b), (b, 1, -m / b), (b, 0, m))
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """The blend, where the slope is continuous."""
+        return ((self.blend_radius, 0.0),)
+
+
+@value
+class SpheroConical(Shape):
+    """A cone with a spherical tip that meets it with a common tangent: the real AFM or nanoindenter tip.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m], of the tip; the cone begins at r = R cos(half_angle).
+    half_angle : float
+        Measured from the axis [rad], between 0 and pi/2.
+
+    References
+    ----------
+    B. J. Briscoe, K. S. Sebastian, M. J. Adams, J. Phys. D 27 (1994) 1156-1162, doi:10.1088/0022-3727/27/6/013
+    """
+
+    curvature_radius: float
+    half_angle: float
+
+    def __post_init__(self) -> None:
+        positive(self, "curvature_radius")
+        angle(self, "half_angle")
+
+    @property
+    def blend_radius(self) -> float:
+        """Where the tip meets the cone [m]."""
+        return self.curvature_radius * math.cos(self.half_angle)
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """The blend, where the slope is continuous."""
+        return ((self.blend_radius, 0.0),)
+
+    @property
+    def rising(self) -> bool:
+        """g rises everywhere."""
+        return True
+
+    def _tip(self, r: Array) -> tuple[Array, Array]:
+        """Return r within the tip, and sqrt(R^2 - r^2) there."""
+        inner = np.minimum(r, self.blend_radius)
+        big = self.curvature_radius
+        return inner, np.sqrt((big - inner) * (big + inner))
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        r = np.asarray(r, dtype=float)
+        inner, root = self._tip(r)
+        return inner**2 / (self.curvature_radius + root) + (r - inner) / math.tan(self.half_angle)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        inner, root = self._tip(np.asarray(r, dtype=float))
+        return inner / root
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]."""
+        r = np.asarray(r, dtype=float)
+        _, root = self._tip(r)
+        return np.where(r < self.blend_radius, self.curvature_radius**2 / root**3, 0.0)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        x = np.asarray(x, dtype=float)
+        tip, cone = self._parts(x)
+        return x * (tip + cone)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        x = np.asarray(x, dtype=float)
+        big, b = self.curvature_radius, self.blend_radius
+        tip, cone = self._parts(x)
+        high = big * math.sin(self.half_angle)
+        root = root_difference(x, b)
+        inner = np.minimum(x, b)
+        within = x * big / ((big - inner) * (big + inner))
+        beyond = x / (big + x) + (b * b - high * root) / (high * (high + root))
+        return tip + cone + np.where(x <= b, within, beyond)
+
+    def _parts(self, x: Array) -> tuple[Array, Array]:
+        """Return what tip and flank add to g(x)/x."""
+        big, b = self.curvature_radius, self.blend_radius
+        root = root_difference(x, b)
+        beyond = np.log1p((big + x - big * math.sin(self.half_angle) - root) / (big * math.sin(self.half_angle) + root))
+        tip = np.where(x <= b, np.arctanh(np.minimum(x, b) / big), beyond)
+        return tip, np.arctan2(root, b) / math.tan(self.half_angle)
+
+
+class _EqualAreaCone(PowerPieces):
+    """The cone whose cross-section at every height has the area of the pyramid's."""
+
+    @property
+    def _area(self) -> float:
+        """Cross-section over height squared [-]."""
+        raise NotImplementedError
+
+    @property
+    def _error(self) -> str:
+        raise NotImplementedError
+
+    @property
+    def half_angle(self) -> float:
+        """Half-angle of the equal-area cone, from the axis [rad]."""
+        return math.atan(math.sqrt(self._area / math.pi))
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """A constant slope."""
+        return ((0.0, 0, 1.0 / math.tan(self.half_angle)),)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """That a cone stands for a pyramid, and what it costs."""
+        return (
+            Note(
+                Standing.APPROXIMATE,
+                f"The pyramid is replaced by the cone of equal cross-section (half-angle "
+                f"{math.degrees(self.half_angle):.2f} deg): on an elastic half-space its force at a given depth is "
+                f"{self._error} below the pyramid's.",
+                "boundary-element solution of the sharp pyramid, theory sheet 1.3",
+            ),
+        )
+
+
+def _three_sided(face_angle: float) -> float:
+    return 3.0 * math.sqrt(3.0) * math.tan(math.radians(face_angle)) ** 2
+
+
+@value
+class Berkovich(_EqualAreaCone):
+    """The modified Berkovich pyramid (three faces, 65.27 deg to the axis) as the cone of equal area."""
+
+    @property
+    def _area(self) -> float:
+        return _three_sided(65.27)
+
+    @property
+    def _error(self) -> str:
+        return "7 %"
+
+
+@value
+class CubeCorner(_EqualAreaCone):
+    """The cube corner (three faces, 35.264 deg to the axis) as the cone of equal area."""
+
+    @property
+    def _area(self) -> float:
+        return 1.5 * math.sqrt(3.0)
+
+    @property
+    def _error(self) -> str:
+        return "7 %"
+
+
+@value
+class Vickers(_EqualAreaCone):
+    """The Vickers pyramid (four faces, 68 deg to the axis) as the cone of equal area."""
+
+    @property
+    def _area(self) -> float:
+        return 4.0 * math.tan(math.radians(68.0)) ** 2
+
+    @property
+    def _error(self) -> str:
+        return "2.6 %"

@@ -1,0 +1,172 @@
+"""Flat punches and cylinders with a shaped end: contacts that are pinned at a rim."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.numerics.types import Array
+from winkler.profiles.check import positive
+from winkler.profiles.profile import Profile, Shape
+from winkler.validity import Note
+from winkler.values import value
+
+__all__ = ["CappedCylinder", "Cylinder", "FlatPunch"]
+
+
+@value
+class FlatPunch(Shape):
+    """A flat-ended circular cylinder.
+
+    Parameters
+    ----------
+    radius : float
+        b [m], positive; the contact has this radius at every load.
+
+    References
+    ----------
+    J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.
+    """
+
+    radius: float
+
+    def __post_init__(self) -> None:
+        positive(self, "radius")
+
+    @property
+    def reach(self) -> float:
+        """The rim [m]."""
+        return self.radius
+
+    @property
+    def rim(self) -> float:
+        """The rim [m]."""
+        return self.radius
+
+    @property
+    def rising(self) -> bool:
+        """g never falls."""
+        return True
+
+    def height(self, r: Array) -> Array:
+        """f = 0 [m]."""
+        return np.zeros(np.shape(r))
+
+    def slope(self, r: Array) -> Array:
+        """f' = 0 [-]."""
+        return np.zeros(np.shape(r))
+
+    def curvature(self, r: Array) -> Array:
+        """f'' = 0 [1/m]."""
+        return np.zeros(np.shape(r))
+
+    def gap(self, x: Array) -> Array:
+        """g = 0 [m]."""
+        return np.zeros(np.shape(x))
+
+    def gap_slope(self, x: Array) -> Array:
+        """g' = 0 [-]."""
+        return np.zeros(np.shape(x))
+
+    def gap_integral(self, x: Array) -> Array:
+        """0 [m^2]."""
+        return np.zeros(np.shape(x))
+
+
+@value
+class CappedCylinder(Shape):
+    """A circular cylinder whose end has the shape of another profile; the contact is pinned once it fills the end.
+
+    Parameters
+    ----------
+    radius : float
+        b [m], of the cylinder, positive.
+    cap : Profile
+        Shape of the end; must be known up to the rim.
+    """
+
+    radius: float
+    cap: Profile
+
+    def __post_init__(self) -> None:
+        positive(self, "radius")
+        if self.cap.reach < self.radius or self.cap.rim < self.radius:
+            raise InvalidInput(
+                f"CappedCylinder: the cap is known up to {min(self.cap.reach, self.cap.rim):g} m but the cylinder has "
+                f"the radius {self.radius:g} m; give a cap that reaches the rim."
+            )
+        if self.cap.size <= self.radius and not np.isfinite(self.cap.gap(np.array([self.radius]))[0]):
+            raise InvalidInput(
+                f"CappedCylinder: the cap is vertical at the rim (radius {self.radius:g} m); give a cylinder that is "
+                "thinner than its cap."
+            )
+
+    @property
+    def reach(self) -> float:
+        """The rim [m]."""
+        return self.radius
+
+    @property
+    def rim(self) -> float:
+        """The rim [m]."""
+        return self.radius
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """Those of the cap within the rim."""
+        return tuple((b, jump) for b, jump in self.cap.kinks if b < self.radius)
+
+    @property
+    def rising(self) -> bool:
+        """As the cap."""
+        return self.cap.rising
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """As the cap."""
+        return self.cap.notes
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        return self.cap.height(r)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        return self.cap.slope(r)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        return self.cap.gap(x)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        return self.cap.gap_slope(x)
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        return self.cap.gap_integral(x)
+
+
+@value
+class Cylinder(Shape):
+    """A cylinder lying on its side: always refused, with the reason.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m].
+
+    Raises
+    ------
+    OutsideValidity
+        Always.
+    """
+
+    curvature_radius: float
+
+    def __post_init__(self) -> None:
+        raise OutsideValidity(
+            "Cylinder: a cylinder on its side makes a line contact, which is not a body of revolution about the load; "
+            "the depth of a line contact on a half-space is infinite (it grows with the logarithm of the body's size), "
+            "so no springs can answer it: use a plane-strain code, or CappedCylinder for a cylinder standing on end."
+        )

@@ -1,0 +1,248 @@
+r"""A profile written as a formula of r, with exact derivatives.
+
+The text is read by `winkler.numerics.expression`: no code in it is ever executed.  A sum of powers has the
+closed-form transform :math:`g = \sum_i \kappa_{p_i} c_i x^{p_i}`; any other formula is transformed by quadrature of
+its slope, with
+
+.. math:: \int_0^x g = x\,g(x) - \int_0^x \frac{r^2 f'(r)}{\sqrt{x^2-r^2}}\,dr ,
+
+so that the cancellation in a height such as :math:`R-\sqrt{R^2-r^2}` spoils nothing.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics import abel
+from winkler.numerics.expression import Expression, Terms, power_sum
+from winkler.numerics.types import Array
+from winkler.profiles.power import PowerLaw
+from winkler.profiles.profile import Kinks, Shape
+from winkler.values import value
+
+__all__ = ["Formula"]
+
+FARTHEST = 1.0
+"""How far a formula without a reach is tried out [m]."""
+ROUNDING = 1e-12
+"""What counts as zero, against the sum of the moduli of the parts of a height."""
+BESIDE = np.array([1e-5, 1e-6, 1e-7])
+"""Relative distances from a corner at which the slope beside it is read."""
+
+
+@value
+class Formula(Shape):
+    """A body of revolution whose height is a formula of r.
+
+    Parameters
+    ----------
+    expression : str
+        The height f(r) [m] in terms of ``r`` [m] and of named constants: ``"r**2/(2*R)"``.  Allowed are numbers,
+        ``+ - * / **``, brackets, pi, e, and sqrt exp log sin cos tan arcsin arccos arctan sinh cosh tanh.
+    reach : float, optional
+        Radius up to which the formula holds [m]; infinite by default.
+    corners : tuple of float, optional
+        Radii where the slope jumps [m], as that of ``sqrt((r - b)**2)`` does at b; ascending after construction.
+    constants : mapping or tuple of (name, number), optional
+        The constants in SI units; ``Formula("r**2/(2*R)", R=10e-3)`` says the same.  Named ones come first, so that
+        ``dataclasses.replace(formula, R=5e-3)`` changes one.
+
+    Raises
+    ------
+    InvalidInput
+        If the text is not such a formula; if the height is not zero at r = 0, negative, or not a finite number
+        somewhere within the reach.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> tip = Formula("R - sqrt(R**2 - r**2)", reach=10e-3, R=10e-3)
+    >>> bool(np.isclose(tip.gap(np.array([1e-3]))[0], 1e-3 * np.arctanh(0.1), rtol=1e-13))
+    True
+    """
+
+    expression: str
+    constants: tuple[tuple[str, float], ...] = ()
+    reach: float = math.inf
+    corners: tuple[float, ...] = ()
+
+    def __init__(
+        self,
+        expression: str,
+        reach: float = math.inf,
+        *,
+        corners: Iterable[float] = (),
+        constants: Mapping[str, float] | Iterable[tuple[str, float]] = (),
+        **named: float,
+    ) -> None:
+        known = dict(constants) | named
+        object.__setattr__(self, "expression", expression)
+        object.__setattr__(self, "constants", tuple(sorted(known.items())))
+        object.__setattr__(self, "reach", reach)
+        object.__setattr__(self, "corners", tuple(corners))
+        self.__post_init__()
+
+    def __post_init__(self) -> None:
+        if not (_is_number(self.reach) and self.reach > 0.0):
+            raise InvalidInput(f"Formula: reach is {self.reach!r}; it must be a positive number in m.")
+        for corner in self.corners:
+            if not (_is_number(corner) and 0.0 < corner < self.reach):
+                raise InvalidInput(f"Formula: the corner {corner!r} must be a radius in m between 0 and the reach.")
+        object.__setattr__(self, "corners", tuple(sorted({float(corner) for corner in self.corners})))
+        _start(self._law)
+        self._try_out()
+        _ = self.kinks
+
+    def _try_out(self) -> None:
+        """Refuse a height that is not finite, negative, or zero everywhere."""
+        end = FARTHEST if self.reach == math.inf else self.reach
+        trial = np.unique(np.concatenate([np.geomspace(1e-12 * end, end, 481), np.linspace(0.0, end, 257)[1:]]))
+        height = self.height(trial)
+        noise = ROUNDING * self._law.magnitude(trial)
+        (below,) = np.nonzero(height < -noise)
+        if below.size:
+            raise InvalidInput(
+                f"Formula: the height of '{self.expression}' is negative, {height[below[0]]:.3g} m at "
+                f"r = {trial[below[0]]:.4g} m; bodies first touch at r = 0, so end the formula before by reach=..., or "
+                "write both bodies into one formula."
+            )
+        if not np.any(height > noise):
+            raise InvalidInput(f"Formula: the height of '{self.expression}' is zero everywhere; give one that rises.")
+
+    @property
+    def _law(self) -> Expression:
+        return _law(self.expression, self.constants)
+
+    @property
+    def kinks(self) -> Kinks:
+        """``(radius, jump of the slope)`` at every stated corner."""
+        sides = _sides(self._law, self.corners)
+        return tuple((corner, jump) for corner, (_, jump) in zip(self.corners, sides, strict=True))
+
+    @property
+    def rising(self) -> bool:
+        """Known of a sum of powers with positive coefficients."""
+        powers = self._law.powers
+        return bool(powers) and all(c > 0.0 for c, _ in powers)
+
+    def _refuse(self, what: str, r: Array, bad: Array) -> None:
+        if np.any(bad):
+            first = np.min(r[bad])
+            raise InvalidInput(
+                f"Formula: the {what} of '{self.expression}' is not a finite number at r = {first:.6g} m; end the "
+                f"formula before by reach=..., or state a kink there by corners=({first:.6g},)."
+            )
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        r = np.asarray(r, dtype=float)
+        height = self._law.taylor(r)[0]
+        self._refuse("height", r, ~np.isfinite(height))
+        return height - _start(self._law)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]; at a corner, the value just below it."""
+        r = np.asarray(r, dtype=float)
+        slope = self._law.taylor(r)[1]
+        for corner, (below, _) in zip(self.corners, _sides(self._law, self.corners), strict=True):
+            slope = np.where(r == corner, below, slope)
+        self._refuse("slope", r, np.isnan(slope))
+        return slope
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]; at a corner, the value just below it."""
+        r = np.asarray(r, dtype=float)
+        inside = np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r)
+        curvature = self._law.taylor(inside)[2]
+        self._refuse("curvature", r, np.isnan(curvature))
+        return curvature
+
+    @property
+    def _stretched(self) -> Terms:
+        """(kappa_p c, p) of every power in g, if the formula is a sum of powers."""
+        return _stretched(self._law)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        if self._stretched:
+            return power_sum(self._stretched, np.asarray(x, dtype=float))[0]
+        return abel.gap(self.slope, self.corners, x)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        if self._stretched:
+            return power_sum(self._stretched, np.asarray(x, dtype=float))[1]
+        return abel.gap_slope(self.slope, self.curvature, self.kinks, x)
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        x = np.asarray(x, dtype=float)
+        if self._stretched:
+            return power_sum(tuple((c / (p + 1.0), p + 1.0) for c, p in self._stretched), x)[0]
+        inner = np.where(x > 0.0, x, 1.0)
+        second = abel.gap(lambda r: r * r * self.slope(r), self.corners, x) / inner
+        return x * self.gap(x) - second
+
+
+def _is_number(content: object) -> bool:
+    return isinstance(content, int | float) and not isinstance(content, bool)
+
+
+@functools.lru_cache(maxsize=256)
+def _law(expression: str, constants: tuple[tuple[str, float], ...]) -> Expression:
+    return Expression(expression, "r", constants)
+
+
+@functools.lru_cache(maxsize=256)
+def _stretched(law: Expression) -> Terms:
+    return tuple((c * PowerLaw(1.0, p).stretch, p) for c, p in law.powers if p != 0.0)
+
+
+@functools.lru_cache(maxsize=256)
+def _start(law: Expression) -> float:
+    """Return the rounding error of the height at r = 0, after checking that it is one."""
+    axis = np.zeros(1)
+    height, slope, curvature = (float(part[0]) for part in law.taylor(axis))
+    if math.isnan(height) or math.isnan(slope) or math.isnan(curvature) or math.isinf(height):
+        raise InvalidInput(
+            f"Formula: '{law.text}' cannot be evaluated at r = 0, where it is undetermined or infinite; rewrite it, as "
+            "r*sqrt(1 + r) for sqrt(r**2 + r**3)."
+        )
+    if math.isinf(slope) and not law.powers:
+        raise InvalidInput(f"Formula: '{law.text}' is infinitely steep at r = 0; give one with a finite slope there.")
+    if abs(height) > ROUNDING * float(law.magnitude(axis)[0]):
+        raise InvalidInput(
+            f"Formula: the height of '{law.text}' is {height:.6g} m at r = 0; a profile starts at zero, so subtract it."
+        )
+    return height
+
+
+@functools.lru_cache(maxsize=256)
+def _sides(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
+    """Return the slope just below every corner, and by how much it jumps there."""
+    found = []
+    for corner in corners:
+        below, low = _beside(law, corner, -1.0)
+        above, high = _beside(law, corner, 1.0)
+        jump = above - below
+        found.append((below, 0.0 if abs(jump) <= 1e-9 * max(low, high) else jump))
+    return tuple(found)
+
+
+def _beside(law: Expression, corner: float, side: float) -> tuple[float, float]:
+    """Return the limit of the slope on one side of a corner, and the largest slope met on the way."""
+    r = corner * (1.0 + side * BESIDE)
+    _, slope, curvature = law.taylor(r)
+    near = slope + (corner - r) * curvature
+    first, second = np.diff(near)
+    size = float(np.max(np.abs(slope)))
+    if abs(second) <= 1e-12 * size:
+        return float(near[-1]), size
+    if not abs(second) < 0.9 * abs(first):
+        raise InvalidInput(f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:.6g} m.")
+    return float(near[-1] - second**2 / (second - first)), size

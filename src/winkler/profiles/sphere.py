@@ -1,0 +1,214 @@
+r"""Spheres, ellipsoids and hyperboloids, without the parabolic approximation.
+
+Sphere: :math:`f = R-\sqrt{R^2-r^2}` gives :math:`g = x\,\mathrm{artanh}(x/R)`.
+Hyperboloid: :math:`f = c(\sqrt{1+r^2/A^2}-1)` gives :math:`g = (c/A)\,x\arctan(x/A)`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.profiles.check import angle, positive
+from winkler.profiles.profile import Shape
+from winkler.values import value
+
+__all__ = ["Ellipsoid", "Hyperboloid", "Sphere"]
+
+
+def _series(t: Array, sign: float) -> Array:
+    """Sum 2 (-sign)^(k+1) t^(2k+1) / (4 k^2 - 1), the cancelling part of the integral of g for small t."""
+    square = t * t
+    total = np.zeros_like(t)
+    for k in range(16, 0, -1):
+        total = square * total * (-sign) + 2.0 / (4.0 * k * k - 1.0)
+    return t * square * total
+
+
+def _shape_integral(t: Array, sign: float) -> Array:
+    """Return (1 + sign t^2) inv(t) - t, up to its sign, where inv is artanh (sign -1) or arctan (sign +1)."""
+    t = np.asarray(t, dtype=float)
+    small = _series(np.minimum(t, 0.3), sign)
+    large = np.maximum(t, 0.3)
+    closed = large - (1.0 - large**2) * np.arctanh(large) if sign < 0 else (1.0 + large**2) * np.arctan(large) - large
+    return np.where(t < 0.3, small, closed)
+
+
+class _Round(Shape):
+    """An ellipsoid of revolution with semi-axes A (radial) and B (axial)."""
+
+    @property
+    def _axes(self) -> tuple[float, float]:
+        raise NotImplementedError
+
+    @property
+    def reach(self) -> float:
+        """The equator [m]."""
+        return self._axes[0]
+
+    @property
+    def size(self) -> float:
+        """Radius of the body, taken at its equator [m]."""
+        return self._axes[0]
+
+    @property
+    def rising(self) -> bool:
+        """g rises everywhere."""
+        return True
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]; infinite beyond the equator."""
+        a, b = self._axes
+        t = np.asarray(r) / a
+        inside = np.sqrt(np.maximum((1.0 - t) * (1.0 + t), 0.0))
+        return np.where(t <= 1.0, b * t * t / (1.0 + inside), math.inf)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]; infinite from the equator on."""
+        a, b = self._axes
+        t = np.asarray(r) / a
+        inside = np.sqrt(np.maximum((1.0 - t) * (1.0 + t), 0.0))
+        return np.where(inside > 0.0, b / a * t / np.where(inside > 0.0, inside, 1.0), math.inf)
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]; infinite from the equator on."""
+        a, b = self._axes
+        t = np.asarray(r) / a
+        inside = np.maximum((1.0 - t) * (1.0 + t), 0.0)
+        return np.where(inside > 0.0, b / (a * a) / np.where(inside > 0.0, inside, 1.0) ** 1.5, math.inf)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) = (B/A) x artanh(x/A) [m]."""
+        a, b = self._axes
+        return b / a * x * np.arctanh(x / a)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        a, b = self._axes
+        t = x / a
+        return b / a * (np.arctanh(t) + t / ((1.0 - t) * (1.0 + t)))
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        a, b = self._axes
+        return 0.5 * a * b * _shape_integral(x / a, -1.0)
+
+
+@value
+class Sphere(_Round):
+    """A sphere, f = R - sqrt(R^2 - r^2), with its exact shape.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m], positive.
+
+    See Also
+    --------
+    Paraboloid : the approximation behind Hertz' formulas; they meet for a << R.
+    """
+
+    curvature_radius: float
+
+    def __post_init__(self) -> None:
+        positive(self, "curvature_radius")
+
+    @property
+    def _axes(self) -> tuple[float, float]:
+        return self.curvature_radius, self.curvature_radius
+
+
+@value
+class Ellipsoid(_Round):
+    """An ellipsoid of revolution whose axis is the axis of the contact.
+
+    Parameters
+    ----------
+    radial_semi_axis : float
+        A [m], in the plane of the surface.
+    axial_semi_axis : float
+        B [m], along the axis; the radius of curvature at the apex is A^2 / B.
+    """
+
+    radial_semi_axis: float
+    axial_semi_axis: float
+
+    def __post_init__(self) -> None:
+        positive(self, "radial_semi_axis")
+        positive(self, "axial_semi_axis")
+
+    @property
+    def _axes(self) -> tuple[float, float]:
+        return self.radial_semi_axis, self.axial_semi_axis
+
+
+@value
+class Hyperboloid(Shape):
+    """A hyperboloid of revolution: a round tip that goes over into a cone.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m], at the apex.
+    half_angle : float
+        Of the cone it approaches, measured from the axis [rad], between 0 and pi/2.
+    """
+
+    curvature_radius: float
+    half_angle: float
+
+    def __post_init__(self) -> None:
+        positive(self, "curvature_radius")
+        angle(self, "half_angle")
+
+    @property
+    def _scales(self) -> tuple[float, float]:
+        """The slope m of the cone and the length A = R m."""
+        m = 1.0 / math.tan(self.half_angle)
+        return m, self.curvature_radius * m
+
+    @property
+    def size(self) -> float:
+        """Infinite: the flanks go on as a cone."""
+        return math.inf
+
+    @property
+    def rising(self) -> bool:
+        """g rises everywhere."""
+        return True
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        m, a = self._scales
+        t = np.asarray(r) / a
+        return m * a * t * t / (np.sqrt(1.0 + t * t) + 1.0)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        m, a = self._scales
+        t = np.asarray(r) / a
+        return m * t / np.sqrt(1.0 + t * t)
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]."""
+        m, a = self._scales
+        t = np.asarray(r) / a
+        return m / a / (1.0 + t * t) ** 1.5
+
+    def gap(self, x: Array) -> Array:
+        """g(x) = m x arctan(x/A) [m]."""
+        m, a = self._scales
+        return m * x * np.arctan(x / a)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        m, a = self._scales
+        t = x / a
+        return m * (np.arctan(t) + t / (1.0 + t * t))
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        m, a = self._scales
+        return 0.5 * m * a * a * _shape_integral(x / a, 1.0)

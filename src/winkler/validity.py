@@ -1,0 +1,51 @@
+"""How far a result can be trusted, in words and with sources.
+
+Every solution carries a tuple of `Note`; each states one assumption or check and its `Standing`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import Enum
+
+from winkler.values import value
+
+__all__ = ["Note", "Standing", "worst"]
+
+
+class Standing(Enum):
+    """What a note says about the result, from best to worst."""
+
+    EXACT = "exact"
+    ASYMPTOTIC = "asymptotic"
+    APPROXIMATE = "approximate"
+    OUTSIDE = "outside"
+
+
+@value
+class Note:
+    """One statement about the validity of a result.
+
+    Parameters
+    ----------
+    standing
+        exact; asymptotic (right in a limit, the deviation is stated); approximate (the error is stated);
+        outside (the number is not to be trusted).
+    statement
+        One sentence in plain words.
+    source
+        Where the statement comes from: a citation with DOI, or the check that was made.
+    """
+
+    standing: Standing
+    statement: str
+    source: str
+
+    def __str__(self) -> str:
+        return f"{self.standing.value}: {self.statement} [{self.source}]"
+
+
+def worst(notes: Iterable[Note]) -> Standing:
+    """Return the worst standing among `notes`; exact if there are none."""
+    order = list(Standing)
+    return max((note.standing for note in notes), key=order.index, default=Standing.EXACT)

@@ -1,0 +1,103 @@
+"""A *value*: a frozen dataclass that compares and hashes by content, arrays included.
+
+Everything that is asked or answered in winkler is a value.  Two studies with equal content are equal, so a
+value can be a key of a cache, a point of a sweep, or one side of an assertion.  Arrays become read-only copies
+(again after unpickling), lists become tuples, so that nothing changes behind the reader's back.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import Any, TypeVar, dataclass_transform
+
+import numpy as np
+
+__all__ = ["frozen_array", "value"]
+
+T = TypeVar("T")
+
+
+def frozen_array(array: Any) -> np.ndarray:
+    """Return a read-only float (or bool, complex, text) copy of `array`."""
+    result = np.array(array)
+    if result.dtype.kind in "iu":
+        result = result.astype(float)
+    result.flags.writeable = False
+    return result
+
+
+def _frozen(content: Any) -> Any:
+    if isinstance(content, np.ndarray):
+        return float(content) if content.ndim == 0 and content.dtype.kind in "iuf" else frozen_array(content)
+    if isinstance(content, np.generic):
+        return content.item()
+    if isinstance(content, list | tuple) and not hasattr(content, "_fields"):
+        return tuple(_frozen(item) for item in content)
+    return content
+
+
+def _key(content: Any) -> Any:
+    """Return something hashable that is equal exactly when `content` is."""
+    if isinstance(content, np.ndarray):
+        return content.shape, content.dtype.str, content.tobytes()
+    if isinstance(content, tuple):
+        return tuple(_key(item) for item in content)
+    if isinstance(content, dict):
+        return frozenset((name, _key(item)) for name, item in content.items())
+    return content
+
+
+def _content(self: Any) -> tuple[Any, ...]:
+    return tuple(_key(getattr(self, field.name)) for field in dataclasses.fields(self))
+
+
+def _equal(self: Any, other: object) -> bool:
+    if type(other) is not type(self):
+        return NotImplemented
+    return self is other or bool(_content(self) == _content(other))
+
+
+def _hash(self: Any) -> int:
+    known = self.__dict__.get("_hash")
+    if known is None:
+        known = hash((type(self).__qualname__, _content(self)))
+        object.__setattr__(self, "_hash", known)
+    return int(known)
+
+
+def _getstate(self: Any) -> dict[str, Any]:
+    return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+
+
+def _setstate(self: Any, state: dict[str, Any]) -> None:
+    for name, content in state.items():
+        object.__setattr__(self, name, _frozen(content))
+
+
+@dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(dataclasses.field,))
+def value(cls: type[T]) -> type[T]:
+    """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
+
+    A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.
+    """
+    check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
+
+    def __post_init__(self: Any) -> None:
+        for field in dataclasses.fields(self):
+            content = getattr(self, field.name)
+            frozen = _frozen(content)
+            if frozen is not content:
+                object.__setattr__(self, field.name, frozen)
+        if check is not None:
+            check(self)
+
+    for name, method in (
+        ("__post_init__", __post_init__),
+        ("__eq__", _equal),
+        ("__hash__", _hash),
+        ("__getstate__", _getstate),
+        ("__setstate__", _setstate),
+    ):
+        setattr(cls, name, method)
+    return dataclasses.dataclass(frozen=True, eq=False)(cls)
