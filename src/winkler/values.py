@@ -54,8 +54,9 @@ def _content(self: Any) -> tuple[Any, ...]:
 
 def _equal(self: Any, other: object) -> bool:
     if type(other) is not type(self):
-        return NotImplemented
-    return self is other or bool(_content(self) == _content(other))
+        return NotImplemented  # type: ignore[no-any-return]
+    same: bool = self is other or _content(self) == _content(other)
+    return same
 
 
 def _hash(self: Any) -> int:

@@ -97,7 +97,7 @@ GLOSSARY: dict[str, Word] = {
     "axial_displacement": Word("u_z", "m", "displacement along the axis, into the body positive"),
     "von_mises": Word(r"\sigma_{vM}", "Pa", "equivalent stress after von Mises"),
     "principal": Word(r"\sigma_i", "Pa", "principal stresses, greatest first"),
-    "max_shear": Word(r"\tau_{max}", "Pa", "greatest shear stress, half the difference of the outer principal stresses"),
+    "max_shear": Word(r"\tau_{max}", "Pa", "greatest shear stress, half the spread of the principal stresses"),
     # springs
     "position": Word("x_i", "m", "places of the springs"),
     "width": Word(r"\Delta x_i", "m", "length of line that each spring stands for"),

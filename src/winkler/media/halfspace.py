@@ -23,6 +23,7 @@ from winkler.values import value
 
 __all__ = ["HalfSpace", "HomogeneousMedium"]
 
+RIGID = Rigid()
 GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 
 
@@ -37,6 +38,11 @@ class HomogeneousMedium:
     @property
     def shear_modulus(self) -> float:
         """G* [Pa]."""
+        raise NotImplementedError
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed."""
         raise NotImplementedError
 
     def gap(self, profile: Profile, x: Array) -> Array:
@@ -106,7 +112,7 @@ class HalfSpace(HomogeneousMedium):
     """
 
     first: Solid
-    second: Solid = Rigid()
+    second: Solid = RIGID
 
     def __post_init__(self) -> None:
         for word, body in (("first", self.first), ("second", self.second)):
@@ -118,7 +124,7 @@ class HalfSpace(HomogeneousMedium):
             raise InvalidInput("HalfSpace: both bodies are rigid; at least one must be Elastic(young, poisson).")
 
     @classmethod
-    def between(cls, first: Solid, second: Solid = Rigid()) -> HalfSpace:
+    def between(cls, first: Solid, second: Solid = RIGID) -> HalfSpace:
         """Return the medium between two bodies; the second is rigid unless given."""
         return cls(first, second)
 

@@ -12,7 +12,8 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from typing import NamedTuple
+from collections.abc import Hashable
+from typing import NamedTuple, cast
 
 import numpy as np
 
@@ -77,15 +78,20 @@ class Pile(NamedTuple):
     root: Cluster
 
 
-@functools.lru_cache(maxsize=32)
 def pile(displacement: Displacement) -> Pile:
-    """Return the pile of punches of a displacement; cached by value.
+    """Return the pile of punches of a displacement; cached by value, so the displacement must be hashable.
 
     Raises
     ------
     NotConverged
         If u'(x) is not smooth between the kinks.
     """
+    return _pile(cast(Hashable, displacement))
+
+
+@functools.lru_cache(maxsize=32)
+def _pile(given: Hashable) -> Pile:
+    displacement = cast(Displacement, given)
     panels = tuple(_panels(displacement))
     nodes, weights = gauss_legendre(SAMPLES)
     radii, parts = [], []
@@ -137,7 +143,7 @@ def _panels(displacement: Displacement) -> list[Panel]:
             last = np.flatnonzero(np.abs(series[i]) > 1e-16 * size)
             done.append(Panel(*waiting[i], series[i, : last[-1] + 1 if last.size else 1]))
         rest = np.flatnonzero(~ready)
-        if len(done) + 2 * rest.size > MOST_PANELS or not np.all(np.isfinite(series[rest])):
+        if rest.size and (len(done) + 2 * rest.size > MOST_PANELS or not np.all(np.isfinite(series[rest]))):
             raise NotConverged(
                 f"subsurface field: u'(x) is not smooth near x = {math.hypot(base[rest[0]], lower[rest[0]]):.6g} m, "
                 "between two kinks; list every point where it is not smooth as a kink, or smooth the profile."

@@ -25,8 +25,8 @@ to the edge of the punch the only cancellation is in :math:`r - t`, which may be
 
 References
 ----------
-.. [1] A. E. Green, W. Zerna, Theoretical Elasticity, 2nd ed., Oxford 1968, section 5.8 (complex potentials of
-   axisymmetric punches); I. N. Sneddon, Proc. Camb. Phil. Soc. 42 (1946) 29-39, doi:10.1017/S0305004100022702.
+.. [1] J. W. Harding, I. N. Sneddon, The elastic stresses produced by the indentation of the plane surface of a
+   semi-infinite elastic solid by a rigid punch, Proc. Camb. Phil. Soc. 41 (1945) 16-26.
 """
 
 from __future__ import annotations

@@ -12,7 +12,8 @@ __all__ = ["max_shear", "principal", "von_mises"]
 def von_mises(radial: Array, hoop: Array, axial: Array, shear: Array) -> Array:
     """Return the equivalent stress after von Mises [Pa], all arguments [Pa] and of one shape."""
     squares = (radial - hoop) ** 2 + (hoop - axial) ** 2 + (axial - radial) ** 2
-    return np.sqrt(0.5 * squares + 3.0 * shear**2)
+    equivalent: Array = np.sqrt(0.5 * squares + 3.0 * shear**2)
+    return equivalent
 
 
 def principal(radial: Array, hoop: Array, axial: Array, shear: Array) -> Array:

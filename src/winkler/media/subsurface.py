@@ -17,6 +17,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ from winkler.media.medium import Displacement
 from winkler.media.pile import FAR, Cluster, Panel, pile
 from winkler.media.punch_field import BodyField, Potentials, combine, punch_below, punch_surface
 from winkler.numerics.quadrature import gauss_legendre
-from winkler.numerics.types import Array, ComplexArray
+from winkler.numerics.types import Array
 
 __all__ = ["field"]
 
@@ -41,6 +42,8 @@ COUNTS = np.array([6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112
 """Numbers of nodes of the rules; one of them is chosen for every point and panel."""
 LONGEST = 12.0
 """Longest interval of v that one rule covers."""
+SHALLOWEST = 1e-30
+"""Least depth below the surface, in contact radii, that is told from the next; cubes of it must not underflow."""
 STRAIGHT = math.log(3.0)
 """A panel is mapped by sinh only if the singularity is nearer than this, ln(rho) of its Bernstein ellipse."""
 NODES, SHORT = 48, 4.0
@@ -89,7 +92,8 @@ def field(displacement: Displacement, r: Array, z: Array, *, modulus: float, poi
         (below,), (surface,) = np.nonzero(depths > 0.0), np.nonzero(depths == 0.0)
         for start in range(0, below.size, BLOCK):
             block = below[start : start + BLOCK]
-            total[:, block] = _below(displacement, places[block], depths[block])
+            deep = np.maximum(depths[block], SHALLOWEST * displacement.radius)
+            total[:, block] = _below(displacement, places[block], deep)
         for start in range(0, surface.size, BLOCK):
             block = surface[start : start + BLOCK]
             total[:, block] = _surface(displacement, places[block])
@@ -181,10 +185,10 @@ def _enough(wanted: Array) -> Indices:
     return np.asarray(COUNTS[np.minimum(np.searchsorted(COUNTS, wanted), COUNTS.size - 1)], dtype=np.intp)
 
 
-def _distance(w: ComplexArray) -> Array:
+def _distance(w: NDArray[Any]) -> Array:
     """Return ln(rho) of the ellipse with foci at -1 and 1 through the complex points w, at least 1e-3."""
-    root = np.sqrt(w - 1.0) * np.sqrt(w + 1.0)
-    return np.maximum(np.abs(np.log(np.abs(w + root))), 1e-3)
+    root = np.sqrt(w + 0j - 1.0) * np.sqrt(w + 0j + 1.0)
+    return np.asarray(np.maximum(np.abs(np.log(np.abs(w + root))), 1e-3))
 
 
 @functools.lru_cache(maxsize=256)
@@ -271,10 +275,8 @@ def _tip(displacement: Displacement, panel: Panel) -> float:
     refined = panel.upper < 1e-6 * displacement.radius  # u' is no power series there
     place = panel.upper * (1.0 if refined else 1e-9)
     far, near = (-float(displacement.slope(np.array([x]))[0]) for x in (place, 1e-2 * place))
-    if far * near > 0.0:
-        power = 0.5 * math.log10(far / near)
-    else:
-        power = 1.0 if abs(near) <= abs(far) else 0.0
+    rising = abs(near) <= abs(far)
+    power = 0.5 * math.log10(far / near) if far * near > 0.0 else float(rising)
     if power < 0.01:
         return math.copysign(math.inf, near)
     if refined:

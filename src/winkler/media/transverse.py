@@ -18,6 +18,7 @@ from winkler.values import value
 __all__ = ["TransverselyIsotropicHalfSpace"]
 
 Body = TransverselyIsotropic | Elastic | Rigid
+RIGID = Rigid()
 
 
 def _compliances(body: Body) -> tuple[float, float]:
@@ -58,7 +59,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     """
 
     first: Body
-    second: Body = Rigid()
+    second: Body = RIGID
 
     def __post_init__(self) -> None:
         for word, body in (("first", self.first), ("second", self.second)):
@@ -71,7 +72,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
             raise InvalidInput("TransverselyIsotropicHalfSpace: both bodies are rigid; at least one must be elastic.")
 
     @classmethod
-    def between(cls, first: Body, second: Body = Rigid()) -> TransverselyIsotropicHalfSpace:
+    def between(cls, first: Body, second: Body = RIGID) -> TransverselyIsotropicHalfSpace:
         """Return the medium between two bodies; the second is rigid unless given."""
         return cls(first, second)
 

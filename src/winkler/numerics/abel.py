@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -40,8 +41,7 @@ def root_difference(x: Array, b: float | Array) -> Array:
 def _pieces(edges: Sequence[float], end: float) -> list[tuple[float, float]]:
     """Return the pieces into which `edges` cut the interval from 0 to `end`."""
     inner = sorted({edge for edge in edges if 0.0 < edge < end})
-    bounds = [0.0, *inner, math.inf]
-    return list(zip(bounds[:-1], bounds[1:], strict=True))
+    return list(pairwise([0.0, *inner, math.inf]))
 
 
 def _angular(function: Curve, edges: Sequence[float], x: Array, what: str) -> Array:
@@ -66,7 +66,8 @@ def _angular_piece(function: Curve, low: float, high: float, x: Array, what: str
 
     def integrand(node: Array, index: Array) -> Array:
         angle = start[index, None] + width[index, None] * node
-        return np.asarray(function(x[index, None] * np.sin(angle))) * width[index, None]
+        result: Array = np.multiply(function(x[index, None] * np.sin(angle)), width[index, None])
+        return result
 
     return settled(integrand, x.size, what)
 
@@ -155,7 +156,8 @@ def _surface_piece(function: Curve, low: float, top: float, r: Array) -> Array:
     def integrand(node: Array, index: Array) -> Array:
         y = span[index, None] * np.sin(width[index, None] * node)
         x = np.minimum(np.hypot(low, y), r[index, None])
-        return np.asarray(function(x)) * (y / x) * width[index, None]
+        result: Array = np.multiply(function(x), (y / x) * width[index, None])
+        return result
 
     return settled(integrand, r.size, "surface transform")
 
@@ -229,7 +231,8 @@ def _tail_from_r(slope: Curve, top: float, r: Array) -> Array:
 
     def integrand(node: Array, index: Array) -> Array:
         x = np.minimum(r[index, None] * np.cosh(reach[index, None] * node), top)
-        return -np.asarray(slope(x)) * reach[index, None]
+        result: Array = np.multiply(slope(x), -reach[index, None])
+        return result
 
     return settled(integrand, r.size, "pressure")
 
@@ -245,7 +248,8 @@ def _tail_from_kink(slope: Curve, low: float, top: float, strength: float, r: Ar
         # u' and its singular part are taken at the same rounded x, so that their errors cancel
         own = root_difference(x, low)
         regular = np.where(own > 0.0, -np.asarray(slope(x)) - strength / np.where(own > 0.0, own, 1.0), 0.0)
-        return (strength + y * regular) / x * reach[index, None]
+        result: Array = (strength + y * regular) / x * reach[index, None]
+        return result
 
     return settled(integrand, r.size, "pressure")
 
@@ -278,7 +282,8 @@ def _line_load_piece(pressure: Curve, low: float, top: float, end: float, x: Arr
         angle = first[index, None] + width[index, None] * node
         r = np.hypot(x[index, None], span[index, None] * np.sin(angle))
         rise = span[index, None] * np.cos(angle) * width[index, None]
-        return np.asarray(pressure(np.minimum(r, np.nextafter(end, 0.0)))) * rise
+        result: Array = np.multiply(pressure(np.minimum(r, np.nextafter(end, 0.0))), rise)
+        return result
 
     return settled(integrand, x.size, "line load")
 
@@ -300,6 +305,7 @@ def _integral_piece(function: Curve, low: float, top: Array) -> Array:
     def integrand(node: Array, index: Array) -> Array:
         y = span[index, None] * node
         x = np.minimum(np.hypot(low, y), top[index, None])
-        return np.asarray(function(x)) * (y / x) * span[index, None]
+        result: Array = np.multiply(function(x), (y / x) * span[index, None])
+        return result
 
     return settled(integrand, top.size, "integral along the springs")

@@ -42,7 +42,8 @@ class Panels:
         current = np.zeros_like(t)
         for row in rows[:0:-1]:
             last, current = current, row + 2.0 * t * current - last
-        return rows[0] + t * current - last
+        result: Array = rows[0] + t * current - last
+        return result
 
     @property
     def derivative(self) -> Panels:
@@ -104,6 +105,4 @@ def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
                 "smooth it, or give fewer points."
             )
     done.sort(key=lambda panel: panel[0])
-    return Panels(
-        np.array([start for start, _ in done] + [float(edges[-1])]), np.array([panel for _, panel in done])
-    )
+    return Panels(np.array([start for start, _ in done] + [float(edges[-1])]), np.array([panel for _, panel in done]))

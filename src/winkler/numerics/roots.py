@@ -13,6 +13,7 @@ from winkler.numerics.types import Array
 __all__ = ["invert"]
 
 ITERATIONS = 200
+CLOSE = 3e-9
 
 
 def invert(
@@ -48,22 +49,25 @@ def invert(
     x = np.full(target.shape, guess)
     for _ in range(ITERATIONS):
         value, slope = function(x)
-        miss = value - target
         step = _newton_step(x - lower, value, slope, target)
-        done = np.abs(step) <= 4e-16 * x
-        if done.all():
-            return x
-        below = miss < 0.0
+        below = value < target
         low = np.where(below, x, low)
         high = np.where(below, high, x)
         new = x + step
-        wild = ~((new > low) & (new < high))
+        # Newton's method doubles the digits: a step this small leaves nothing to do after it
+        settled = np.abs(step) <= CLOSE * x
+        inside = (new > low) & (new < high)
+        new = np.where(settled & ~inside, x, new)
+        if settled.all():
+            return new
+        wild = ~(inside | settled)
         if wild.any():
             new = np.where(wild, _middle(low, high, lower), new)
-        # neighbours in floating point, or a step that rounding can no longer resolve
-        if np.all(done | (new == x) | ((high < np.inf) & (high - low <= 4e-16 * np.abs(low)))):
-            return np.where(done, x, new)
-        x = np.where(done, x, new)
+            # neighbours in floating point: nothing lies between them
+            stuck = (high < np.inf) & (high - low <= 4e-16 * np.abs(low))
+            if np.all(settled | stuck):
+                return new
+        x = new
     worst = float(np.max(np.abs(function(x)[0] / target - 1.0)))
     if worst < 1e-12:
         return x

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Array", "ArrayLike", "ComplexArray", "Curve", "Quantity"]
 
-Array = NDArray[np.float64]
-ComplexArray = NDArray[np.complex128]
+Array = NDArray[Any]
+"""Floating-point numbers (or truth values derived from them) of any shape."""
+ComplexArray = NDArray[Any]
 Quantity = float | Array
 """A number, or an array of numbers where many cases are asked at once."""
 Curve = Callable[[Array], Array]

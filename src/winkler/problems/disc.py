@@ -10,6 +10,7 @@ A candidate is accepted only if the restored pressure is nowhere tensile and the
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -61,11 +62,11 @@ def _climbs(bed: Bed, end: float) -> list[Climb]:
     bounds = [0.0, *_turns(bed, end), end]
     record = 0.0
     climbs = []
-    for low, high in zip(bounds[:-1], bounds[1:], strict=True):
+    for low, high in pairwise(bounds):
         top = _gap(bed, high)
         if top <= record:
             continue
-        start = low if _gap(bed, low) >= record else _root(lambda t, r=record: _gap(bed, t) - r, low, high)  # type: ignore[misc]
+        start = low if _gap(bed, low) >= record else _root(lambda t, r=record: _gap(bed, t) - r, low, high)
         climbs.append(Climb(start, high))
         record = top
     return climbs

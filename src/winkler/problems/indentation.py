@@ -14,13 +14,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed, Pressed
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics import abel
-from winkler.numerics.roots import invert
 from winkler.numerics.types import Array, Quantity
-from winkler.problems import disc
+from winkler.problems.closure import at_depth, at_force, at_radius
 from winkler.problems.trust import indentation_notes
 from winkler.validity import Note
 from winkler.values import value
@@ -87,11 +86,11 @@ class Indentation:
         target = np.atleast_1d(np.asarray(given, dtype=float))
         flat = target.ravel()
         if asked == "radius":
-            depth_, radius_ = _at_radius(self.bed, flat)
+            depth_, radius_ = at_radius(self.bed, flat)
         elif asked == "depth":
-            depth_, radius_ = _at_depth(self.bed, flat)
+            depth_, radius_ = at_depth(self.bed, flat)
         else:
-            depth_, radius_ = _at_force(self.bed, flat)
+            depth_, radius_ = at_force(self.bed, flat)
         load = flat if asked == "force" else self.bed.stiffness(radius_) * depth_ - self.bed.gap_load(radius_)
         if asked == "depth":
             load = np.where(radius_ > 0.0, load, 0.0)
@@ -140,10 +139,12 @@ class IndentationSolution:
         bed = self.problem.bed
         depth, radius = np.ravel(self.depth), np.ravel(self.radius)
         edges = [b for b, _ in bed.kinks]
-        work = [
-            float(abel.integral(lambda x, d=d: bed.normal_stiffness(x) * (d - bed.gap(x)) ** 2, edges, np.array(a)))
-            for d, a in zip(depth, radius, strict=True)
-        ]
+
+        def work_of(d: float, a: float) -> float:
+            stored = abel.integral(lambda x: bed.normal_stiffness(x) * (d - bed.gap(x)) ** 2, edges, np.array(a))
+            return float(stored)
+
+        work = [work_of(d, a) for d, a in zip(depth, radius, strict=True)]
         return self._shaped(np.reshape(work, np.shape(self.depth)))
 
     def line_load(self, x: Array) -> Array:
@@ -214,130 +215,3 @@ class IndentationSolution:
 
     def _shaped(self, answer: Array) -> Quantity:
         return float(answer) if np.ndim(self.depth) == 0 else answer
-
-
-def _end(bed: Bed) -> float:
-    return min(bed.reach, bed.rim)
-
-
-def _flat(bed: Bed) -> float:
-    """Return the radius up to which g vanishes: the contact opens with it."""
-    places = [b for b, _ in bed.kinks if b < _end(bed)]
-    if not places:
-        return 0.0
-    touching = [b for b, g in zip(places, bed.gap(np.array(places)), strict=True) if g == 0.0]
-    return max(touching, default=0.0)
-
-
-def _at_end(bed: Bed) -> tuple[float, float]:
-    """Return depth and force when the contact fills the profile; infinite if it never does."""
-    end = _end(bed)
-    if not np.isfinite(end):
-        return np.inf, np.inf
-    place = np.array([end])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        depth = float(bed.gap(place)[0])
-        if not np.isfinite(depth):
-            return np.inf, np.inf
-        return depth, float((bed.stiffness(place) * depth - bed.gap_load(place))[0])
-
-
-def _indices(bad: Array) -> str:
-    places = np.flatnonzero(bad)
-    if bad.size == 1:
-        return ""
-    return f" at index {', '.join(map(str, places[:5]))}" + (" and more" if places.size > 5 else "")
-
-
-def _refuse_beyond(bed: Bed, bad: Array, given: Array, word: str, unit: str, most: float) -> None:
-    if bad.any():
-        raise OutsideValidity(
-            f"{word} {given[bad][0]:.6g} {unit}{_indices(bad)} leads beyond the reach of the profile ({bed.reach:.6g} "
-            f"m), where nothing is known of it; at most {most:.6g} {unit} can be answered."
-        )
-
-
-def _at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
-    end = _end(bed)
-    depth_end, _ = _at_end(bed)
-    bad = radius > end if np.isfinite(depth_end) else radius >= end
-    if bad.any():
-        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
-        raise OutsideValidity(
-            f"radius {radius[bad][0]:.6g} m{_indices(bad)} is beyond {wall} ({end:.6g} m); give a smaller one."
-        )
-    flat = _flat(bed) if depth_end > 0.0 else end
-    bad = (radius > 0.0) & (radius <= flat)
-    if bad.any():
-        raise OutsideValidity(
-            f"radius {radius[bad][0]:.6g} m{_indices(bad)} does not tell the load: the body is flat up to {flat:.6g} m "
-            "and touches there at once; give a force or a depth."
-        )
-    depth = bed.gap(radius)
-    if not bed.rising:
-        for d, a in zip(depth, radius, strict=True):
-            disc.refuse_unless_disc(bed, float(d), float(a), end)
-    return depth, radius.copy()
-
-
-def _at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
-    depth_end, _ = _at_end(bed)
-    pinned = depth > depth_end if bed.rim <= bed.reach else np.zeros(depth.shape, dtype=bool)
-    _refuse_beyond(bed, (depth > depth_end) & ~pinned, depth, "depth", "m", depth_end)
-    radius = np.where(pinned, _end(bed), 0.0)
-    free = (depth > 0.0) & ~pinned
-    if free.any():
-        if bed.rising:
-            radius[free] = invert(
-                lambda a: (bed.gap(a), bed.gap_slope(a)),
-                depth[free],
-                lower=_flat(bed),
-                upper=_end(bed),
-                guess=_guess(bed),
-            )
-        else:
-            radius[free] = [disc.radius_at_depth(bed, float(d), _end(bed), _guess(bed)) for d in depth[free]]
-    return depth.copy(), radius
-
-
-def _at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
-    tensile = force < 0.0
-    if tensile.any():
-        raise OutsideValidity(
-            f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
-            "pressed together: give a force of zero or more."
-        )
-    depth_end, force_end = _at_end(bed)
-    pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
-    _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
-    radius = np.where(pinned, _end(bed), 0.0)
-    free = (force > 0.0) & ~pinned
-
-    def force_and_slope(a: Array) -> tuple[Array, Array]:
-        stiffness = bed.stiffness(a)
-        return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
-
-    if free.any():
-        if bed.rising:
-            radius[free] = invert(
-                force_and_slope, force[free], lower=_flat(bed), upper=_end(bed), guess=_guess(bed)
-            )
-        else:
-            radius[free] = [disc.radius_at_force(bed, float(load), _end(bed), _guess(bed)) for load in force[free]]
-    depth = bed.gap(radius)
-    if pinned.any():
-        rim = np.array([_end(bed)])
-        depth[pinned] = depth_end + (force[pinned] - force_end) / bed.stiffness(rim)[0]
-    return depth, radius
-
-
-def _guess(bed: Bed) -> float:
-    """Return a radius of the order of the body's lengths, where the search begins."""
-    flat, end = _flat(bed), _end(bed)
-    if np.isfinite(end):
-        return 0.5 * (flat + end)
-    if flat > 0.0:
-        return 2.0 * flat
-    if np.isfinite(bed.size):
-        return 0.1 * bed.size
-    return min((b for b, _ in bed.kinks), default=1e-3)

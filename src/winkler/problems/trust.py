@@ -37,7 +37,7 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
         notes.append(
             Note(
                 Standing.EXACT,
-                "The contact is pinned at the rim; the pressure is infinite there, so a real edge yields or is rounded.",
+                "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded.",
                 "Boussinesq's flat punch",
             )
         )
@@ -59,7 +59,8 @@ def _slope_note(bed: Bed, radius: float) -> Note:
     if slope <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "small, as the theory assumes"
     elif slope <= 1.0:
-        standing, verdict = Standing.APPROXIMATE, "not small: expect deviations of the order of (1 - 2 nu) times the slope"
+        standing = Standing.APPROXIMATE
+        verdict = "not small: expect deviations of the order of (1 - 2 nu) times the slope"
     else:
         standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
     return Note(standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY)
@@ -85,5 +86,6 @@ def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
     if force < onset.force:
         standing, verdict = Standing.EXACT, f"yielding begins at {onset.force:.4g} N; the contact stays elastic"
     else:
-        standing, verdict = Standing.OUTSIDE, f"yielding began at {onset.force:.4g} N; beyond it the result is not elastic"
+        standing = Standing.OUTSIDE
+        verdict = f"yielding began at {onset.force:.4g} N; beyond it the result is not elastic"
     return (Note(standing, f"By von Mises' criterion {verdict}.", "largest von Mises stress of the restored field"),)

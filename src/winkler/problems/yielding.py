@@ -13,6 +13,7 @@ from winkler.media import subsurface
 from winkler.media.halfspace import Body, HalfSpace
 from winkler.media.peak import Place, greatest
 from winkler.media.stress import von_mises
+from winkler.problems.closure import flat_radius
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -143,14 +144,12 @@ def _onset(bed: Bed, body: Body, strength: float) -> tuple[float, Place]:
         pressed = Pressed(bed, float(bed.gap(np.array([a]))[0]), a)
 
         def field(r: np.ndarray, z: np.ndarray) -> np.ndarray:
-            state = subsurface.field(
-                pressed, r, z, modulus=medium.modulus, poisson=body.poisson, shear=body.shear
-            )
+            state = subsurface.field(pressed, r, z, modulus=medium.modulus, poisson=body.poisson, shear=body.shear)
             return von_mises(state.radial_stress, state.hoop_stress, state.axial_stress, state.shear_stress)
 
         return greatest(field, a)
 
-    flat = max((b for b, g in zip(*_kink_gaps(bed), strict=True) if g == 0.0), default=0.0)
+    flat = flat_radius(bed)
     low, high = flat, end
     a = 0.5 * end if math.isfinite(end) else (2.0 * flat or 1e-3 * min(bed.size, 1.0))
     last: tuple[float, float] | None = None
@@ -177,8 +176,3 @@ def _onset(bed: Bed, body: Body, strength: float) -> tuple[float, Place]:
             f"{strength:.6g} Pa; the body does not yield before the profile ends."
         )
     raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {STEPS} steps.")
-
-
-def _kink_gaps(bed: Bed) -> tuple[np.ndarray, np.ndarray]:
-    places = np.array([b for b, _ in bed.kinks if b < min(bed.reach, bed.rim)])
-    return places, bed.gap(places) if places.size else places

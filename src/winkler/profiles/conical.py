@@ -179,7 +179,8 @@ class SpheroConical(Shape):
         """g(x) [m]."""
         x = np.asarray(x, dtype=float)
         tip, cone = self._parts(x)
-        return x * (tip + cone)
+        result: Array = x * (tip + cone)
+        return result
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
@@ -191,7 +192,8 @@ class SpheroConical(Shape):
         inner = np.minimum(x, b)
         within = x * big / ((big - inner) * (big + inner))
         beyond = x / (big + x) + (b * b - high * root) / (high * (high + root))
-        return tip + cone + np.where(x <= b, within, beyond)
+        result: Array = np.add(tip + cone, np.where(x <= b, within, beyond))
+        return result
 
     def _parts(self, x: Array) -> tuple[Array, Array]:
         """Return what tip and flank add to g(x)/x."""

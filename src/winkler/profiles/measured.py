@@ -100,17 +100,18 @@ class Measured(Shape):
         curve = self.curve
         apex = ", with a round apex" if curve.rounded else ""
         if curve.through:
-            text = f"The shape is the cubic spline through {self.radii.size} points{apex}; the transform of it is exact."
+            text = f"The shape is the cubic spline through {self.radii.size} points{apex}; its transform is exact."
             return (Note(Standing.ASYMPTOTIC, text, "cross-validation found no scatter to smooth"),)
         text = (
-            f"The {self.radii.size} points were smoothed by a cubic spline of {curve.pieces} pieces{apex}; they scatter "
-            f"about it by {curve.residual:.3g} m (root mean square)."
+            f"The {self.radii.size} points were smoothed by a cubic spline of {curve.pieces} pieces{apex}; they "
+            f"scatter about it by {curve.residual:.3g} m (root mean square)."
         )
         return (Note(Standing.APPROXIMATE, text, "number of pieces by generalised cross-validation"),)
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
-        return self.curve.evaluate(np.asarray(r, dtype=float)) - self.curve.derivatives[0, 0]
+        above: Array = self.curve.evaluate(np.asarray(r, dtype=float)) - self.curve.derivatives[0, 0]
+        return above
 
     def slope(self, r: Array) -> Array:
         """f'(r) [-]."""
@@ -151,8 +152,8 @@ def _curve(profile: Measured) -> Spline:
     spread = np.maximum.reduceat(heights, start) - np.minimum.reduceat(heights, start)
     if np.max(spread) > 0.2 * np.ptp(f) > 0.0:
         raise InvalidInput(
-            f"Measured: at the radius {r[np.argmax(spread)]:.6g} m the heights differ by {np.max(spread):.3g} m, like a "
-            "vertical wall; cut the data there and give CappedCylinder(radius, cap), or remove the wrong points."
+            f"Measured: at the radius {r[np.argmax(spread)]:.6g} m the heights differ by {np.max(spread):.3g} m, like "
+            "a vertical wall; cut the data there and give CappedCylinder(radius, cap), or remove the wrong points."
         )
     if r[0] > 0.1 * r[-1]:
         raise InvalidInput(
@@ -194,7 +195,8 @@ def _gap_slope(curve: Spline, x: Array) -> Array:
     for start in range(0, flat.size if inner.size else 0, chunk):
         part = slice(start, start + chunk)
         total[part] += _beyond(flat[part, None], inner) @ half_jumps
-    return total.reshape(x.shape)
+    result: Array = total.reshape(x.shape)
+    return result
 
 
 def _beyond(x: Array, b: Array) -> Array:
@@ -204,4 +206,5 @@ def _beyond(x: Array, b: Array) -> Array:
     square roots b^3 - 2 b^3 + b^3 cancel.
     """
     root = root_difference(x, b)
-    return (1.5 * x * x + b * b) * np.arctan2(root, b) - 2.5 * b * root
+    added: Array = (1.5 * x * x + b * b) * np.arctan2(root, b) - 2.5 * b * root
+    return added

@@ -18,9 +18,9 @@ MOST_PIECES = 512
 class Spline(NamedTuple):
     """A cubic spline on [0, L] and how it came about.
 
-    `knots` (k + 1,) ascending from 0; `derivatives` (4, k): f, f', f'', f''' at the start of each piece;
-    `residual` the root mean square misfit [m], `scatter` that with which points predict each other; `through` whether it passes through all points; `rounded` whether
-    f'(0) = 0 was imposed.
+    `knots` (k + 1,) ascending from 0; `derivatives` (4, k): f, f', f'', f''' at the start of each piece; `residual` the
+    root mean square misfit [m], `scatter` that with which points predict each other; `through` whether it passes
+    through all points; `rounded` whether f'(0) = 0 was imposed.
     """
 
     knots: Array

@@ -18,22 +18,30 @@ from winkler.values import value
 __all__ = ["Ellipsoid", "Hyperboloid", "Sphere"]
 
 
+SMALL = 0.2
+"""Below this radius over body radius the integral of g is summed as a series, because its closed form cancels."""
+TERMS = tuple(2.0 / (4.0 * k * k - 1.0) for k in range(11, 0, -1))
+
+
 def _series(t: Array, sign: float) -> Array:
-    """Sum 2 (-sign)^(k+1) t^(2k+1) / (4 k^2 - 1), the cancelling part of the integral of g for small t."""
-    square = t * t
-    total = np.zeros_like(t)
-    for k in range(16, 0, -1):
-        total = square * total * (-sign) + 2.0 / (4.0 * k * k - 1.0)
-    return t * square * total
+    """Sum 2 (-sign)^(k+1) t^(2k+1) / (4 k^2 - 1) for small t."""
+    step = -sign * t * t
+    total = TERMS[0] * step + TERMS[1]
+    for term in TERMS[2:]:
+        total = total * step + term
+    result: Array = t * t * t * total
+    return result
 
 
 def _shape_integral(t: Array, sign: float) -> Array:
     """Return (1 + sign t^2) inv(t) - t, up to its sign, where inv is artanh (sign -1) or arctan (sign +1)."""
     t = np.asarray(t, dtype=float)
-    small = _series(np.minimum(t, 0.3), sign)
-    large = np.maximum(t, 0.3)
+    if not np.any(t >= SMALL):
+        return _series(t, sign)
+    small = _series(np.minimum(t, SMALL), sign)
+    large = np.maximum(t, SMALL)
     closed = large - (1.0 - large**2) * np.arctanh(large) if sign < 0 else (1.0 + large**2) * np.arctan(large) - large
-    return np.where(t < 0.3, small, closed)
+    return np.where(t < SMALL, small, closed)
 
 
 class _Round(Shape):

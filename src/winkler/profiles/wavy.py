@@ -61,15 +61,18 @@ class Wavy(Shape):
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
         t = self._number * np.asarray(x)
-        return 0.5 * math.pi * self.amplitude * t * struve(0, t)
+        result: Array = np.multiply(0.5 * math.pi * self.amplitude * t, struve(0, t))
+        return result
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
         t = self._number * np.asarray(x)
         steep = struve(0, t) + t * (2.0 / math.pi - struve(1, t))
-        return 0.5 * math.pi * self.amplitude * self._number * steep
+        result: Array = np.multiply(0.5 * math.pi * self.amplitude * self._number, steep)
+        return result
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x)
-        return 0.5 * math.pi * self.amplitude * x * struve(1, self._number * x)
+        result: Array = np.multiply(0.5 * math.pi * self.amplitude * x, struve(1, self._number * x))
+        return result

@@ -1,0 +1,148 @@
+r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
+
+Beds whose g is known to rise are inverted at once for all loads; the others go through `winkler.problems.disc`, which
+accepts a radius only after checking that the contact is one disc.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.numerics.roots import invert
+from winkler.numerics.types import Array
+from winkler.problems import disc
+
+__all__ = ["at_depth", "at_force", "at_radius", "flat_radius"]
+
+
+def _end(bed: Bed) -> float:
+    """Return the radius at which the profile ends, at a rim or where it is no longer known."""
+    return min(bed.reach, bed.rim)
+
+
+def flat_radius(bed: Bed) -> float:
+    """Return the radius up to which g vanishes: the contact opens with it."""
+    places = [b for b, _ in bed.kinks if b < _end(bed)]
+    if not places:
+        return 0.0
+    touching = [b for b, g in zip(places, bed.gap(np.array(places)), strict=True) if g == 0.0]
+    return max(touching, default=0.0)
+
+
+def _at_end(bed: Bed) -> tuple[float, float]:
+    """Return depth and force when the contact fills the profile; infinite if it never does."""
+    end = _end(bed)
+    if not np.isfinite(end):
+        return np.inf, np.inf
+    place = np.array([end])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        depth = float(bed.gap(place)[0])
+        if not np.isfinite(depth):
+            return np.inf, np.inf
+        return depth, float((bed.stiffness(place) * depth - bed.gap_load(place))[0])
+
+
+def _indices(bad: Array) -> str:
+    places = np.flatnonzero(bad)
+    if bad.size == 1:
+        return ""
+    return f" at index {', '.join(map(str, places[:5]))}" + (" and more" if places.size > 5 else "")
+
+
+def _refuse_beyond(bed: Bed, bad: Array, given: Array, word: str, unit: str, most: float) -> None:
+    if bad.any():
+        raise OutsideValidity(
+            f"{word} {given[bad][0]:.6g} {unit}{_indices(bad)} leads beyond the reach of the profile ({bed.reach:.6g} "
+            f"m), where nothing is known of it; at most {most:.6g} {unit} can be answered."
+        )
+
+
+def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
+    """Return depth and radius of contacts with given radii `(m,)`."""
+    end = _end(bed)
+    depth_end, _ = _at_end(bed)
+    bad = radius > end if np.isfinite(depth_end) else radius >= end
+    if bad.any():
+        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
+        raise OutsideValidity(
+            f"radius {radius[bad][0]:.6g} m{_indices(bad)} is beyond {wall} ({end:.6g} m); give a smaller one."
+        )
+    flat = flat_radius(bed) if depth_end > 0.0 else end
+    bad = (radius > 0.0) & (radius <= flat)
+    if bad.any():
+        raise OutsideValidity(
+            f"radius {radius[bad][0]:.6g} m{_indices(bad)} does not tell the load: the body is flat up to {flat:.6g} m "
+            "and touches there at once; give a force or a depth."
+        )
+    depth = bed.gap(radius)
+    if not bed.rising:
+        for d, a in zip(depth, radius, strict=True):
+            disc.refuse_unless_disc(bed, float(d), float(a), end)
+    return depth, radius.copy()
+
+
+def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
+    """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
+    depth_end, _ = _at_end(bed)
+    pinned = depth > depth_end if bed.rim <= bed.reach else np.zeros(depth.shape, dtype=bool)
+    _refuse_beyond(bed, (depth > depth_end) & ~pinned, depth, "depth", "m", depth_end)
+    radius = np.where(pinned, _end(bed), 0.0)
+    free = (depth > 0.0) & ~pinned
+    if free.any():
+        if bed.rising:
+            radius[free] = invert(
+                lambda a: (bed.gap(a), bed.gap_slope(a)),
+                depth[free],
+                lower=flat_radius(bed),
+                upper=_end(bed),
+                guess=_guess(bed),
+            )
+        else:
+            radius[free] = [disc.radius_at_depth(bed, float(d), _end(bed), _guess(bed)) for d in depth[free]]
+    return depth.copy(), radius
+
+
+def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
+    """Return depth and radius of contacts under given forces `(m,)`."""
+    tensile = force < 0.0
+    if tensile.any():
+        raise OutsideValidity(
+            f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
+            "pressed together: give a force of zero or more."
+        )
+    depth_end, force_end = _at_end(bed)
+    pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
+    _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
+    radius = np.where(pinned, _end(bed), 0.0)
+    free = (force > 0.0) & ~pinned
+
+    def force_and_slope(a: Array) -> tuple[Array, Array]:
+        stiffness = bed.stiffness(a)
+        return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
+
+    if free.any():
+        if bed.rising:
+            radius[free] = invert(
+                force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed)
+            )
+        else:
+            radius[free] = [disc.radius_at_force(bed, float(load), _end(bed), _guess(bed)) for load in force[free]]
+    depth = bed.gap(radius)
+    if pinned.any():
+        rim = np.array([_end(bed)])
+        depth[pinned] = depth_end + (force[pinned] - force_end) / bed.stiffness(rim)[0]
+    return depth, radius
+
+
+def _guess(bed: Bed) -> float:
+    """Return a radius of the order of the body's lengths, where the search begins."""
+    flat, end = flat_radius(bed), _end(bed)
+    if np.isfinite(end):
+        return flat + 0.02 * (end - flat)
+    if flat > 0.0:
+        return 2.0 * flat
+    if np.isfinite(bed.size):
+        return 0.02 * bed.size
+    return min((b for b, _ in bed.kinks), default=1e-3)
