@@ -157,11 +157,14 @@ def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress:
     Returns
     -------
     PeakStress
-        Infinite stresses at sharp edges are found as such.
+        Infinite at a sharp kink, edge or apex.
     """
     pressed = solution.pressed
     if pressed.radius == 0.0:
         return PeakStress(0.0, 0.0, 0.0)
+    sharp = [b for b, strength in pressed.kinks if strength != 0.0]
+    if sharp:
+        return PeakStress(float("inf"), sharp[0], 0.0)
     sign = 1.0 if below else -1.0
     place = greatest(lambda r, z: _below(pressed, r, sign * z, below).von_mises, pressed.radius)
     return PeakStress(place.value, place.r, sign * place.z)

@@ -57,7 +57,7 @@ class Panel(NamedTuple):
         last, before = np.full(y.shape, self.series[-1]), np.zeros(y.shape)
         for coefficient in self.series[-2:0:-1]:
             last, before = coefficient + twice * last - before, last
-        return self.series[0] + s * last - before
+        return np.asarray(self.series[0] + s * last - before)
 
 
 class Cluster(NamedTuple):

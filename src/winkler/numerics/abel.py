@@ -14,7 +14,8 @@ T5      :math:`2\int_x^a r\,p(r)\,(r^2-x^2)^{-1/2}\,dr`                   `line_
 Each integral is split at the points where the integrand is not smooth and mapped so that what is left is
 analytic: :math:`r = x\sin\theta` removes the kernel's singularity, :math:`y=\sqrt{x^2-b^2}` the square root that
 a kink at b leaves in g.  Gauss-Legendre rules then converge geometrically; they are doubled until the result
-settles (`numerics.settling`), so every answer is either good to about 1e-13 or refused.
+settles (`numerics.settling`), so every answer is either good to about 1e-13 or refused.  At a small distance e above a
+kink b the rounding of x alone costs b/e units in the last place of what the kink adds.
 """
 
 from __future__ import annotations
@@ -36,6 +37,13 @@ Kinks = Sequence[tuple[float, float]]
 def root_difference(x: Array, b: float | Array) -> Array:
     """Return sqrt(x^2 - b^2) without cancellation; zero where x < b."""
     return np.sqrt(np.maximum(x - b, 0.0) * (x + b))
+
+
+def _noise(x: Array, low: float) -> Array | None:
+    """Return how far rounding of places near x spoils a function of the distance from `low`, relative to it."""
+    if low == 0.0:
+        return None
+    return np.asarray(np.finfo(float).eps * x / (x - low))
 
 
 def _pieces(edges: Sequence[float], end: float) -> list[tuple[float, float]]:
@@ -63,13 +71,15 @@ def _angle_to(high: float, x: Array) -> Array:
 def _angular_piece(function: Curve, low: float, high: float, x: Array, what: str) -> Array:
     start = np.arctan2(low, root_difference(x, low))
     width = _angle_to(high, x) - start
+    first = np.nextafter(low, math.inf) if low > 0.0 else 0.0  # rounding must not carry r across a kink
 
     def integrand(node: Array, index: Array) -> Array:
         angle = start[index, None] + width[index, None] * node
-        result: Array = np.multiply(function(x[index, None] * np.sin(angle)), width[index, None])
+        r = np.clip(x[index, None] * np.sin(angle), first, high)
+        result: Array = np.multiply(function(r), width[index, None])
         return result
 
-    return settled(integrand, x.size, what)
+    return settled(integrand, x.size, what, _noise(x, low))
 
 
 def _on(x: Array, result: Array, inner: Array) -> Array:
@@ -116,7 +126,7 @@ def gap_slope(slope: Curve, curvature: Curve, kinks: Kinks, x: Array) -> Array:
     for b, jump in kinks:
         above = inner > b
         result[above] += b * jump / root_difference(inner[above], b)
-    return _on(x, np.full(x.shape, 0.5 * math.pi) * slope(np.zeros(1)), result)
+    return _on(x, np.full(x.shape, 0.5 * math.pi * float(slope(np.zeros(1))[0])), result)
 
 
 def gap_integral(height: Curve, edges: Sequence[float], x: Array) -> Array:
@@ -141,8 +151,8 @@ def surface(function: Curve, edges: Sequence[float], r: Array, end: float = math
     for low, high in _pieces(edges, min(end, float(np.max(inner, initial=0.0)))):
         (active,) = np.nonzero(inner > low)
         total[active] += _surface_piece(function, low, min(high, end), inner[active])
-    at_axis = np.full(r.shape, 0.5 * math.pi) * function(np.zeros(1))
-    return (2.0 / math.pi) * _on(r, at_axis, total)
+    at_axis = np.full(r.shape, 0.5 * math.pi * float(function(np.zeros(1))[0]))
+    return np.asarray((2.0 / math.pi) * _on(r, at_axis, total))
 
 
 def _surface_piece(function: Curve, low: float, top: float, r: Array) -> Array:
@@ -159,7 +169,7 @@ def _surface_piece(function: Curve, low: float, top: float, r: Array) -> Array:
         result: Array = np.multiply(function(x), (y / x) * width[index, None])
         return result
 
-    return settled(integrand, r.size, "surface transform")
+    return settled(integrand, r.size, "surface transform", _noise(r, low))
 
 
 def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array) -> Array:
@@ -184,31 +194,42 @@ def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array) -> A
         p / E*; zero outside, infinite at an edge that jumps, at a kink, and at the apex of a cone.
     """
     r = np.asarray(r, dtype=float)
-    result = np.zeros(r.shape)
+    flat = np.zeros(r.size)
     (inside,) = np.nonzero((r < end).ravel())
     radii = r.ravel()[inside]
-    # the axis itself: the limit of small r, which is infinite where u' does not vanish
-    tiny = 1e-9 * min([end] + [b for b, _ in kinks if b > 0.0])
-    pointed = _pointed(slope, tiny)
-    total = _tail(slope, kinks, end, np.maximum(radii, 1e-3 * tiny))
-    if pointed:
-        total[radii == 0.0] = math.inf if float(slope(np.array([tiny]))[0]) < 0.0 else -math.inf
+    total = np.zeros(radii.shape)
+    singular = [(b, strength) for b, strength in kinks if strength != 0.0 and 0.0 < b < end]
+    open_ = ~np.isin(radii, [b for b, _ in singular])
+    near = 1e-9 * min([end] + [b for b, _ in kinks if b > 0.0])
+    total[open_] = _tail(slope, kinks, end, np.maximum(radii[open_], near))
+    (axis,) = np.nonzero(radii < near)
+    total[axis] += _towards_axis(slope, near, radii[axis])
     if edge != 0.0:
         total += edge / root_difference(np.asarray(end), radii)
-    flat = result.ravel()
     flat[inside] = total / math.pi
-    if edge != 0.0:
-        flat[r.ravel() == end] = math.copysign(math.inf, edge)
-    for b, strength in kinks:
-        if strength != 0.0 and 0.0 < b < end:
+    for b, strength in [*singular, (end, edge)]:
+        if strength != 0.0:
             flat[r.ravel() == b] = math.copysign(math.inf, strength)
     return flat.reshape(r.shape)
 
 
-def _pointed(slope: Curve, tiny: float) -> bool:
-    """Whether u'(x) tends to a constant (or grows) as x -> 0, so that the pressure diverges at the axis."""
-    far, near = np.abs(slope(np.array([tiny, 1e-2 * tiny])))
-    return bool(near > 0.5 * far > 0.0)
+def _towards_axis(slope: Curve, near: float, r: Array) -> Array:
+    """Return by how much the tail at r < near exceeds that at `near`; -u'(x) = c x^m so close to the axis.
+
+    The tail of a power is a constant and ``c r^m k(m) / m`` with k(m) = -sqrt(pi) Gamma(1 - m/2) / Gamma((1 - m)/2).
+    """
+    there, farther = -np.asarray(slope(np.array([near, 100.0 * near])))
+    if there == 0.0 or there * farther <= 0.0:
+        return np.zeros(r.shape)
+    m = math.log(farther / there) / math.log(100.0)
+    if m > 1.5:
+        return np.zeros(r.shape)
+    m = 0.0 if abs(m) < 1e-6 else m
+    with np.errstate(divide="ignore"):
+        fall = np.log(r / near)
+    gain = np.expm1(m * fall) / m if m != 0.0 else fall
+    factor = -math.sqrt(math.pi) * math.gamma(1.0 - 0.5 * m) / math.gamma(0.5 * (1.0 - m)) if m != 1.0 else 0.0
+    return np.asarray(float(there) * factor * gain)
 
 
 def _tail(slope: Curve, kinks: Kinks, end: float, r: Array) -> Array:
@@ -218,38 +239,29 @@ def _tail(slope: Curve, kinks: Kinks, end: float, r: Array) -> Array:
     for low, high in _pieces([b for b, _ in kinks], end):
         top = min(high, end)
         # the piece that holds r starts at r; those beyond start at their kink, with its inverse square root
-        (inside,) = np.nonzero((r >= low) & (r < top))
+        (inside,) = np.nonzero((r >= low) & (r < top) & (r > 0.0))
         (before,) = np.nonzero(r < low)
-        total[inside] += _tail_from_r(slope, top, r[inside])
-        total[before] += _tail_from_kink(slope, low, top, strengths.get(low, 0.0), r[before])
+        if low == 0.0 and np.any(r == 0.0):
+            total[r == 0.0] += _tail_from_axis(slope, top)
+        for own, places in ((True, inside), (False, before)):
+            total[places] += _tail_piece(slope, low, top, strengths.get(low, 0.0), r[places], own)
     return total
 
 
-def _tail_from_r(slope: Curve, top: float, r: Array) -> Array:
-    # x = r cosh(w), so that dx / sqrt(x^2 - r^2) = dw, for any r however small
-    reach = np.arcsinh(root_difference(np.asarray(top), r) / r)
+def _tail_piece(slope: Curve, low: float, top: float, strength: float, r: Array, own: bool) -> Array:
+    # y = sqrt(x^2 - low^2) removes the square root of the kink below; y = scale cosh(w) (own: r >= low) or
+    # scale sinh(w) (r < low) that of the kernel, dx / sqrt(x^2 - r^2) = y dw / x, however close r is to the kink
+    scale = root_difference(r, low) if own else root_difference(np.asarray(low), r)
+    reach = np.arcsinh(root_difference(np.asarray(top), r if own else low) / scale)
+    rise = np.cosh if own else np.sinh
 
     def integrand(node: Array, index: Array) -> Array:
-        x = np.minimum(r[index, None] * np.cosh(reach[index, None] * node), top)
-        result: Array = np.multiply(slope(x), -reach[index, None])
-        return result
-
-    return settled(integrand, r.size, "pressure")
-
-
-def _tail_from_kink(slope: Curve, low: float, top: float, strength: float, r: Array) -> Array:
-    # y = sqrt(x^2 - low^2) removes the kink's square root, y = scale sinh(w) the near singularity at x = r
-    scale = root_difference(np.asarray(low), r)
-    reach = np.arcsinh(root_difference(np.asarray(top), low) / scale)
-
-    def integrand(node: Array, index: Array) -> Array:
-        y = scale[index, None] * np.sinh(reach[index, None] * node)
+        y = scale[index, None] * rise(reach[index, None] * node)
         x = np.minimum(np.hypot(low, y), top)
         # u' and its singular part are taken at the same rounded x, so that their errors cancel
-        own = root_difference(x, low)
-        regular = np.where(own > 0.0, -np.asarray(slope(x)) - strength / np.where(own > 0.0, own, 1.0), 0.0)
-        result: Array = (strength + y * regular) / x * reach[index, None]
-        return result
+        root = root_difference(x, low)
+        regular = np.where(root > 0.0, -np.asarray(slope(x)) - strength / np.where(root > 0.0, root, 1.0), 0.0)
+        return (strength + y * regular) / x * reach[index, None]
 
     return settled(integrand, r.size, "pressure")
 
@@ -274,15 +286,16 @@ def line_load(pressure: Curve, edges: Sequence[float], end: float, x: Array) -> 
 
 
 def _line_load_piece(pressure: Curve, low: float, top: float, end: float, x: Array, span: Array) -> Array:
-    # y = sqrt(r^2 - x^2) = span sin(angle): the square root of the pressure at the edge is gone
+    # y = sqrt(r^2 - x^2) = span sin(angle), dy = sqrt(end^2 - r^2) d(angle): the pressure's own root at the edge is
+    # gone if both are taken at the same rounded r
     first = np.arcsin(np.minimum(root_difference(np.asarray(low), x) / span, 1.0))
     width = np.arcsin(np.minimum(root_difference(np.asarray(top), x) / span, 1.0)) - first
+    first_r, last_r = np.nextafter(low, math.inf), np.nextafter(top, 0.0)
 
     def integrand(node: Array, index: Array) -> Array:
         angle = first[index, None] + width[index, None] * node
-        r = np.hypot(x[index, None], span[index, None] * np.sin(angle))
-        rise = span[index, None] * np.cos(angle) * width[index, None]
-        result: Array = np.multiply(pressure(np.minimum(r, np.nextafter(end, 0.0))), rise)
+        r = np.clip(np.hypot(x[index, None], span[index, None] * np.sin(angle)), first_r, last_r)
+        result: Array = np.multiply(pressure(r), root_difference(np.asarray(end), r) * width[index, None])
         return result
 
     return settled(integrand, x.size, "line load")
@@ -308,4 +321,4 @@ def _integral_piece(function: Curve, low: float, top: Array) -> Array:
         result: Array = np.multiply(function(x), (y / x) * span[index, None])
         return result
 
-    return settled(integrand, top.size, "integral along the springs")
+    return settled(integrand, top.size, "integral along the springs", _noise(top, low))

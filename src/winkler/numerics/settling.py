@@ -44,7 +44,7 @@ def _rule(name: str, count: int) -> tuple[Array, Array]:
     return nodes, weights
 
 
-def settled(integrand: Integrand, count: int, what: str) -> Array:
+def settled(integrand: Integrand, count: int, what: str, noise: Array | None = None) -> Array:
     """Integrate over the unit interval until the result settles.
 
     Parameters
@@ -55,6 +55,9 @@ def settled(integrand: Integrand, count: int, what: str) -> Array:
         How many integrals there are.
     what
         What is integrated, for the message.
+    noise : ndarray, (count,), optional
+        How far rounding of the argument spoils each integrand, relative to its modulus; a change of that size counts
+        as settled.
 
     Returns
     -------
@@ -65,6 +68,7 @@ def settled(integrand: Integrand, count: int, what: str) -> Array:
     NotConverged
         If a result still moves by more than 1e-10 of the integral of its modulus at the finest rule.
     """
+    floor = np.zeros(count) if noise is None else 4.0 * noise
     result = np.zeros(count)
     open_index = np.arange(count)
     last = np.full(count, np.nan)
@@ -81,12 +85,13 @@ def settled(integrand: Integrand, count: int, what: str) -> Array:
             size[part] = np.abs(values) @ weights
         result[open_index] = current
         change = np.abs(current - last)
-        stays = ~(change <= TOLERANCE * size)
+        stays = ~(change <= np.maximum(TOLERANCE, floor[open_index]) * size)
         if not stays.any():
             return result
         open_index, last, change, size = open_index[stays], current[stays], change[stays], size[stays]
-    worst = float(np.max(change / np.where(size > 0.0, size, 1.0)))
-    if not worst <= LAST_TOLERANCE:
+    relative = change / np.where(size > 0.0, size, 1.0)
+    worst = float(np.max(relative))
+    if not np.all(relative <= np.maximum(LAST_TOLERANCE, floor[open_index])):
         raise NotConverged(
             f"The integral for the {what} still moves by {worst:.1e} of its size at {LADDER[-1][1]} points; "
             "the shape is not smooth between its stated kinks: state them, or give the shape as measured points."
