@@ -18,6 +18,7 @@ from winkler.fields import PeakStress, SubsurfaceFields, SurfaceFields, peak_str
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
 from winkler.foundation.springs import Springs
+from winkler.io.profile_table import read_profile
 from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HalfSpace
@@ -35,6 +36,7 @@ from winkler.profiles.profile import Shape
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
+from winkler.staircase import Staircase, staircase
 from winkler.validity import Note, Standing
 
 __all__ = [
@@ -73,6 +75,7 @@ __all__ = [
     "Sphere",
     "SpheroConical",
     "Springs",
+    "Staircase",
     "Standing",
     "SubsurfaceFields",
     "Sum",
@@ -88,7 +91,9 @@ __all__ = [
     "YieldOnsetSolution",
     "__version__",
     "peak_stress",
+    "read_profile",
     "restore",
+    "staircase",
 ]
 
 __version__ = version("winkler")

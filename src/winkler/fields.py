@@ -10,10 +10,8 @@ from typing import Protocol, overload
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
-from winkler.media import subsurface
-from winkler.media.halfspace import HalfSpace
 from winkler.media.peak import greatest
 from winkler.media.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
@@ -199,38 +197,10 @@ def _height(pressed: Pressed, r: Array) -> Array:
 
 def _below(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
     r, z = np.broadcast_arrays(r, z)
-    medium = pressed.bed.medium
-    if not isinstance(medium, HalfSpace):
-        raise OutsideValidity(
-            f"restore: the stresses inside a {type(medium).__name__} are not known to winkler; ask for the surface "
-            "(without z), or use HalfSpace."
-        )
     first = (z >= 0.0) if surface_is_first else (z > 0.0)
     parts = np.zeros((6, *r.shape))
     for below, chosen in ((True, first), (False, ~first)):
-        if not chosen.any():
-            continue
-        body = medium.body(below)
-        if body is None:
-            raise OutsideValidity(
-                f"restore: the {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress "
-                "field in it: ask for the other side."
-            )
-        if pressed.radius > 0.0:
-            state = subsurface.field(
-                pressed,
-                r[chosen],
-                np.abs(z[chosen]),
-                modulus=medium.modulus,
-                poisson=body.poisson,
-                shear=body.shear,
-            )
-            parts[:, chosen] = (
-                state.radial_stress,
-                state.hoop_stress,
-                state.axial_stress,
-                state.shear_stress,
-                state.radial_displacement,
-                state.axial_displacement,
-            )
+        if chosen.any() and pressed.radius > 0.0:
+            medium = pressed.bed.medium
+            parts[:, chosen] = medium.interior(pressed, r[chosen], np.abs(z[chosen]), below=below)
     return SubsurfaceFields(r, z, *parts)

@@ -8,13 +8,14 @@ bodies are elastically similar.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.media import subsurface
 from winkler.media.medium import Displacement
+from winkler.media.punch_field import BodyField
 from winkler.numerics import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
@@ -79,13 +80,6 @@ class HomogeneousMedium:
         """The displacement of the surface [m] by T3, inside and outside the contact, sum over both bodies."""
         edges = [b for b, _ in displacement.kinks]
         return abel.surface(displacement.value, edges, r, displacement.radius)
-
-
-class Body(NamedTuple):
-    """What the field below the surface of one isotropic body depends on."""
-
-    poisson: float
-    shear: float
 
 
 @value
@@ -171,10 +165,15 @@ class HalfSpace(HomogeneousMedium):
             ),
         )
 
-    def body(self, below: bool) -> Body | None:
-        """Return Poisson ratio and shear modulus of the body at z > 0 (`below`) or z < 0; None if it is rigid."""
-        chosen = self.first if below else self.second
-        return Body(chosen.poisson, chosen.shear) if isinstance(chosen, Elastic) else None
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it."""
+        body = self.first if below else self.second
+        if not isinstance(body, Elastic):
+            raise OutsideValidity(
+                f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
+                "it: ask for the other side."
+            )
+        return subsurface.field(displacement, r, z, modulus=self.modulus, poisson=body.poisson, shear=body.shear)
 
     @property
     def strengths(self) -> tuple[float, float]:

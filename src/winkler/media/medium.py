@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
@@ -79,6 +80,13 @@ class Medium(Protocol):
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:
         """The normal displacement of the surface [m], inside and outside the contact, sum over both bodies."""
+        ...
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
+
+        Raises `OutsideValidity` where they are not known, or the body is rigid.
+        """
         ...
 
     @property

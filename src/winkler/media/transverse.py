@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import math
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Displacement
+from winkler.media.punch_field import BodyField
+from winkler.numerics.types import Array
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -85,6 +88,13 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     def shear_modulus(self) -> float:
         """G* [Pa]."""
         return 1.0 / (_compliances(self.first)[1] + _compliances(self.second)[1])
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Refused: stresses inside an anisotropic body are not known to winkler."""
+        raise OutsideValidity(
+            "The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler; ask for the surface "
+            "(without z), or use HalfSpace."
+        )
 
     @property
     def notes(self) -> tuple[Note, ...]:

@@ -233,16 +233,14 @@ def _towards_axis(slope: Curve, near: float, r: Array) -> Array:
 
 
 def _tail(slope: Curve, kinks: Kinks, end: float, r: Array) -> Array:
-    """Integrate -u'(x) / sqrt(x^2 - r^2) over x from r to `end`."""
+    """Integrate -u'(x) / sqrt(x^2 - r^2) over x from r > 0 to `end`."""
     total = np.zeros_like(r)
     strengths = dict(kinks)
     for low, high in _pieces([b for b, _ in kinks], end):
         top = min(high, end)
         # the piece that holds r starts at r; those beyond start at their kink, with its inverse square root
-        (inside,) = np.nonzero((r >= low) & (r < top) & (r > 0.0))
+        (inside,) = np.nonzero((r >= low) & (r < top))
         (before,) = np.nonzero(r < low)
-        if low == 0.0 and np.any(r == 0.0):
-            total[r == 0.0] += _tail_from_axis(slope, top)
         for own, places in ((True, inside), (False, before)):
             total[places] += _tail_piece(slope, low, top, strengths.get(low, 0.0), r[places], own)
     return total
@@ -251,16 +249,18 @@ def _tail(slope: Curve, kinks: Kinks, end: float, r: Array) -> Array:
 def _tail_piece(slope: Curve, low: float, top: float, strength: float, r: Array, own: bool) -> Array:
     # y = sqrt(x^2 - low^2) removes the square root of the kink below; y = scale cosh(w) (own: r >= low) or
     # scale sinh(w) (r < low) that of the kernel, dx / sqrt(x^2 - r^2) = y dw / x, however close r is to the kink
+    first = np.nextafter(low, math.inf) if low > 0.0 else 0.0
+    r = np.maximum(r, first) if own else r
     scale = root_difference(r, low) if own else root_difference(np.asarray(low), r)
     reach = np.arcsinh(root_difference(np.asarray(top), r if own else low) / scale)
     rise = np.cosh if own else np.sinh
 
     def integrand(node: Array, index: Array) -> Array:
         y = scale[index, None] * rise(reach[index, None] * node)
-        x = np.minimum(np.hypot(low, y), top)
-        # u' and its singular part are taken at the same rounded x, so that their errors cancel
-        root = root_difference(x, low)
-        regular = np.where(root > 0.0, -np.asarray(slope(x)) - strength / np.where(root > 0.0, root, 1.0), 0.0)
+        x = np.clip(np.hypot(low, y), first, top)
+        regular = -np.asarray(slope(x))
+        if strength != 0.0:  # taken off at the same rounded x, so that the errors cancel
+            regular = regular - strength / root_difference(x, low)
         return (strength + y * regular) / x * reach[index, None]
 
     return settled(integrand, r.size, "pressure")

@@ -52,13 +52,14 @@ FUNCTIONS: dict[str, Callable[[Array], Derivatives]] = {
 CONSTANTS = {"pi": math.pi, "e": math.e}
 SINGULAR = frozenset({"log", "arcsin", "arccos"})
 
-KINKED = "it has a kink, and kinks must be stated: write sqrt((...)**2), and state the radius where it vanishes"
+KINKED = "its kink must be stated: write sqrt((...)**2), and give the radius where that vanishes among the corners"
 PIECES = "it has kinks or jumps; give the pieces as profiles of their own"
 REFUSED = {
     **dict.fromkeys(("abs", "fabs"), KINKED),
     **dict.fromkeys(["max", "min", "maximum", "minimum", "sign", "floor", "ceil", "round", "mod", "where"], PIECES),
     **dict.fromkeys(("asin", "acos", "atan"), "write arcsin, arccos or arctan"),
     **dict.fromkeys(("ln", "log10", "log2"), "write log, the natural logarithm"),
+    "pow": "write powers with **",
 }
 HINTS = {
     **dict.fromkeys("^²³", "write powers with **, as r**2"),
@@ -353,7 +354,7 @@ class Expression:
         usual = re.fullmatch(r"[A-Za-z_]\w*", name, re.ASCII) and not keyword.iskeyword(name)
         if not usual or name in (self.variable, *FUNCTIONS, *CONSTANTS):
             raise InvalidInput(
-                f"a constant of a formula cannot be called '{name}'; use letters, digits and _, but not one of the names "
+                f"a constant of a formula cannot be called '{name}'; use letters, digits and _, but none of the names "
                 f"{', '.join((self.variable, *CONSTANTS, *FUNCTIONS))}."
             )
         if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):

@@ -129,10 +129,10 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             )
         else:
             radius[free] = [disc.radius_at_force(bed, float(load), _end(bed), _guess(bed)) for load in force[free]]
-    depth = bed.gap(radius)
-    if pinned.any():
-        rim = np.array([_end(bed)])
-        depth[pinned] = depth_end + (force[pinned] - force_end) / bed.stiffness(rim)[0]
+    # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
+    stiffness = bed.stiffness(radius)
+    touching = stiffness > 0.0
+    depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
     return depth, radius
 
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
-from winkler.media import subsurface
-from winkler.media.halfspace import Body, HalfSpace
+from winkler.media.halfspace import HalfSpace
 from winkler.media.peak import Place, greatest
 from winkler.media.stress import von_mises
+from winkler.numerics.types import Array
 from winkler.problems.closure import flat_radius
 from winkler.validity import Note, Standing
 from winkler.values import value
@@ -89,9 +89,9 @@ class YieldOnset:
         medium = self.bed.medium
         assert isinstance(medium, HalfSpace)
         onsets = [
-            (*_onset(self.bed, body, strength), below)
+            (*_onset(self.bed, below, strength), below)
             for below, strength in zip((True, False), medium.strengths, strict=True)
-            if strength < math.inf and (body := medium.body(below)) is not None
+            if strength < math.inf
         ]
         radius, place, below = min(onsets, key=lambda onset: onset[0])
         at = np.array([radius])
@@ -134,17 +134,15 @@ class YieldOnsetSolution:
         )
 
 
-def _onset(bed: Bed, body: Body, strength: float) -> tuple[float, Place]:
+def _onset(bed: Bed, below: bool, strength: float) -> tuple[float, Place]:
     """Return the contact radius at which one body yields, and where."""
     end = min(bed.reach, bed.rim)
-    medium = bed.medium
-    assert isinstance(medium, HalfSpace)
 
     def stress(a: float) -> Place:
         pressed = Pressed(bed, float(bed.gap(np.array([a]))[0]), a)
 
-        def field(r: np.ndarray, z: np.ndarray) -> np.ndarray:
-            state = subsurface.field(pressed, r, z, modulus=medium.modulus, poisson=body.poisson, shear=body.shear)
+        def field(r: Array, z: Array) -> Array:
+            state = bed.medium.interior(pressed, r, z, below=below)
             return von_mises(state.radial_stress, state.hoop_stress, state.axial_stress, state.shear_stress)
 
         return greatest(field, a)

@@ -1,0 +1,1 @@
+"""Files in and out: measured profiles and tables read, results written."""
