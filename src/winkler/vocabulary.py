@@ -62,6 +62,7 @@ GLOSSARY: dict[str, Word] = {
     "parts": Word("f_i", None, "profiles whose heights add up"),
     "expression": Word("f(r)", None, "formula of the height in terms of r [m] and the constants"),
     "constants": Word("", None, "named constants of the formula"),
+    "corners": Word("b_i", "m", "radii at which the slope of a formula jumps"),
     "kinks": Word("", None, "radii where the profile is not smooth"),
     # solids
     "young": Word("E", "Pa", "Young's modulus"),
@@ -81,6 +82,7 @@ GLOSSARY: dict[str, Word] = {
     "medium": Word("", None, "the pair of bodies behind the contact"),
     "bed": Word("", None, "the foundation: springs under an equivalent plane profile"),
     "load": Word("", None, "what is prescribed: a force, a depth or a contact radius"),
+    "pressed": Word("u(x)", None, "the displacement of the springs"),
     "problem": Word("", None, "what was asked"),
     "solution": Word("", None, "what was answered"),
     "validity": Word("", None, "how far the result can be trusted"),

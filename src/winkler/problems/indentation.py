@@ -51,7 +51,7 @@ class Indentation:
     >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(Elastic(210e9, 0.3)))
     >>> contact = Indentation(bed, Force(100.0)).solve()
     >>> round(contact.radius * 1e6, 4)  # (3 F R / (4 E*))^(1/3) in micrometres
-    148.1204
+    148.1248
     """
 
     bed: Bed

@@ -1,0 +1,53 @@
+"""The package, read as text and as modules, for the tests of the house rules."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import pkgutil
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+import pytest
+
+import winkler
+
+SOURCE = Path(winkler.__file__).parent
+
+
+class Page(NamedTuple):
+    """One source file: its path inside the package, its text and its syntax tree."""
+
+    name: str
+    text: str
+    tree: ast.Module
+
+
+@pytest.fixture(scope="session")
+def pages() -> list[Page]:
+    """Every source file of the package."""
+    found = []
+    for path in sorted(SOURCE.rglob("*.py")):
+        text = path.read_text(encoding="utf-8")
+        found.append(Page(path.relative_to(SOURCE).as_posix(), text, ast.parse(text, str(path))))
+    assert len(found) > 20
+    return found
+
+
+def module_names() -> list[str]:
+    """Every module of the package, `__main__` pages (which run when imported) excepted."""
+    names = [info.name for info in pkgutil.walk_packages([str(SOURCE)], prefix="winkler.")]
+    return ["winkler", *(name for name in sorted(names) if not name.endswith("__main__"))]
+
+
+@pytest.fixture(scope="session")
+def modules() -> list[ModuleType]:
+    """Every module of the package, imported."""
+    return [importlib.import_module(name) for name in module_names()]
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Give one test for each module to whoever asks for a `module_name`."""
+    if "module_name" in metafunc.fixturenames:
+        metafunc.parametrize("module_name", module_names())

@@ -1,0 +1,140 @@
+"""The rules of a page of source: short, absolute imports, no tricks, a name that says its idea, and documented."""
+
+from __future__ import annotations
+
+import ast
+
+LONGEST = 400
+DATA = {"vocabulary.py"}
+FORBIDDEN_NAMES = {"utils", "util", "helpers", "helper", "common", "misc"}
+ALLOWED_OF_IMPORTLIB = {"importlib.resources", "importlib.metadata"}
+
+
+def test_no_page_is_too_long(pages):
+    long = {page.name: page.text.count("\n") for page in pages if page.name not in DATA}
+    assert {name: lines for name, lines in long.items() if lines > LONGEST} == {}
+
+
+def test_no_page_has_a_name_without_an_idea(pages):
+    bad = []
+    for page in pages:
+        words = page.name.removesuffix(".py").split("/")
+        bad += [page.name for word in words if word in FORBIDDEN_NAMES or word.startswith("base_") or word == "base"]
+    assert bad == []
+
+
+def test_imports_are_absolute(pages):
+    bad = [
+        f"{page.name}:{node.lineno}"
+        for page in pages
+        for node in ast.walk(page.tree)
+        if isinstance(node, ast.ImportFrom) and node.level > 0
+    ]
+    assert bad == []
+
+
+def imported(node: ast.AST) -> list[str]:
+    """Return the modules that an import statement names."""
+    if isinstance(node, ast.Import):
+        return [alias.name for alias in node.names]
+    if isinstance(node, ast.ImportFrom) and node.level == 0:
+        return [node.module or ""]
+    return []
+
+
+def tricks(tree: ast.AST) -> list[tuple[int, str]]:
+    """Return every import that the import linter would not see."""
+    found = []
+    for node in ast.walk(tree):
+        for module in imported(node):
+            if module == "winkler":
+                found.append((node.lineno, "imports the front door"))
+            if module.split(".")[0] == "importlib" and module not in ALLOWED_OF_IMPORTLIB:
+                names = {f"{module}.{alias.name}" for alias in node.names}
+                if not (isinstance(node, ast.ImportFrom) and names <= ALLOWED_OF_IMPORTLIB):
+                    found.append((node.lineno, f"uses {module}"))
+            if module in ("pkgutil", "runpy", "imp"):
+                found.append((node.lineno, f"uses {module}"))
+        if isinstance(node, ast.Name) and node.id in ("__import__", "eval", "exec"):
+            found.append((node.lineno, f"uses {node.id}"))
+        if isinstance(node, ast.Attribute) and node.attr == "modules" and ast.unparse(node.value) == "sys":
+            found.append((node.lineno, "uses sys.modules"))
+    return found
+
+
+def test_no_import_hides_from_the_linter(pages):
+    bad = [f"{page.name}:{line} {what}" for page in pages for line, what in tricks(page.tree)]
+    assert bad == []
+
+
+def test_the_search_for_tricks_finds_them():
+    code = (
+        "import winkler\nfrom winkler import Sphere\nimport importlib\nfrom importlib import import_module\n"
+        "import importlib.util\n__import__('winkler.plot')\nimport sys\nsys.modules['winkler']\neval('1')\n"
+    )
+    assert sorted(line for line, _ in tricks(ast.parse(code))) == [1, 2, 3, 4, 5, 6, 8, 9]
+    fine = "from importlib import metadata\nimport importlib.resources\nfrom winkler.values import value\n"
+    assert tricks(ast.parse(fine)) == []
+
+
+def test_no_global_state(pages):
+    bad = [
+        f"{page.name}:{node.lineno}" for page in pages for node in ast.walk(page.tree) if isinstance(node, ast.Global)
+    ]
+    assert bad == []
+
+
+def test_no_bare_handler_swallows_an_error(pages):
+    """`except: pass` and `except Exception: pass` hide failures."""
+    bad = []
+    for page in pages:
+        for node in ast.walk(page.tree):
+            if isinstance(node, ast.ExceptHandler):
+                broad = node.type is None or ast.unparse(node.type) in ("Exception", "BaseException")
+                silent = all(isinstance(line, ast.Pass | ast.Continue) for line in node.body)
+                if node.type is None or (broad and silent):
+                    bad.append(f"{page.name}:{node.lineno}")
+    assert bad == []
+
+
+def test_every_module_tells_its_idea(pages):
+    assert [page.name for page in pages if not ast.get_docstring(page.tree)] == []
+
+
+def spoken(node: ast.AST) -> bool:
+    """Return whether a definition is public; the signatures of an overload are told by what they lead to."""
+    if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) or node.name.startswith("_"):
+        return False
+    return not any(ast.unparse(mark).split(".")[-1] == "overload" for mark in node.decorator_list)
+
+
+def undocumented(tree: ast.Module) -> list[str]:
+    """Return the public functions, classes and methods (of public classes) without a docstring."""
+    bad = []
+    for node in tree.body:
+        if not spoken(node):
+            continue
+        if not ast.get_docstring(node):
+            bad.append(node.name)
+        if isinstance(node, ast.ClassDef):
+            bad += [
+                f"{node.name}.{inner.name}" for inner in node.body if spoken(inner) and not ast.get_docstring(inner)
+            ]
+    return bad
+
+
+def test_everything_public_is_documented(pages):
+    assert [f"{page.name}: {name}" for page in pages for name in undocumented(page.tree)] == []
+
+
+def test_the_search_for_docstrings_finds_what_lacks_one():
+    code = 'class A:\n    """A."""\n    def b(self): ...\ndef c(): ...\ndef _d(): ...\nclass E: ...\n'
+    code += "@overload\ndef f(): ...\n"
+    assert undocumented(ast.parse(code)) == ["A.b", "c", "E"]
+
+
+def test_no_path_of_a_machine(pages):
+    bad = [
+        f"{page.name}: {word}" for page in pages for word in ("/home/", "/Users/", "/tmp/", "C:\\") if word in page.text
+    ]
+    assert bad == []

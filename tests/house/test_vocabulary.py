@@ -1,0 +1,96 @@
+"""Every quantity that a user reads or gives has one name, one symbol and one unit: those of the glossary."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import keyword
+import re
+
+import pint
+import pytest
+
+from winkler.vocabulary import GLOSSARY, OWNED, word
+
+SPOKEN = ("materials", "laws", "profiles", "loading", "media", "foundation", "problems", "fields")
+"""The floors whose values are met by users; the mathematics below and the doors above have words of their own."""
+
+ANSWERED = ("problems", "fields")
+"""The floors whose properties are answers."""
+
+
+def classes(modules, floors):
+    """Return the public classes that were written on `floors`."""
+    found = {}
+    for module in modules:
+        parts = module.__name__.split(".")
+        if len(parts) < 2 or parts[1] not in floors or any(part.startswith("_") for part in parts):
+            continue
+        for name, item in vars(module).items():
+            if inspect.isclass(item) and item.__module__ == module.__name__ and not name.startswith("_"):
+                found[f"{module.__name__}.{name}"] = item
+    return found
+
+
+def known(owner: str, field: str) -> bool:
+    try:
+        return bool(word(owner, field))
+    except KeyError:
+        return False
+
+
+def test_every_public_field_is_a_word(modules):
+    values = {path: cls for path, cls in classes(modules, SPOKEN).items() if dataclasses.is_dataclass(cls)}
+    assert len(values) > 20
+    strangers = [
+        f"{path}.{field.name}"
+        for path, cls in values.items()
+        for field in dataclasses.fields(cls)
+        if not field.name.startswith("_") and not known(cls.__name__, field.name)
+    ]
+    assert strangers == [], "put these fields into winkler/vocabulary.py"
+
+
+def test_every_public_property_of_an_answer_is_a_word(modules):
+    strangers = []
+    for path, cls in classes(modules, ANSWERED).items():
+        for name, _member in inspect.getmembers(cls, lambda item: isinstance(item, property)):
+            if not name.startswith("_") and not known(cls.__name__, name):
+                strangers.append(f"{path}.{name}")
+    assert strangers == [], "put these properties into winkler/vocabulary.py"
+
+
+def test_an_owned_word_has_an_owner(modules):
+    """A word of one class alone belongs to a class that exists and has it."""
+    owners = {cls.__name__: cls for cls in classes(modules, (*SPOKEN, "study", "plot", "io")).values()}
+    for owner, field in OWNED:
+        assert owner in owners, f"{owner} does not exist"
+        names = (
+            {item.name for item in dataclasses.fields(owners[owner])}
+            if dataclasses.is_dataclass(owners[owner])
+            else set()
+        )
+        assert field in names or hasattr(owners[owner], field), f"{owner} has no {field}"
+
+
+ENTRIES = [*GLOSSARY.items(), *((".".join(key), entry) for key, entry in OWNED.items())]
+
+
+@pytest.mark.parametrize(("name", "entry"), ENTRIES, ids=[name for name, _ in ENTRIES])
+def test_an_entry_is_complete(name, entry):
+    assert all(part.isidentifier() and not keyword.iskeyword(part) for part in name.split("."))
+    assert entry.meaning
+    assert "\n" not in entry.meaning
+    assert not entry.meaning.endswith(".")
+    assert entry.symbol.count("$") == 0
+    assert entry.symbol.count("{") == entry.symbol.count("}")
+
+
+REGISTRY = pint.UnitRegistry()
+
+
+@pytest.mark.parametrize(("name", "entry"), ENTRIES, ids=[name for name, _ in ENTRIES])
+def test_a_unit_is_si_without_a_prefix(name, entry):
+    if entry.unit is None or "n" in re.findall(r"\b[a-z]\b", entry.unit.partition("^")[2]):
+        pytest.skip("not a quantity, or a unit whose exponent depends on the law")
+    assert REGISTRY.Quantity(1.0, entry.unit or "dimensionless").to_base_units().magnitude == 1.0

@@ -1,0 +1,12 @@
+"""The judges of this folder reckon with 40 digits, whatever other tests have set."""
+
+from __future__ import annotations
+
+import mpmath as mp
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def _forty_digits():
+    with mp.workdps(40):
+        yield
