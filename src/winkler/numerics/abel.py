@@ -14,7 +14,7 @@ T5      :math:`2\int_x^a r\,p(r)\,(r^2-x^2)^{-1/2}\,dr`                   `line_
 Each integral is split at the points where the integrand is not smooth and mapped so that what is left is
 analytic: :math:`r = x\sin\theta` removes the kernel's singularity, :math:`y=\sqrt{x^2-b^2}` the square root that
 a kink at b leaves in g.  Gauss-Legendre rules then converge geometrically; they are doubled until the result
-settles (`numerics.settling`), so every answer is either good to about 1e-13 or refused.  At a small distance e above a
+settles (`numerics.settling`): analytic pieces are good to about 1e-13, and nothing worse than 1e-9 is handed out.  At a small distance e above a
 kink b the rounding of x alone costs b/e units in the last place of what the kink adds.
 """
 

@@ -27,11 +27,9 @@ from winkler.values import value
 
 __all__ = ["CONSTANTS", "FUNCTIONS", "Expression", "Terms", "power_sum"]
 
-LONGEST, DEEPEST, STEEPEST = 1000, 100, 100.0
-"""Most characters of a formula, most levels within each other, largest exponent."""
+LONGEST, DEEPEST, STEEPEST = 1000, 100, 100.0  # characters, levels within each other, exponent
 
-Terms = tuple[tuple[float, float], ...]
-"""(c, p) of each power c x^p in a sum."""
+Terms = tuple[tuple[float, float], ...]  # (c, p) of each power c x^p in a sum
 Derivatives = tuple[Array, Array, Array]
 
 FUNCTIONS: dict[str, Callable[[Array], Derivatives]] = {
@@ -188,8 +186,12 @@ def _raised(base: _Series, exponent: _Series) -> _Series:
         return base if n == 1.0 else _number(base.x, 1.0)
     if base.single is None:
         inner = base.jet
+        if n == 0.5:  # written so that sqrt((r - b)**2) has slopes of exactly 1 and -1
+            root = np.sqrt(inner.value)
+            first = inner.first / (2.0 * root)
+            return _Series(base.x, (), _Jet(root, first, (inner.second - 2.0 * first**2) / (2.0 * root), True))
         u = np.where(inner.value == 0.0, np.nan, inner.value) if n < 0.0 else inner.value
-        outer = FUNCTIONS["sqrt"](u) if n == 0.5 else (u**n, n * u ** (n - 1.0), n * (n - 1.0) * u ** (n - 2.0))
+        outer = (u**n, n * u ** (n - 1.0), n * (n - 1.0) * u ** (n - 2.0))
         return _Series(base.x, (), _chain(outer, inner, n != int(n)))
     c, p = base.single
     if (c < 0.0 and n != int(n)) or (c == 0.0 and n < 0.0):
@@ -295,8 +297,8 @@ class _Walk(NamedTuple):
             return _number(self.x, self.numbers[name])
         if name in FUNCTIONS:
             raise _Refused(self.misused(name))
-        near = suggest(name, [self.variable, *self.numbers])
-        raise _Refused(f"the name '{name}' is unknown{near}; known are {', '.join([self.variable, *self.numbers])}")
+        known = [self.variable, *self.numbers]
+        raise _Refused(f"the name '{name}' is unknown{suggest(name, known)}; known are {', '.join(known)}")
 
     def misused(self, name: str) -> str:
         if name in FUNCTIONS:

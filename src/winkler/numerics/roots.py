@@ -14,6 +14,7 @@ __all__ = ["invert"]
 
 ITERATIONS = 200
 CLOSE = 3e-9
+"""A step of this part of the distance from the nearer end is the last."""
 
 
 def invert(
@@ -54,8 +55,9 @@ def invert(
         low = np.where(below, x, low)
         high = np.where(below, high, x)
         new = x + step
-        # Newton's method doubles the digits: a step this small leaves nothing to do after it
-        settled = np.abs(step) <= CLOSE * x
+        # Newton's method doubles the digits: a step so small, against the distance from where the function may be
+        # singular, leaves nothing to do after it
+        settled = np.abs(step) <= np.maximum(CLOSE * np.minimum(x - lower, upper - x), 4e-16 * x)
         inside = (new > low) & (new < high)
         new = np.where(settled & ~inside, x, new)
         if settled.all():
@@ -80,7 +82,8 @@ def _newton_step(distance: Array, value: Array, slope: Array, target: Array) -> 
     exponent = np.where(usable, slope * distance / np.where(usable, value, 1.0), 1.0)
     ratio = np.where(usable, target / np.where(usable, value, 1.0), 1.0)
     close = np.abs(ratio - 1.0) < 1e-6
-    power = np.where(close, (ratio - 1.0) - 0.5 * (ratio - 1.0) ** 2, np.log(ratio)) / exponent
+    more = np.where(close, ratio - 1.0, 0.0)
+    power = np.where(close, more - 0.5 * more**2, np.log(ratio)) / exponent
     return np.where(usable, distance * np.expm1(np.minimum(power, 50.0)), math.inf)
 
 

@@ -19,7 +19,7 @@ __all__ = ["settled"]
 
 TOLERANCE = 2e-13
 """Relative change, against the integral of the modulus, below which a result counts as settled."""
-LAST_TOLERANCE = 1e-10
+LAST_TOLERANCE = 1e-9
 """The same for the finest rule; beyond it the integral is refused."""
 CHUNK = 2_000_000
 """Largest number of points of one evaluation, to bound memory."""
@@ -66,7 +66,7 @@ def settled(integrand: Integrand, count: int, what: str, noise: Array | None = N
     Raises
     ------
     NotConverged
-        If a result still moves by more than 1e-10 of the integral of its modulus at the finest rule.
+        If a result still moves by more than 1e-9 of the integral of its modulus at the finest rule.
     """
     floor = np.zeros(count) if noise is None else 4.0 * noise
     result = np.zeros(count)

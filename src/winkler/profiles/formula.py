@@ -80,6 +80,8 @@ class Formula(Shape):
         constants: Mapping[str, float] | Iterable[tuple[str, float]] = (),
         **named: float,
     ) -> None:
+        if "kinks" in named:
+            raise InvalidInput("Formula: radii where the slope jumps are given as corners=(...), not as kinks.")
         known = dict(constants) | named
         object.__setattr__(self, "expression", expression)
         object.__setattr__(self, "constants", tuple(sorted(known.items())))
@@ -102,14 +104,21 @@ class Formula(Shape):
         """Refuse a height that is not finite, negative, or zero everywhere."""
         end = FARTHEST if self.reach == math.inf else self.reach
         trial = np.unique(np.concatenate([np.geomspace(1e-12 * end, end, 481), np.linspace(0.0, end, 257)[1:]]))
-        height = self.height(trial)
+        height = self._law.taylor(trial)[0] - _start(self._law)
+        bad = np.flatnonzero(~np.isfinite(height))
+        if bad.size:
+            last = _last_finite(self._law, trial[max(bad[0] - 1, 0)], trial[bad[0]])
+            raise InvalidInput(
+                f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; say how "
+                f"far it holds, as reach={last:.6g} or less."
+            )
         noise = ROUNDING * self._law.magnitude(trial)
         (below,) = np.nonzero(height < -noise)
         if below.size:
             raise InvalidInput(
                 f"Formula: the height of '{self.expression}' is negative, {height[below[0]]:.3g} m at "
-                f"r = {trial[below[0]]:.4g} m; bodies first touch at r = 0, so end the formula before by reach=..., or "
-                "write both bodies into one formula."
+                f"r = {trial[below[0]]:.4g} m, where the bodies would touch before r = 0; check the sign, end it "
+                "before by reach=..., or write both bodies into one formula."
             )
         if not np.any(height > noise):
             raise InvalidInput(f"Formula: the height of '{self.expression}' is zero everywhere; give one that rises.")
@@ -222,27 +231,34 @@ def _start(law: Expression) -> float:
     return height
 
 
+def _last_finite(law: Expression, low: float, high: float) -> float:
+    """Return where the height ceases to be finite, between a place where it is and one where it is not."""
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if np.isfinite(law.taylor([middle])[0][0]) else (low, middle)
+    return low
+
+
 @functools.lru_cache(maxsize=256)
 def _sides(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
     """Return the slope just below every corner, and by how much it jumps there."""
     found = []
     for corner in corners:
-        below, low = _beside(law, corner, -1.0)
-        above, high = _beside(law, corner, 1.0)
-        jump = above - below
-        found.append((below, 0.0 if abs(jump) <= 1e-9 * max(low, high) else jump))
+        r = corner * (1.0 + np.outer((-1.0, 1.0), BESIDE))
+        _, slope, curvature = law.taylor(r)
+        size = float(np.max(np.abs(slope)))
+        below, above = (_limit(near, size) for near in slope + (corner - r) * curvature)
+        if not math.isfinite(below + above):
+            raise InvalidInput(
+                f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:g} m."
+            )
+        found.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
     return tuple(found)
 
 
-def _beside(law: Expression, corner: float, side: float) -> tuple[float, float]:
-    """Return the limit of the slope on one side of a corner, and the largest slope met on the way."""
-    r = corner * (1.0 + side * BESIDE)
-    _, slope, curvature = law.taylor(r)
-    near = slope + (corner - r) * curvature
+def _limit(near: Array, size: float) -> float:
+    """Return the limit of slopes read ever closer to a corner, by Aitken's rule; NaN if they run away."""
     first, second = np.diff(near)
-    size = float(np.max(np.abs(slope)))
-    if abs(second) <= 1e-12 * size:
-        return float(near[-1]), size
-    if not abs(second) < 0.9 * abs(first):
-        raise InvalidInput(f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:.6g} m.")
-    return float(near[-1] - second**2 / (second - first)), size
+    if abs(second) <= 1e-12 * size + 1e-15:
+        return float(near[-1])
+    return float(near[-1] - second**2 / (second - first)) if abs(second) < 0.9 * abs(first) else math.nan

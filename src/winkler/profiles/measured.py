@@ -32,6 +32,8 @@ __all__ = ["Measured"]
 TOLERANCE = 1e-11
 """Error of g' on its panels, relative to the steepest slope."""
 FEWEST = 6
+MOST_KNOTS = 48
+"""At so many knots at most quadrature is split; beyond, their jumps are too small to matter."""
 
 
 @value
@@ -87,6 +89,15 @@ class Measured(Shape):
     def reach(self) -> float:
         """The outermost point [m]."""
         return float(self.curve.knots[-1])
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """The knots at which f''' jumps most: smooth to the eye, but quadrature goes from one to the next."""
+        jumps = np.abs(np.diff(self.curve.derivatives[3])) * self.reach**2
+        steepest = float(np.max(np.abs(self.slope(np.linspace(0.0, self.reach, 257)))))
+        strongest = np.sort(np.argsort(-jumps)[:MOST_KNOTS])
+        inner = self.curve.knots[1:-1]
+        return tuple((float(inner[j]), 0.0) for j in strongest if jumps[j] > 1e-4 * steepest)
 
     @property
     def rising(self) -> bool:
