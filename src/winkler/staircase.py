@@ -101,7 +101,9 @@ class Staircase:
 
         def kernel(r: Array, b: Array) -> Array:
             outside = r > b
-            return np.where(outside, 2.0 / np.pi * np.arcsin(np.where(outside, b, 1.0) / np.where(outside, r, 1.0)), 1.0)
+            return np.where(
+                outside, 2.0 / np.pi * np.arcsin(np.where(outside, b, 1.0) / np.where(outside, r, 1.0)), 1.0
+            )
 
         return self._sum(kernel, r)
 
@@ -128,7 +130,9 @@ class Staircase:
     def _sum(self, kernel, r: ArrayLike) -> Array:  # type: ignore[no-untyped-def]
         places = np.asarray(r, dtype=float)
         if not np.all(np.isfinite(places) & (places >= 0.0)):
-            raise InvalidInput("staircase: r holds values that are negative or not finite; give distances from the axis in m.")
+            raise InvalidInput(
+                "staircase: r holds values that are negative or not finite; give distances from the axis in m."
+            )
         flat = places.ravel()
         block = max(1, CHUNK // max(1, self.radii.size))
         parts = [

@@ -1,0 +1,289 @@
+"""The curves of a contact: load of the springs, pressure, displacement of the surface, and answers over many loads."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.errors import WinklerError
+from winkler.fields import Restorable, SurfaceFields, restore
+from winkler.foundation.bed import Bed
+from winkler.loading import Depth
+from winkler.numerics.types import Array
+from winkler.plot import style
+from winkler.plot.extent import is_singular, marks_of, solid_until
+from winkler.plot.series import Curve, Series, places, scale_of, series, told
+from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.profiles.profile import Profile
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = [
+    "draw_curve",
+    "draw_line_load",
+    "draw_pressure",
+    "draw_profile",
+    "draw_surface",
+    "draw_surface_pressure",
+    "force_depth",
+    "line_load",
+    "load_curves",
+    "surface",
+]
+
+MARKED = 40
+"""Curves of at most so many points show each of them."""
+CEILING = 3.0
+"""Where a pressure is infinite, its axis ends at so many mean pressures."""
+
+
+def line_load(solution: Restorable, extent: float) -> Curve:
+    """Return q(x) on both sides of the axis, with its jumps at a pinned edge.
+
+    Parameters
+    ----------
+    solution
+        For one load.
+    extent : float
+        [m].
+    """
+    pressed = solution.pressed
+    a = pressed.radius
+    x = np.concatenate([[0.0], places(a, marks_of(pressed)), [a]]) if a > 0.0 else np.zeros(1)
+    q = pressed.bed.normal_stiffness(x) * pressed.value(x) if a > 0.0 else np.zeros(1)
+    x, q = np.append(x, [a, max(extent, a)]), np.append(q, [0.0, 0.0])
+    both = style.mirrored(x, q)
+    return Curve(series("IndentationSolution", "x", both[0]), series("IndentationSolution", "line_load", both[1]))
+
+
+def surface(solution: Restorable, extent: float) -> SurfaceFields:
+    """Return the fields on the surface at places that suit a picture: dense towards kinks and edge, never on them.
+
+    Parameters
+    ----------
+    solution
+        For one load.
+    extent : float
+        [m].
+    """
+    return restore(solution, places(extent, marks_of(solution.pressed), count=320))
+
+
+def load_curves(solution: IndentationSolution) -> dict[str, Curve]:
+    """Return force, contact radius and stiffness over the depth, of a solution for many loads."""
+    order = np.argsort(np.ravel(solution.depth), kind="stable")
+
+    def sorted_series(name: str) -> Series:
+        return series("IndentationSolution", name, np.ravel(getattr(solution, name))[order])
+
+    depth = sorted_series("depth")
+    return {name: Curve(depth, sorted_series(name)) for name in ("force", "radius", "stiffness")}
+
+
+def force_depth(bed: Bed, depth: float, *, count: int = 81) -> Curve:
+    """Return F(d) from first touch to `depth`, NaN where the contact is no disc.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth : float
+        [m], positive.
+    count : int
+        How many points.
+    """
+    depths = depth * np.linspace(0.0, 1.0, count) ** 1.5
+    try:
+        forces = np.asarray(Indentation(bed, Depth(depths)).solve().force, dtype=float)
+    except WinklerError:
+        forces = np.array([_force_or_nan(bed, float(one)) for one in depths])
+    return Curve(series("IndentationSolution", "depth", depths), series("IndentationSolution", "force", forces))
+
+
+def _force_or_nan(bed: Bed, depth: float) -> float:
+    try:
+        return float(Indentation(bed, Depth(depth)).solve().force)
+    except WinklerError:
+        return float("nan")
+
+
+def draw_curve(axes: Axes, curve: Curve, colour: str = style.BLUE, **options: Any) -> None:
+    """Draw one quantity over another, with labelled axes; every point too where they are few.
+
+    Parameters
+    ----------
+    axes : Axes
+    curve : Curve
+    colour : str
+    options
+        Passed on to matplotlib's plot.
+    """
+    few = curve.along.content.size <= MARKED
+    options.setdefault("marker", "o" if few else "")
+    axes.plot(curve.along.shown(), curve.of.shown(), color=colour, **options)
+    axes.set_xlabel(curve.along.label())
+    axes.set_ylabel(curve.of.label())
+    axes.margins(x=0.03 if few else 0.0)
+
+
+def draw_line_load(axes: Axes, solution: Restorable, extent: float, force: float | None = None) -> None:
+    """Draw q(x); the area below it is the force.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    solution
+        For one load.
+    extent : float
+        [m].
+    force : float, optional
+        [N], told in the picture.
+    """
+    curve = line_load(solution, extent)
+    draw_curve(axes, curve, style.RED, marker="")
+    axes.fill_between(curve.along.shown(), curve.of.shown(), color=style.RED, alpha=0.16, linewidth=0.0)
+    axes.set_ylim(0.0, max(1.12 * float(np.max(curve.of.shown())), 1e-300) if np.any(curve.of.content > 0.0) else 1.0)
+    if not np.any(curve.of.content > 0.0):
+        style.note(axes, "no contact", where="upper centre")
+    elif force is not None:
+        _, top = axes.get_ylim()
+        axes.text(
+            0.0,
+            0.36 * top,
+            f"area = $F_N$\n= {told(force, 'N')}",
+            ha="center",
+            va="center",
+            fontsize=8.5,
+            linespacing=1.5,
+        )
+
+
+def draw_pressure(axes: Axes, solution: Restorable, extent: float, mean: float | None = None) -> None:
+    """Draw p(r), mirrored at the axis; where it is infinite, the picture ends and says so.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    solution
+        For one load.
+    extent : float
+        [m].
+    mean : float, optional
+        Mean pressure [Pa], drawn as a line.
+    """
+    fields = surface(solution, extent)
+    _pressure(axes, fields, solution.pressed.radius, mean, singular=is_singular(solution.pressed))
+
+
+def _pressure(axes: Axes, fields: SurfaceFields, radius: float, mean: float | None, *, singular: bool) -> None:
+    r, p = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "pressure", fields.pressure)
+    finite = p.content[np.isfinite(p.content)]
+    top = 1.12 * float(np.max(finite, initial=0.0))
+    if singular and mean:
+        top = min(top, CEILING * mean)
+    scale = scale_of("Pa", [top])
+    across = r.scale
+    x, y = style.mirrored(r.shown(), p.shown(scale))
+    axes.plot(x, y, color=style.BLUE)
+    axes.fill_between(x, y, color=style.BLUE, alpha=0.14, linewidth=0.0)
+    axes.set_xlim(-np.max(x), np.max(x))
+    axes.set_ylim(0.0, top / scale.factor if top > 0.0 else 1.0)
+    if mean:
+        span = np.array([-radius, 1.06 * radius]) / across.factor
+        axes.plot(span, np.full(2, mean / scale.factor), color=style.INK, linewidth=1.0, linestyle=(0, (4, 3)))
+        axes.text(1.1 * span[1], mean / scale.factor, f"mean\n{told(mean, 'Pa')}", ha="left", va="center", fontsize=8.5)
+    if radius == 0.0:
+        style.note(axes, "no contact", where="upper centre")
+    if singular:
+        style.note(axes, "infinite where\nthe curve leaves")
+    axes.set_xlabel(r.label(across))
+    axes.set_ylabel(p.label(scale))
+
+
+def draw_surface_pressure(axes: Axes, fields: SurfaceFields) -> None:
+    """Draw restored pressures over r.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    fields : SurfaceFields
+        r of shape (n,).
+    """
+    order = np.argsort(fields.r, kind="stable")
+    pressure = np.where(np.isfinite(fields.pressure), fields.pressure, np.nan)[order]
+    curve = Curve(series("SurfaceFields", "r", fields.r[order]), series("SurfaceFields", "pressure", pressure))
+    draw_curve(axes, curve)
+    axes.set_ylim(0.0, None)
+
+
+def draw_profile(axes: Axes, profile: Profile, extent: float) -> None:
+    """Draw f(r) and g(x) of a shape, and the points of a measured one.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    profile : Profile
+    extent : float
+        Drawn up to this distance [m].
+    """
+    end = min(extent, solid_until(profile))
+    r = np.concatenate([[0.0], places(end, tuple(b for b, _ in profile.kinks)), [end]])
+    f, g = (np.asarray(part, dtype=float) for part in (profile.height(r), profile.gap(r)))
+    g = np.where(np.isfinite(g), g, np.nan)
+    top = 1.25 * max(float(np.max(f)), min(float(np.nanmax(g)), 2.2 * float(np.max(f)))) or 0.3 * extent
+    wall = profile.rim <= end
+    f_r, g_x, f, g = (
+        np.append(r, r[-1]),
+        np.append(r, r[-1]),
+        np.append(f, top if wall else f[-1]),
+        np.append(g, g[-1]),
+    )
+    across, upright = scale_of("m", [extent]), scale_of("m", [top])
+    axes.plot(f_r / across.factor, f / upright.factor, color=style.INK, label="shape $f(r)$")
+    axes.plot(
+        g_x / across.factor,
+        g / upright.factor,
+        color=style.BLUE,
+        linestyle=style.DASHES[1],
+        label="equivalent profile $g(x)$",
+    )
+    axes.set_xlim(0.0, (1.25 if wall else 1.0) * extent / across.factor)
+    axes.set_ylim(-0.02 * top / upright.factor, top / upright.factor)
+    axes.set_xlabel(f"$r$, $x$ [{across.unit}]")
+    axes.set_ylabel(f"height [{upright.unit}]")
+    style.framed_legend(axes, loc="upper left")
+
+
+def draw_surface(axes: Axes, fields: SurfaceFields) -> None:
+    """Draw the displacement of the surface and the distance of the surfaces, over r.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    fields : SurfaceFields
+    """
+    r, sunk = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "displacement", fields.displacement)
+    gap = series("SurfaceFields", "gap", np.where(np.isfinite(fields.gap), fields.gap, np.nan))
+    known: Array = gap.content[np.isfinite(gap.content)]
+    scale = scale_of("m", sunk.content, np.minimum(known, 2.0 * np.max(sunk.content, initial=0.0)))
+    order = np.argsort(r.content, kind="stable")
+    few = "o" if order.size <= MARKED else ""
+    axes.plot(r.shown()[order], sunk.shown(scale)[order], color=style.BLUE, marker=few, label="displacement $u_z$")
+    axes.plot(
+        r.shown()[order],
+        gap.shown(scale)[order],
+        color=style.GREEN,
+        marker=few,
+        linestyle=style.DASHES[1],
+        label="separation $h$",
+    )
+    axes.set_ylim(0.0, max(1.6 * float(np.max(sunk.content, initial=0.0)) / scale.factor, 1e-300))
+    axes.set_xlabel(r.label())
+    axes.set_ylabel(f"along the axis [{scale.unit}]")
+    style.framed_legend(axes, loc="upper right")

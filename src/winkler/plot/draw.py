@@ -1,0 +1,237 @@
+"""``draw(anything)``: a figure of a shape, a bed, a contact, its fields, or Jaeger's staircase.
+
+Figures are made without pyplot, so nothing is shown or kept behind the scenes: save the figure with ``savefig``, or
+let a notebook show it.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fields import SubsurfaceFields, SurfaceFields
+from winkler.foundation.foundation import Foundation
+from winkler.foundation.plane import PlaneFoundation
+from winkler.loading import Force
+from winkler.plot import style
+from winkler.plot.body import draw_body, draw_contact
+from winkler.plot.curves import (
+    draw_curve,
+    draw_line_load,
+    draw_pressure,
+    draw_profile,
+    draw_surface,
+    draw_surface_pressure,
+    force_depth,
+    load_curves,
+)
+from winkler.plot.extent import around, checked_extent, typical
+from winkler.plot.method import headline
+from winkler.plot.punches import draw_pressures, draw_steps
+from winkler.plot.series import told
+from winkler.plot.springs import at_first_touch, draw_springs
+from winkler.plot.stresses import draw_along, draw_field, draw_stress
+from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.yielding import YieldOnsetSolution
+from winkler.profiles.profile import Shape
+from winkler.staircase import Staircase
+
+if TYPE_CHECKING:
+    from winkler.plot.picture import Picture
+
+__all__ = ["draw"]
+
+DRAWN = (
+    "a profile, a Foundation or PlaneFoundation, a solution of Indentation or YieldOnset, restored fields, "
+    "or a Staircase"
+)
+CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
+
+
+@functools.singledispatch
+def draw(item: Any, *, extent: float | None = None) -> Picture:
+    """Return a figure of `item`.
+
+    Parameters
+    ----------
+    item
+        What to draw:
+
+        - a profile: the body in three dimensions, its height f(r) and its plane profile g(x)
+        - ``Foundation``, ``PlaneFoundation``: the body, and its plane profile over the springs
+        - a solution for one load: the body in its dent, the springs, their load q(x), the pressure p(r)
+        - a solution for many loads: force, contact radius and stiffness over the depth
+        - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
+        - ``SurfaceFields``, ``SubsurfaceFields``: what was restored
+        - ``Staircase``: Jaeger's picture of flat punches
+    extent : float, optional
+        Distance from the axis up to which is drawn [m]; chosen to show what matters if left out.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Save it with ``savefig("name.png")`` or ``"name.svg"``; a notebook shows it.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no picture of such an item.
+
+    Examples
+    --------
+    >>> from winkler.profiles.sphere import Sphere
+    >>> draw(Sphere(curvature_radius=10e-3), extent=2e-3)
+    <Picture of 8.8 x 3.3 inches; save it with savefig(path)>
+    """
+    if all(hasattr(item, name) for name in CONTRACT):
+        return _profile(item, extent=extent)
+    raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWN}.")
+
+
+def _sheet(columns: int, rows: int = 1, **sizes: float) -> tuple[Picture, Any]:
+    figure = style.figure(columns, rows, **sizes)
+    return figure, figure.subplots(rows, columns, squeeze=False).ravel()
+
+
+@draw.register(Shape)
+def _profile(item: Shape, *, extent: float | None = None) -> Picture:
+    end = checked_extent(extent) or typical(item)
+    with style.styled():
+        figure, (left, right) = _sheet(2, height=3.3)
+        draw_body(left, item, end)
+        draw_profile(right, item, end)
+        left.set_title(type(item).__name__)
+        right.set_title("shape and equivalent profile")
+    return figure
+
+
+@draw.register(Foundation)
+@draw.register(PlaneFoundation)
+def _bed(item: Foundation | PlaneFoundation, *, extent: float | None = None) -> Picture:
+    end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
+    shape = item.profile if isinstance(item, Foundation) else item.plane_profile
+    with style.styled():
+        figure, (left, right) = _sheet(2, height=3.3)
+        draw_body(left, item, end)
+        draw_springs(right, at_first_touch(item), end)
+        left.set_title(type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$")
+        right.set_title(f"springs of {told(float(item.normal_stiffness(np.zeros(1))[0]), 'Pa')} under $g(x)$")
+    return figure
+
+
+@draw.register(IndentationSolution)
+def _indentation(item: IndentationSolution, *, extent: float | None = None) -> Picture:
+    return _one_load(item, extent) if np.ndim(item.depth) == 0 else _many_loads(item, extent)
+
+
+def _one_load(item: IndentationSolution, extent: float | None) -> Picture:
+    end = around(item.pressed, extent)
+    with style.styled():
+        figure, panels = _sheet(2, 2, height=3.2)
+        draw_contact(panels[0], item, end)
+        draw_springs(panels[1], item.pressed, end)
+        draw_line_load(panels[2], item, end, float(item.force))
+        draw_pressure(panels[3], item, end, float(item.mean_pressure))
+        for axes, title in zip(
+            panels,
+            ("the contact", "springs under $g(x) − d$", "load of the springs $q(x)$", "pressure $p(r)$"),
+            strict=True,
+        ):
+            axes.set_title(title)
+        figure.suptitle(headline(item))
+    return figure
+
+
+def _many_loads(item: IndentationSolution, extent: float | None) -> Picture:
+    if extent is not None:
+        raise InvalidInput(
+            "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."
+        )
+    curves = load_curves(item)
+    with style.styled():
+        figure, panels = _sheet(3, width=3.7)
+        for axes, (name, curve), colour in zip(panels, curves.items(), style.CYCLE, strict=False):
+            draw_curve(axes, curve, colour)
+            axes.set_ylim(min(0.0, axes.get_ylim()[0]) if np.min(curve.of.content) < 0.0 else 0.0, None)
+            axes.set_title(f"{name.replace('radius', 'contact radius')} over depth")
+    return figure
+
+
+@draw.register(YieldOnsetSolution)
+def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Picture:
+    contact = Indentation(item.problem.bed, Force(item.force)).solve()
+    with style.styled():
+        figure, (left, right) = _sheet(2, width=5.0, height=3.3)
+        draw_stress(left, contact, around(contact.pressed, extent), item.radius)
+        left.set_title("stress where yielding begins")
+        curve = force_depth(item.problem.bed, item.depth)
+        draw_curve(right, curve, marker="", label="elastic")
+        across, upright = curve.along.scale.factor, curve.of.scale.factor
+        right.plot([item.depth / across], [item.force / upright], "o", color=style.RED, label="yielding begins")
+        right.set_xlim(0.0, 1.15 * item.depth / across)
+        right.set_ylim(0.0, 1.15 * item.force / upright)
+        style.framed_legend(right, loc="upper left")
+        right.set_title("force over depth")
+        figure.suptitle(f"onset of yield:   {headline(item)}")
+    return figure
+
+
+@draw.register(SurfaceFields)
+def _surface(item: SurfaceFields, *, extent: float | None = None) -> Picture:
+    shown = _cropped(item, extent)
+    with style.styled():
+        figure, (left, right) = _sheet(2)
+        draw_surface_pressure(left, shown)
+        draw_surface(right, shown)
+        left.set_title("pressure")
+        right.set_title("surface")
+    return figure
+
+
+def _cropped(item: SurfaceFields, extent: float | None) -> SurfaceFields:
+    r = np.ravel(item.r)
+    kept = r <= (np.inf if checked_extent(extent) is None else extent)
+    if not kept.any():
+        raise InvalidInput(f"draw: there is nothing within the extent of {extent} m; give a greater one.")
+    return SurfaceFields(*(np.ravel(part)[kept] for part in (item.r, item.pressure, item.displacement, item.gap)))
+
+
+@draw.register(SubsurfaceFields)
+def _subsurface(item: SubsurfaceFields, *, extent: float | None = None) -> Picture:
+    end = checked_extent(extent)
+    with style.styled():
+        figure, (axes,) = _sheet(1, width=5.2, height=3.2)
+        if _is_grid(item):
+            draw_field(axes, item)
+            if end is not None:
+                across = float(np.max(axes.get_xlim())) / float(np.max(item.r))
+                axes.set_xlim(-end * across, end * across)
+            axes.set_title("stress below the surface")
+        else:
+            draw_along(axes, item)
+            axes.set_title("stresses along a line")
+    return figure
+
+
+def _is_grid(item: SubsurfaceFields) -> bool:
+    if item.r.ndim != 2 or min(item.r.shape) < 2:
+        return False
+    spread = [(float(np.ptp(part, axis=0).max()), float(np.ptp(part, axis=1).max())) for part in (item.r, item.z)]
+    return spread[0].count(0.0) == 1 and spread[1].count(0.0) == 1 and spread[0][0] * spread[1][0] == 0.0
+
+
+@draw.register(Staircase)
+def _stairs(item: Staircase, *, extent: float | None = None) -> Picture:
+    if item.radii.size == 0:
+        raise InvalidInput("draw: the bodies do not touch, so there are no punches to show; give more load.")
+    end = checked_extent(extent) or 1.25 * item.pressed.radius
+    with style.styled():
+        figure, (left, right) = _sheet(2, height=3.3)
+        draw_steps(left, item, end)
+        draw_pressures(right, item, end)
+        left.set_title("a staircase of flat punches")
+        right.set_title("their pressures add up")
+    return figure

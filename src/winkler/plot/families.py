@@ -1,0 +1,145 @@
+"""Families of curves: an answer over one varied quantity, one curve for each value of another."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from winkler.plot import style
+from winkler.plot.series import Scale, Series, common_scale
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
+
+    from winkler.plot.picture import Picture
+
+__all__ = ["bar_picture", "draw_bars", "draw_family", "family_picture"]
+
+TELLABLE = len(style.CYCLE)
+"""So many curves are told apart by colour; more take the shades of a map."""
+DECADES = 1.5
+"""Values that span more decades than this are shown on a logarithmic axis."""
+
+
+def spans_decades(content: np.ndarray) -> bool:
+    """Return whether numbers are positive and better seen on a logarithmic axis."""
+    known = content[np.isfinite(content)]
+    if known.size < 3 or known.min() <= 0.0:
+        return False
+    return bool(np.log10(known.max() / known.min()) > DECADES)
+
+
+def draw_family(
+    axes: Axes, along: Sequence[Series], of: Sequence[Series], labels: Sequence[str], *, logarithmic: bool = True
+) -> None:
+    """Draw one curve for every pair of series.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    along, of : sequence of Series
+        Of one quantity each.
+    labels : sequence of str
+        One for each curve; empty for a single one.
+    logarithmic : bool
+        Whether axes whose values span decades are made logarithmic.
+    """
+    across, upright = common_scale(*along), common_scale(*of)
+    many = len(of) > TELLABLE
+    for place, (x, y) in enumerate(zip(along, of, strict=True)):
+        colour = style.shades()(0.15 + 0.85 * place / (len(of) - 1)) if many else style.CYCLE[place]
+        order = np.argsort(x.content, kind="stable")
+        axes.plot(
+            x.shown(across)[order],
+            y.shown(upright)[order],
+            color=colour,
+            linestyle="-" if many else style.DASHES[place % len(style.DASHES)],
+            marker="o" if order.size <= 40 else "",
+            markersize=4.0,
+            label=labels[place] if not many or place in (0, len(of) // 2, len(of) - 1) else None,
+        )
+    axes.margins(x=0.04, y=0.06)
+    if logarithmic:
+        _stretch(axes, along, of)
+    _describe(axes, along[0], across, of[0], upright)
+
+
+def _stretch(axes: Axes, along: Sequence[Series], of: Sequence[Series]) -> None:
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    if not spans_decades(np.concatenate([one.content.ravel() for one in along])):
+        return
+    steep = spans_decades(np.concatenate([one.content.ravel() for one in of]))
+    axes.set_xscale("log")
+    if steep:
+        axes.set_yscale("log")
+    for axis in (axes.xaxis, axes.yaxis) if steep else (axes.xaxis,):
+        low, high = axis.get_view_interval()
+        decades = np.log10(high / low)
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if decades < 2.5 else (1.0,), numticks=12))
+        axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def _describe(axes: Axes, x: Series, across: Scale, y: Series, upright: Scale) -> None:
+    axes.set_xlabel(x.label(across))
+    axes.set_ylabel(y.label(upright))
+
+
+def draw_bars(axes: Axes, names: Sequence[str], of: Series) -> None:
+    """Draw one bar for every name: an answer for shapes or solids that are no numbers.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    names : sequence of str
+    of : Series
+        One number for each name; none where it is NaN.
+    """
+    places = np.arange(len(names))
+    axes.barh(places, np.nan_to_num(of.shown()), color=style.BLUE, height=0.62)
+    axes.set_yticks(places, names)
+    axes.invert_yaxis()
+    axes.set_xlabel(of.label())
+    axes.grid(visible=False, axis="y")
+
+
+def family_picture(along: Sequence[Series], of: Sequence[Series], labels: Sequence[str]) -> Picture:
+    """Return a figure of one answer over one varied quantity.
+
+    Parameters
+    ----------
+    along, of : sequence of Series
+        One pair for each curve.
+    labels : sequence of str
+        One for each curve; a legend is shown if there are several.
+    """
+    with style.styled():
+        figure = style.figure(width=4.6, height=3.3 if len(labels) < 2 else 3.9)
+        axes = figure.add_subplot()
+        draw_family(axes, along, of, labels)
+        if len(labels) > 1:
+            handles, told = axes.get_legend_handles_labels()
+            figure.legend(handles, told, loc="outside lower center", ncols=1 if max(map(len, told)) > 28 else 2)
+    return figure
+
+
+def bar_picture(names: Sequence[str], of: Series) -> Picture:
+    """Return a figure of one answer for things that are no numbers: one bar each.
+
+    Parameters
+    ----------
+    names : sequence of str
+        What was varied: one for each bar.
+    of : Series
+        One number for each bar.
+    """
+    with style.styled():
+        figure = style.figure(width=4.6, height=max(1.6, 0.9 + 0.3 * len(names)))
+        draw_bars(figure.add_subplot(), names, of)
+    return figure
