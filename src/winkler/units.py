@@ -73,7 +73,8 @@ COMMON = (
         for name in ("m", "N", "Pa", "J", "s", "g", "K", "rad", "Hz", "W", "V", "A")
         for prefix in ("", *"kMGmunp")
     ),
-    *("micron", "angstrom", "inch", "psi", "bar", "min", "hour", "eV", "dyn", "kelvin", "meter", "ohm", "mol"),
+    *("micron", "angstrom", "inch", "psi", "bar", "min", "hour", "eV", "dyn", "ohm", "mol"),
+    *("meter", "micrometer", "nanometer", "newton", "pascal", "joule", "second", "kelvin", "degree", "radian"),
 )
 """What a misspelt unit may have meant."""
 
@@ -112,6 +113,8 @@ def _named(name: str) -> _Unit:
         offset = Fraction(zero.magnitude)
         factor = Fraction(one.magnitude) - offset
     except (pint.PintError, AttributeError, TypeError, AssertionError, ValueError):
+        if name.istitle() and len(name) > 4:
+            return _named(name.lower())  # Newton, Micrometer
         same = [known for known in COMMON if known.lower() == name.lower()]
         near = f" (did you mean '{same[0]}'?)" if same else suggest(name, COMMON)
         raise _Unreadable(f"the unit '{name}' is unknown{near}") from None
@@ -337,7 +340,7 @@ def format_quantity(number: float, unit: str) -> str:
     number = float(number)
     if not math.isfinite(number):
         raise InvalidInput(f"{number} {unit} cannot be written as a quantity; only finite numbers can.")
-    if unit == "rad":
+    if unit == "rad" and abs(number) < 1e6:
         for degrees in (f"{math.degrees(number):.12g} deg", f"{math.degrees(number)!r} deg"):
             if quantity(degrees, unit, what="angle") == number:
                 return degrees

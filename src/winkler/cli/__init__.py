@@ -1,0 +1,82 @@
+"""The command line: ``winkler run study.toml`` and what belongs to it.
+
+Nothing heavy is imported here; every command imports what it needs when it is called.
+
+Exit codes: 0 done; 1 a number is not what ``[[expect]]`` or a literature case says; 2 the input cannot be used; 3 a
+solver did not converge; 4 the theory does not hold there; 70 a mistake in winkler itself; 130 interrupted; 143
+terminated.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+__all__ = ["main"]
+
+MISTAKE, INTERRUPTED, TERMINATED = 70, 130, 143
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit code; errors become one sentence on stderr.
+
+    Parameters
+    ----------
+    arguments
+        Words after ``winkler``; those of the process if not given.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    traceback = "--traceback" in words
+    words = [word for word in words if word != "--traceback"]
+    _end_cleanly_when_terminated()
+    try:
+        from winkler.cli.app import app
+
+        answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
+        return answer if isinstance(answer, int) else 0
+    except KeyboardInterrupt:
+        return _interrupted()
+    except Exception as error:
+        if traceback:
+            raise
+        return _told(error)
+
+
+def _told(error: Exception) -> int:
+    """Say what went wrong in one sentence, and return the exit code."""
+    from winkler.errors import WinklerError
+
+    if isinstance(error, WinklerError):
+        _say(str(error))
+        return error.exit_code
+    if type(error).__name__ == "Abort":
+        return _interrupted()
+    if hasattr(error, "format_message") and hasattr(error, "exit_code"):
+        context = getattr(error, "ctx", None)
+        path = context.command_path if context is not None else "winkler"
+        _say(f"{str(error.format_message()).rstrip('.')}; `{path} --help` tells what is known.")
+        return int(error.exit_code)
+    text = " ".join(str(error).split())
+    _say(f"winkler made a mistake ({type(error).__name__}: {text}); run again with --traceback and report it.")
+    return MISTAKE
+
+
+def _interrupted() -> int:
+    _say("interrupted; nothing was written.")
+    return INTERRUPTED
+
+
+def _say(sentence: str) -> None:
+    print(f"winkler: {sentence}", file=sys.stderr)
+
+
+def _end_cleanly_when_terminated() -> None:
+    def stop(*_: object) -> NoReturn:
+        raise SystemExit(TERMINATED)
+
+    try:
+        signal.signal(signal.SIGTERM, stop)
+    except ValueError:  # not in the main thread: whoever runs us there keeps its own handler
+        return

@@ -1,0 +1,58 @@
+"""The commands of the command line, and what is common to them."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from winkler.cli import cite, draw, new, run, show, validate
+
+__all__ = ["app"]
+
+EXAMPLES = """Examples:
+
+winkler new indentation --profile cone  (writes a commented study)
+
+winkler run indentation.toml  (numbers, figures and a report in results/indentation)
+
+winkler show rounded_cone  (what a kind takes, with units and an example)
+"""
+
+app = typer.Typer(
+    name="winkler",
+    help="Contact mechanics by the method of dimensionality reduction: from a study file to numbers and figures.",
+    epilog=EXAMPLES,
+    no_args_is_help=True,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        print(f"winkler {version('winkler')}")
+        raise typer.Exit
+
+
+@app.callback()
+def common(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+    traceback: Annotated[
+        bool, typer.Option("--traceback", help="Show where an unexpected error came from; works with every command.")
+    ] = False,
+) -> None:
+    """Take the options that stand before a command."""
+
+
+app.command()(run.run)
+app.command()(show.show)
+app.command()(draw.draw)
+app.command()(new.new)
+app.command()(cite.cite)
+app.command()(validate.validate)

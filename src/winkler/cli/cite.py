@@ -1,0 +1,36 @@
+"""``winkler cite``: the papers behind a study or a kind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+__all__ = ["cite"]
+
+
+def cite(
+    what: Annotated[str, typer.Argument(help="A study file, or a kind.", show_default=False)],
+    bibtex: Annotated[bool, typer.Option("--bibtex", help="Show BibTeX entries.")] = False,
+) -> None:
+    """Show the papers that a study, or a kind, stands on.
+
+    Example: winkler cite examples/studies/hertz.toml --bibtex
+    """
+    from winkler.study.catalogue import kinds
+    from winkler.study.citing import bibliography
+    from winkler.study.citing import cite as papers_of
+    from winkler.study.reading import read_study
+
+    if what in kinds() and not Path(what).is_file():
+        line = kinds()[what]
+        keys = dict.fromkeys((*getattr(line.cls, "references", ()), *line.cites))
+        papers = tuple(bibliography()[key] for key in keys)
+    else:
+        study = read_study(what)
+        papers = papers_of((study.problem, study.sweep))
+    for paper in papers:
+        print(paper.bibtex + "\n" if bibtex else paper.text)
+    if not papers and not bibtex:
+        print(f"{what} stands on no particular paper.")

@@ -1,0 +1,114 @@
+"""``winkler draw``: a study as a picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from winkler.study.outcome import Solved
+
+__all__ = ["draw"]
+
+PARTS = {
+    "contact": "the body in its dent, the springs, their load and the pressure",
+    "profile": "the shape alone: f(r) and g(x)",
+    "bed": "the shape over its springs",
+    "surface": "pressure and displacement of the surface; needs [fields] with r",
+    "stress": "the stress below the surface; needs [fields] with r and z",
+    "curve": "force, radius and stiffness over the depth, of a load that is a list",
+    "staircase": "the contact as a staircase of flat punches, after Jaeger",
+}
+STEPS = 12
+
+
+def known(incomplete: str) -> list[str]:
+    """Return the parts that begin like `incomplete`, for the completion of the shell."""
+    return [name for name in PARTS if name.startswith(incomplete)]
+
+
+def draw(
+    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="The picture: .png, .svg or .pdf; NAME-PART.png if not given.")
+    ] = None,
+    part: Annotated[str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=known)] = "contact",
+    point: Annotated[int, typer.Option(help="Which point of the sweep, from 0; -1 is the last.")] = -1,
+    load: Annotated[int, typer.Option(help="Which load, where the study asks for many at once; -1 is the last.")] = -1,
+    overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.")] = False,
+) -> None:
+    """Draw a study into a picture file.
+
+    Example: winkler draw examples/studies/hertz.toml --part stress --output stress.svg
+    """
+    from winkler.errors import InvalidInput, suggest
+    from winkler.plot import draw as picture_of
+    from winkler.study.reading import read_study
+    from winkler.study.study import PICTURES
+
+    if part not in PARTS:
+        raise InvalidInput(
+            f"draw: the part '{part}' is not known{suggest(part, PARTS)}; give one of {', '.join(PARTS)}."
+        )
+    path = output or Path(f"{study.stem}-{part}.png")
+    if path.suffix.lstrip(".").lower() not in PICTURES:
+        known_endings = ", ".join(f".{ending}" for ending in PICTURES)
+        raise InvalidInput(f"draw: '{path}' does not end like a picture; give {known_endings}.")
+    if path.exists() and not overwrite:
+        raise InvalidInput(f"draw: '{path}' exists; add --overwrite to replace it, or give another file with --output.")
+    item = _item(_solved(read_study(study), point), part, load)
+    figure = picture_of(item)
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        why = (error.strerror or type(error).__name__).lower()
+        raise InvalidInput(f"draw: '{path}' cannot be written ({why}); give another file with --output.") from None
+    print(f"Written {path}")
+
+
+def _solved(study: Any, point: int) -> Solved:
+    """Solve one point of a study."""
+    from winkler.errors import InvalidInput
+    from winkler.study.outcome import Failed
+    from winkler.study.run import ERRORS
+    from winkler.study.sweep import solved, tasks
+
+    points = tasks(study)
+    if not -len(points) <= point < len(points):
+        raise InvalidInput(f"draw: there is no point {point}; the study has {len(points)}, counted from 0.")
+    answer = solved(points[point])
+    if isinstance(answer, Failed):
+        raise ERRORS[answer.code](answer.reason)
+    return answer
+
+
+def _item(answer: Solved, part: str, load: int) -> Any:
+    """Return what is drawn: a part of the solved point."""
+    from winkler.errors import InvalidInput
+    from winkler.staircase import staircase
+
+    bed = getattr(answer.problem, "bed", None)
+    shape = getattr(bed, "profile", None) or getattr(bed, "plane_profile", None)
+    if not -len(answer.each) <= load < len(answer.each):
+        raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")
+    match part:
+        case "profile" if shape is not None:
+            return shape
+        case "bed" if bed is not None:
+            return bed
+        case "curve":
+            return answer.solution
+        case "surface" | "stress":
+            fields = answer.surface if part == "surface" else answer.subsurface
+            if not fields:
+                need = "r" if part == "surface" else "r and z"
+                raise InvalidInput(f"draw: the study restores no such fields; add [fields] with {need}.")
+            return fields[load]
+        case "staircase":
+            if not hasattr(answer.each[load], "pressed"):
+                raise InvalidInput(f"draw: the answer to {type(answer.problem).__name__} has no staircase.")
+            return staircase(answer.each[load], STEPS)
+        case _:
+            return answer.each[load]

@@ -1,0 +1,79 @@
+"""``winkler new``: a commented study, to begin with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+__all__ = ["new"]
+
+
+def _of(slot: str, incomplete: str) -> list[str]:
+    from winkler.study.catalogue import CATALOGUE
+
+    return [name for name in CATALOGUE[slot] if name.startswith(incomplete)]
+
+
+def _problems(incomplete: str) -> list[str]:
+    return _of("problem", incomplete)
+
+
+def _profiles(incomplete: str) -> list[str]:
+    return _of("profile", incomplete)
+
+
+def _media(incomplete: str) -> list[str]:
+    return _of("medium", incomplete)
+
+
+def _beds(incomplete: str) -> list[str]:
+    return _of("bed", incomplete)
+
+
+def _loads(incomplete: str) -> list[str]:
+    return _of("load", incomplete)
+
+
+def new(
+    problem: Annotated[
+        str, typer.Argument(help="Kind of the problem, such as indentation.", autocompletion=_problems)
+    ] = "indentation",
+    profile: Annotated[str, typer.Option(help="Kind of the profile.", autocompletion=_profiles)] = "",
+    medium: Annotated[str, typer.Option(help="Kind of the medium.", autocompletion=_media)] = "",
+    bed: Annotated[str, typer.Option(help="Kind of the bed.", autocompletion=_beds)] = "",
+    load: Annotated[str, typer.Option(help="Kind of the load.", autocompletion=_loads)] = "",
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="The file to write; PROBLEM.toml if not given.")
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing file.")] = False,
+) -> None:
+    """Write a commented study for a problem; it runs as it is.
+
+    Example: winkler new indentation --profile cone --output cone.toml
+    """
+    from winkler.errors import InvalidInput, WinklerError, suggest
+    from winkler.study.catalogue import CATALOGUE
+    from winkler.study.reading import parse_study
+    from winkler.study.run import run
+    from winkler.study.template import template
+
+    for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
+        if name and name not in CATALOGUE[slot]:
+            known = list(CATALOGUE[slot])
+            raise InvalidInput(f"{slot}: '{name}' is not known{suggest(name, known)}; there are {', '.join(known)}.")
+    path = output or Path(f"{problem}.toml")
+    if path.exists() and not overwrite:
+        raise InvalidInput(f"'{path}' exists; add --overwrite to replace it, or give another file with --output.")
+    text = template(problem, file=path.stem, profile=profile, medium=medium, bed=bed, load=load)
+    try:
+        run(parse_study(text, file=path.name))
+    except WinklerError as error:
+        raise type(error)(f"these kinds do not go together: {error}") from None
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        why = (error.strerror or type(error).__name__).lower()
+        raise InvalidInput(f"'{path}' cannot be written ({why}); give another file with --output.") from None
+    print(f"Written {path}; run it with: winkler run {path}")

@@ -1,0 +1,130 @@
+"""``winkler run``: solve a study and write its results."""
+
+from __future__ import annotations
+
+import math
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from winkler.study.outcome import Outcome
+
+__all__ = ["run"]
+
+MISSED = 1
+
+
+def run(
+    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study says another one."),
+    ] = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", "--yes", "-y", help="Replace results of an earlier run without asking.")
+    ] = False,
+    workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that solve a sweep.")] = 1,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show nothing but errors.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Show the answers as JSON.")] = False,
+) -> int:
+    """Solve a study; write numbers, figures and a report.
+
+    The results are written whole or not at all. Exit code 1 if an expectation is missed; if points of a sweep have no
+    answer, the code of the first one.
+
+    Example: winkler run examples/studies/hertz.toml --output results/ball
+    """
+    from winkler.cli import terminal
+    from winkler.errors import WinklerError
+    from winkler.study.reading import read_study
+    from winkler.study.run import gather
+    from winkler.study.sweep import solve_points
+    from winkler.study.writing import holds_results, placed, write_outcome
+
+    started = time.perf_counter()
+    asked = read_study(study)
+    folder = output or Path(asked.output.folder or Path("results") / study.stem)
+    if holds_results(folder) and not overwrite:
+        overwrite = _may_overwrite(folder)
+    with placed(folder, overwrite=overwrite) as partial:
+        points = solve_points(asked, workers=workers)
+        watched = terminal.tracked(points, math.prod(asked.shape), hidden=quiet or as_json)
+        try:
+            outcome = gather(asked, watched, started=started, source=study.name)
+        except WinklerError as error:
+            raise type(error)(f"{study.name}: {error}") from None
+        write_outcome(outcome, partial)
+    if as_json:
+        _print_json(outcome, folder)
+    elif not quiet:
+        _print(outcome, folder)
+    return _code(outcome)
+
+
+def _may_overwrite(folder: Path) -> bool:
+    """Ask whether the results in `folder` may be replaced; refuse where nobody can answer."""
+    import sys
+
+    from winkler.errors import InvalidInput
+
+    if not sys.stdin.isatty():
+        raise InvalidInput(
+            f"output: '{folder}' already holds results; add --overwrite to replace them, or give another folder with "
+            "--output."
+        )
+    if typer.confirm(f"'{folder}' already holds results. Replace them?", err=True):
+        return True
+    raise InvalidInput(f"output: '{folder}' was kept; give another folder with --output.")
+
+
+def _code(outcome: Outcome) -> int:
+    if outcome.failed:
+        return outcome.failed[0].code
+    return 0 if all(verdict.passed for verdict in outcome.verdicts) else MISSED
+
+
+def _print(outcome: Outcome, folder: Path) -> None:
+    from winkler.cli import terminal
+    from winkler.cli.validate import verdict_table
+
+    out = terminal.console()
+    out.print(outcome.study.title)
+    terminal.answers(outcome, out)
+    if outcome.verdicts:
+        out.print(verdict_table(outcome.verdicts))
+    terminal.notes(outcome, out)
+    if outcome.failed:
+        first = outcome.failed[0]
+        out.print(f"{len(outcome.failed)} of {len(outcome.points)} points have no answer; the first: {first.reason}")
+    out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
+
+
+def _print_json(outcome: Outcome, folder: Path) -> None:
+    import json
+
+    from winkler.cli.terminal import plain_numbers
+    from winkler.cli.validate import verdict_json
+
+    content: dict[str, Any] = {
+        "title": outcome.study.title,
+        "folder": str(folder),
+        "version": outcome.provenance.version,
+        "hash": outcome.provenance.hash,
+        "seconds": outcome.provenance.seconds,
+        "answers": [
+            {"name": column.name, "unit": column.word.unit, "values": plain_numbers(column.content)}
+            for column in outcome.table()
+        ],
+        "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
+        "failed": [
+            {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
+        ],
+        "validity": [
+            {"standing": note.standing.value, "statement": note.statement, "source": note.source}
+            for note in outcome.validity
+        ],
+    }
+    print(json.dumps(content, indent=2, ensure_ascii=False))

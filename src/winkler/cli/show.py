@@ -1,0 +1,149 @@
+"""``winkler show``: what a kind takes, with units, ranges and an example."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+__all__ = ["show"]
+
+
+def known(incomplete: str) -> list[str]:
+    """Return the names that begin like `incomplete`, for the completion of the shell."""
+    from winkler.study.catalogue import CATALOGUE, kinds
+
+    return [name for name in ("study", *CATALOGUE, *kinds()) if name.startswith(incomplete)]
+
+
+def show(
+    name: Annotated[
+        str, typer.Argument(help="A kind, a group of kinds, or 'study'.", autocompletion=known, show_default=False)
+    ] = "",
+    as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
+) -> None:
+    """Show what a kind takes: keys, units, ranges, and an example.
+
+    Without a name, all kinds are listed; 'study' shows the sections of a study file.
+
+    Example: winkler show sphero_conical
+    """
+    from winkler.errors import InvalidInput, suggest
+    from winkler.study.catalogue import CATALOGUE, REFUSED, kinds
+
+    # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
+    if as_json:
+        _json(name)
+    elif name in kinds():
+        _kind(name)
+    elif name == "study":
+        _study()
+    elif not name or name in CATALOGUE:
+        _list(name)
+    elif name in REFUSED:
+        REFUSED[name](1.0)
+    else:
+        every = ["study", *CATALOGUE, *kinds()]
+        raise InvalidInput(f"'{name}' is not known{suggest(name, every)}; `winkler show` lists every kind.")
+
+
+def _list(only: str) -> None:
+    from rich import box
+    from rich.table import Table
+
+    from winkler.cli.terminal import console
+    from winkler.study.catalogue import CATALOGUE
+    from winkler.study.explain import summary
+
+    table = Table("group", "kind", "what it is", box=box.SIMPLE_HEAD)
+    for slot, lines in CATALOGUE.items():
+        if only in ("", slot):
+            for number, (name, line) in enumerate(lines.items()):
+                table.add_row("" if number else slot, name, summary(line.cls))
+            table.add_section()
+    out = console()
+    out.print(table)
+    out.print("`winkler show KIND` tells what a kind takes, `winkler show study` what a study file may say.")
+
+
+def _kind(name: str) -> None:
+    from rich import box
+    from rich.table import Table
+
+    from winkler.cli.terminal import console
+    from winkler.study.catalogue import kinds, slot_of
+    from winkler.study.citing import cite
+    from winkler.study.explain import keys_of, plain_symbol, summary
+    from winkler.study.reading import parse_study
+    from winkler.study.template import example_text, whole_text
+
+    out = console()
+    out.print(f"{name} (a {slot_of(name)}): {summary(kinds()[name].cls)}")
+    rows = keys_of(name)
+    if rows:
+        table = Table("key", "symbol", "takes", "meaning", "range", "", box=box.SIMPLE_HEAD)
+        for key in rows:
+            need = "required" if key.required else "optional"
+            table.add_row(key.name, plain_symbol(key.word.symbol), key.takes, key.word.meaning, key.range, need)
+        out.print(table)
+    else:
+        out.print("It takes no keys.\n")
+    out.print("Example:\n")
+    out.print(example_text(name), soft_wrap=True)
+    papers = cite(parse_study(whole_text(name)).problem)
+    mine = [
+        paper.text
+        for paper in papers
+        if paper.key in (*kinds()[name].cites, *getattr(kinds()[name].cls, "references", ()))
+    ]
+    for text in mine:
+        out.print(f"See {text}", soft_wrap=True)
+
+
+def _study() -> None:
+    from rich import box
+    from rich.table import Table
+
+    from winkler.cli.terminal import console
+    from winkler.study.grammar import SECTIONS
+
+    table = Table("section", "key", "meaning", box=box.SIMPLE_HEAD)
+    for section, rows in SECTIONS.items():
+        for number, (key, meaning) in enumerate(rows.items()):
+            table.add_row("" if number else section, key, meaning)
+        table.add_section()
+    console().print(table)
+
+
+def _json(name: str) -> None:
+    import json
+
+    from winkler.errors import InvalidInput
+    from winkler.study.catalogue import kinds, slot_of
+    from winkler.study.explain import completed, keys_of, summary
+
+    if name and name not in kinds():
+        raise InvalidInput(f"'{name}' is not a kind; `winkler show` lists every kind.")
+    content = [
+        {
+            "kind": kind,
+            "group": slot_of(kind),
+            "meaning": summary(line.cls),
+            "keys": [
+                {
+                    "key": key.name,
+                    "symbol": key.word.symbol,
+                    "unit": key.word.unit,
+                    "takes": key.takes,
+                    "meaning": key.word.meaning,
+                    "range": key.range,
+                    "required": key.required,
+                }
+                for key in keys_of(kind)
+            ],
+            "example": completed({"kind": kind}),
+        }
+        for kind, line in kinds().items()
+        if name in ("", kind)
+    ]
+    print(json.dumps(content, indent=2, ensure_ascii=False))

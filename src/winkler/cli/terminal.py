@@ -1,0 +1,125 @@
+"""What the commands show: tables with fitting prefixes, notes, and a bar with the time left."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from winkler.study.outcome import Column, Outcome
+
+__all__ = ["answers", "console", "notes", "plain_numbers", "prefixed", "tracked"]
+
+T = TypeVar("T")
+
+PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+PREFIXED = ("m", "N", "Pa", "J", "N/m")
+"""Units that are shown with a prefix."""
+ROWS = 24
+"""Longer tables are cut in the middle."""
+WIDE = 160
+"""Columns of text where the output is no terminal."""
+
+
+def console(*, stderr: bool = False) -> Console:
+    """Return where to write; texts are shown as they are."""
+    from rich.console import Console
+
+    stream = sys.stderr if stderr else sys.stdout
+    return Console(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
+
+
+def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
+    """Return a factor and the unit with the prefix that suits the greatest of the numbers.
+
+    Examples
+    --------
+    >>> prefixed(np.array([2e-6, 3e-5]), "m")
+    (1000000.0, 'µm')
+    """
+    sizes = np.abs(numbers[np.isfinite(numbers)])
+    greatest = float(sizes.max()) if sizes.size else 0.0
+    if unit == "rad":
+        return 180.0 / math.pi, "deg"
+    if unit not in PREFIXED or greatest == 0.0:
+        return 1.0, unit or ""
+    power = max(-18, min(12, 3 * math.floor(math.log10(greatest) / 3.0 + 1e-12)))
+    return 10.0**-power, f"{PREFIXES[power]}{unit}"
+
+
+def _shown(column: Column) -> tuple[str, list[str]]:
+    """Return the unit and the texts of a column."""
+    if column.content.dtype.kind not in "fiu":
+        return "", [str(item) for item in column.content]
+    factor, unit = prefixed(column.content, column.word.unit)
+    return unit, [f"{number * factor:.6g}" if np.isfinite(number) else "-" for number in column.content]
+
+
+def answers(outcome: Outcome, out: Console) -> None:
+    """Show what came out: a list for one load, a table for many."""
+    from rich import box
+    from rich.table import Table
+
+    from winkler.study.explain import plain_symbol
+
+    swept = [axis.key for axis in outcome.study.sweep]
+    table_ = outcome.table()
+    given = [column.content for column in table_ if column.name in swept]
+    columns = [
+        column
+        for column in table_
+        if column.name in swept or not any(np.array_equal(column.content, content) for content in given)
+    ]
+    shown = [_shown(column) for column in columns]
+    rows = len(columns[0].content)
+    if rows == 1:
+        table = Table("quantity", "symbol", "value", "unit", "meaning", box=box.SIMPLE_HEAD)
+        for column, (unit, texts) in zip(columns, shown, strict=True):
+            word = column.word
+            table.add_row(column.name, plain_symbol(word.symbol), texts[0], unit, word.meaning)
+    else:
+        table = Table(box=box.SIMPLE_HEAD)
+        for column, (unit, _) in zip(columns, shown, strict=True):
+            name = column.name.removeprefix("problem.")
+            table.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
+        for row in range(rows):
+            if rows > ROWS and row == ROWS // 2:
+                table.add_row("...")
+            if rows <= ROWS or row < ROWS // 2 or row >= rows - ROWS // 2:
+                table.add_row(*(texts[row] for _, texts in shown))
+    out.print(table)
+
+
+def notes(outcome: Outcome, out: Console) -> None:
+    """Show how far the numbers can be trusted, each statement once."""
+    if outcome.validity:
+        out.print("How far this can be trusted:")
+    for note in outcome.validity:
+        out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
+
+
+def plain_numbers(content: Any) -> Any:
+    """Return numbers for JSON: null where there is none."""
+    if isinstance(content, np.ndarray | list):
+        return [plain_numbers(item) for item in np.asarray(content).tolist()]
+    if isinstance(content, float):
+        return content if math.isfinite(content) else None
+    return content
+
+
+def tracked(points: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
+    """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches."""
+    if hidden or total < 2 or not sys.stderr.isatty():
+        yield from points
+        return
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    bar = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*bar, console=console(stderr=True), transient=True) as progress:
+        yield from progress.track(points, total=total, description="solving")

@@ -1,0 +1,119 @@
+"""``winkler validate``: run the literature cases and print the ledger."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from winkler.study.ledger import Entry
+    from winkler.study.outcome import Verdict
+
+__all__ = ["validate", "verdict_json", "verdict_table"]
+
+MISSED = 1
+
+
+def validate(
+    cases: Annotated[
+        list[str] | None, typer.Argument(help="Names of cases, case files or folders; all cases if left out.")
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Show the ledger as JSON.")] = False,
+    as_markdown: Annotated[bool, typer.Option("--markdown", help="Show it as a page of the manual.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show what was missed, and nothing else.")] = False,
+) -> int:
+    """Repeat published and independently computed numbers.
+
+    Each case says how independent it is: analytical, cross-code, or published table. Exit code 1 if a number is missed.
+
+    Example: winkler validate --json
+    """
+    import json
+
+    from winkler.cli import terminal
+    from winkler.errors import InvalidInput
+    from winkler.study.ledger import case_files, ledger, markdown
+
+    files = case_files(cases or ())
+    if not files:
+        raise InvalidInput("validate: there are no cases; give files or folders of them.")
+    hidden = quiet or as_json or as_markdown
+    entries = list(terminal.tracked(ledger(files), len(files), hidden=hidden))
+    if as_json:
+        print(json.dumps([_json(entry) for entry in entries], indent=2, ensure_ascii=False))
+    elif as_markdown:
+        print(markdown(entries), end="")
+    else:
+        _print([entry for entry in entries if not (quiet and entry.passed)], entries, quiet)
+    return 0 if all(entry.passed for entry in entries) else MISSED
+
+
+def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
+    from winkler.cli.terminal import console
+
+    out = console()
+    for entry in shown:
+        out.print(f"{entry.name} ({entry.grade}): {entry.title}", soft_wrap=True)
+        out.print(f"  {entry.source}", soft_wrap=True)
+        if entry.failure:
+            out.print(f"  not answered: {entry.failure}", soft_wrap=True)
+        if entry.verdicts:
+            out.print(verdict_table(entry.verdicts))
+    if not quiet:
+        verdicts = [verdict for entry in entries for verdict in entry.verdicts]
+        missed = sum(not verdict.passed for verdict in verdicts) + sum(bool(entry.failure) for entry in entries)
+        told = f"{missed} missed" if missed else "none missed"
+        out.print(f"{len(entries)} cases, {len(verdicts)} numbers, {told}.")
+
+
+def verdict_table(verdicts: Iterable[Verdict]) -> Table:
+    """Return a table of what was expected and what came out."""
+    from rich import box
+    from rich.table import Table
+
+    from winkler.study.ledger import digits, shown, where
+
+    table = Table("quantity", "expected", "got", "digits", "tolerance", "", box=box.SIMPLE_HEAD)
+    for verdict in verdicts:
+        asked = verdict.expectation
+        got, passed = shown(verdict.got, asked), "passed" if verdict.passed else "missed"
+        digits_ = digits(verdict).removesuffix(" (missed)")
+        table.add_row(where(asked), shown(asked.expected, asked), got, digits_, f"{asked.tolerance:.0e}", passed)
+    return table
+
+
+def verdict_json(verdict: Verdict) -> dict[str, Any]:
+    """Return a verdict for JSON."""
+    import numpy as np
+
+    from winkler.cli.terminal import plain_numbers
+
+    asked = verdict.expectation
+    return {
+        "index": list(verdict.index),
+        "quantity": asked.quantity,
+        "place": dict(asked.place),
+        "unit": asked.unit,
+        "expected": plain_numbers(np.asarray(asked.expected).tolist()),
+        "got": plain_numbers(np.asarray(verdict.got).tolist()),
+        "deviation": plain_numbers(verdict.deviation),
+        "tolerance": asked.tolerance,
+        "digits": verdict.digits,
+        "passed": verdict.passed,
+    }
+
+
+def _json(entry: Entry) -> dict[str, Any]:
+    return {
+        "case": entry.name,
+        "title": entry.title,
+        "source": entry.source,
+        "grade": entry.grade,
+        "passed": entry.passed,
+        "failure": entry.failure,
+        "numbers": [verdict_json(verdict) for verdict in entry.verdicts],
+    }

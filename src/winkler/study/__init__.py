@@ -1,0 +1,1 @@
+"""Studies: a problem in a text file, read, run, written and judged."""

@@ -1,0 +1,218 @@
+"""Numbers to keep: NetCDF with units, meanings and provenance, and CSV that every spreadsheet reads.
+
+::
+
+    results.nc     every answer over the axes of the sweep, and every restored field; read it with xarray
+    results.csv    one row per point and load: what was varied, then the answers; units in the header
+    surface.csv    the fields on the surface, if [fields] asked for them
+
+All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only.
+"""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.study import keys
+from winkler.study.outcome import Outcome, Solved
+from winkler.study.reading import study_text
+from winkler.vocabulary import Word, word
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write"]
+
+NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
+
+ACROSS = "load"
+"""Dimension of the loads that one point asks for at once."""
+
+EXTRA = ("von_mises", "max_shear")
+"""What is kept of the stresses beside their components."""
+
+
+def write(outcome: Outcome, folder: Path) -> None:
+    """Write the numbers of a study into a folder.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+    folder
+        Must exist; files of the same names are replaced.
+    """
+    dataset(outcome).to_netcdf(folder / NETCDF, engine="h5netcdf")
+    columns = outcome.table()
+    _write_rows(
+        folder / CSV,
+        [heading(column.name, column.word) for column in columns],
+        zip(*(column.content.tolist() for column in columns), strict=True),
+    )
+    if any(point.surface for point in outcome.solved):
+        _write_surface(outcome, folder / SURFACE)
+
+
+def heading(name: str, told: Word) -> str:
+    """Return the heading of a column: its name, and its unit in brackets; ``-`` for numbers without one.
+
+    Examples
+    --------
+    >>> heading("force", Word("F_N", "N", "normal force")), heading("failure", Word("", None, "why"))
+    ('force [N]', 'failure')
+    """
+    return name if told.unit is None else f"{name} [{told.unit or '-'}]"
+
+
+def _write_rows(path: Path, headings: list[str], rows: Any) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(headings)
+        writer.writerows([repr(item) if isinstance(item, float) else item for item in row] for row in rows)
+
+
+def _write_surface(outcome: Outcome, path: Path) -> None:
+    swept = [axis.key for axis in outcome.study.sweep]
+    many = any(len(point.each) > 1 for point in outcome.solved)
+    first = next(fields for point in outcome.solved for fields in point.surface)
+    names = [field.name for field in dataclasses.fields(first)]
+    headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([ACROSS] if many else [])
+    headings += [heading(name, word(type(first).__name__, name)) for name in names]
+
+    def rows() -> Any:
+        for point in outcome.solved:
+            settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
+            for load, fields in enumerate(point.surface):
+                numbers = zip(*(getattr(fields, name).tolist() for name in names), strict=True)
+                for row in numbers:
+                    yield [*settings, *([load] if many else []), *row]
+
+    _write_rows(path, headings, rows())
+
+
+def _swept_word(outcome: Outcome, key: str) -> Word:
+    told = outcome.word(key)
+    axis = next(axis for axis in outcome.study.sweep if axis.key == key)
+    return told if all(isinstance(item, int | float) for item in axis.values) else told._replace(unit=None)
+
+
+# ---------------------------------------------------------------------------------------------------- NetCDF
+
+
+def dataset(outcome: Outcome) -> xarray.Dataset:
+    """Return everything that a study came to as an xarray dataset, with units and provenance.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions: the keys of the sweep (``point`` if they vary together), ``load`` if points ask for many loads at
+        once, ``r`` and ``z`` of restored fields (``r_over_a`` and ``z_over_a`` if they were given as multiples of the
+        contact radius; r and z then are coordinates).  NaN where a point has no answer.
+    """
+    import xarray
+
+    study = outcome.study
+    dims = ("point",) if study.together else tuple(axis.key for axis in study.sweep)
+    coords: dict[str, Any] = {}
+    for place, axis in enumerate(study.sweep):
+        told = _swept_word(outcome, axis.key)
+        values = [item if told.unit is not None else keys.label(item) for item in axis.values]
+        coords[axis.key] = (("point",) if study.together else dims[place], np.array(values), _attributes(told))
+    variables: dict[str, Any] = {}
+    for name in outcome.answers:
+        content = outcome.answer(name)
+        across = () if content.shape[-1] == 1 else (ACROSS,)
+        shown = content if across else content[..., 0]
+        variables[name] = ((*dims, *across), shown, _attributes(outcome.word(name)))
+    if outcome.failed:
+        reasons = np.full(outcome.shape, "", dtype=object)
+        for point in outcome.failed:
+            reasons[point.index] = point.reason
+        variables["failure"] = (dims, reasons.astype(str), {"long_name": "why a point has no answer"})
+    _add_fields(outcome, dims, variables, coords)
+    return xarray.Dataset(variables, coords, _provenance(outcome))
+
+
+def _attributes(told: Word) -> dict[str, str]:
+    found = {"long_name": told.meaning, "symbol": told.symbol}
+    return found if told.unit is None else {"units": told.unit or "1", **found}
+
+
+def _provenance(outcome: Outcome) -> dict[str, Any]:
+    made = outcome.provenance
+    return {
+        "title": outcome.study.title,
+        "program": "winkler",
+        "winkler_version": made.version,
+        "study_hash": made.hash,
+        "study": study_text(outcome.study),
+        "study_file": made.source,
+        "created": made.created,
+        "seconds": made.seconds,
+        **{f"{name}_version": number for name, number in made.packages if name != "winkler"},
+    }
+
+
+def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any], coords: dict[str, Any]) -> None:
+    for below in (False, True):
+        of_point = [(point, point.subsurface if below else point.surface) for point in outcome.solved]
+        if not any(fields for _, fields in of_point):
+            continue
+        first = next(fields[0] for _, fields in of_point if fields)
+        owner = type(first).__name__
+        loads = max(len(fields) for _, fields in of_point)
+        outer = (*dims, *((ACROSS,) if loads > 1 else ()))
+        inner = _place_dims(outcome, owner, below, outer, of_point, coords)
+        names = [field.name for field in dataclasses.fields(first) if field.name not in ("r", "z")]
+        for name in [*names, *(EXTRA if below else ())]:
+            free = f"field_{name}" if name in outcome.answers else name
+            content = _stacked(outcome, of_point, name, loads)
+            variables[free] = ((*outer, *inner), content, _attributes(word(owner, name)))
+
+
+def _place_dims(
+    outcome: Outcome, owner: str, below: bool, outer: tuple[str, ...], of_point: list[Any], coords: dict[str, Any]
+) -> tuple[str, ...]:
+    """Add the places of the fields to `coords`, and return their dimensions."""
+    dims = []
+    for number, name in enumerate(("r", "z") if below else ("r",)):
+        asked = getattr(outcome.study.fields, name)
+        told = word(owner, name)
+        free = f"field_{name}" if name in outcome.answers else name
+        if not asked.relative:
+            coords[free] = ((free,), asked.values, _attributes(told))
+            dims.append(free)
+            continue
+        relative = f"{free}_over_a"
+        meaning = Word(f"{told.symbol}/a", "", f"{told.meaning}, over the contact radius")
+        coords[relative] = ((relative,), asked.values, _attributes(meaning))
+        dims.append(relative)
+        loads = max(len(fields) for _, fields in of_point)
+        content = _stacked(outcome, of_point, name, loads)
+        if below:
+            content = content[..., :, 0] if number == 0 else content[..., 0, :]
+        coords[free] = ((*outer, relative), content, _attributes(told))
+    return tuple(dims)
+
+
+def _stacked(outcome: Outcome, of_point: list[tuple[Solved, Any]], name: str, loads: int) -> Array:
+    """Return one field of all points and loads, NaN where there is none; no axis of loads if each has one."""
+    shape = next(
+        np.broadcast_shapes(fields[0].r.shape, np.shape(getattr(fields[0], name))) for _, fields in of_point if fields
+    )
+    content = np.full((*outcome.shape, loads, *shape), np.nan)
+    for point, fields in of_point:
+        for load, one in enumerate(fields):
+            content[(*point.index, load)] = np.broadcast_to(getattr(one, name), shape)
+    return content if loads > 1 else content[(slice(None),) * len(outcome.shape) + (0,)]

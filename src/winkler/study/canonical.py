@@ -1,0 +1,54 @@
+"""The canonical form of a question, and its hash: equal questions have equal hashes on every machine."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from winkler.study.catalogue import kind_of
+from winkler.study.study import Places, Study
+
+__all__ = ["canonical", "digest"]
+
+
+def canonical(study: Study) -> str:
+    """Return what determines the numbers of a study (problem, sweep, fields) as JSON with sorted keys.
+
+    Quantities are SI numbers, written with the digits that tell a float from its neighbours; title, output and
+    expectations do not matter, nor how the units were written.
+    """
+    content = {
+        "problem": _plain(study.problem),
+        "sweep": [[axis.key, _plain(axis.values)] for axis in study.sweep],
+        "together": study.together,
+        "fields": [_places(study.fields.r), _places(study.fields.z)],
+    }
+    return json.dumps(content, sort_keys=True, separators=(",", ":"), allow_nan=False)
+
+
+def digest(study: Study) -> str:
+    """Return the SHA-256 of the canonical form, as 64 hexadecimal digits."""
+    return hashlib.sha256(canonical(study).encode()).hexdigest()
+
+
+def _places(places: Places) -> Any:
+    return [places.relative, _plain(places.values)]
+
+
+def _plain(content: Any) -> Any:
+    if isinstance(content, str | bool):
+        return content
+    if isinstance(content, int | float):
+        return float(content) + 0.0 if math.isfinite(content) else str(float(content))
+    if isinstance(content, np.ndarray):
+        return _plain(content.tolist())
+    if isinstance(content, tuple | list):
+        return [_plain(item) for item in content]
+    cls = type(content)
+    fields = {field.name: _plain(getattr(content, field.name)) for field in dataclasses.fields(content)}
+    return {"kind": kind_of(cls) or cls.__name__, **fields}

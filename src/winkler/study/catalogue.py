@@ -1,0 +1,167 @@
+"""The catalogue: every kind that a study file may name, and the class behind it.
+
+One line makes a class known to study files, ``winkler show``, ``winkler new``, ``winkler cite`` and the tests: its
+keys, units and meanings are read from the class and the glossary.  The line also carries an example (values as a
+study file writes them; for a part that is left out, the first kind of its slot is taken) and the BibTeX keys of the
+papers that the class stands on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
+from winkler.foundation.plane import PlaneFoundation
+from winkler.io.profile_table import read_profile
+from winkler.loading import Depth, Force, Radius
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.media.halfspace import HalfSpace
+from winkler.media.medium import Medium
+from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.problems.indentation import Indentation
+from winkler.problems.yielding import YieldOnset
+from winkler.profiles.area import AreaFunction
+from winkler.profiles.composite import Sum
+from winkler.profiles.conical import (
+    Berkovich,
+    Cone,
+    CubeCorner,
+    RoundedCone,
+    SpheroConical,
+    TruncatedCone,
+    Vickers,
+)
+from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
+from winkler.profiles.formula import Formula
+from winkler.profiles.measured import Measured
+from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.profile import Profile
+from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
+from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
+from winkler.profiles.wavy import Wavy
+
+__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "Kind", "kind_of", "kinds", "slot_of"]
+
+
+class Kind(NamedTuple):
+    """One line of the catalogue."""
+
+    cls: type
+    example: dict[str, Any]
+    cites: tuple[str, ...] = ()
+    reader: Callable[[Path], Any] | None = None
+    """Reads the value from the file that the key ``file`` names, in place of the other keys."""
+
+
+def _kind(cls: type, *cites: str, reader: Callable[[Path], Any] | None = None, **example: Any) -> Kind:
+    return Kind(cls, example, cites, reader)
+
+
+STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
+
+CATALOGUE: dict[str, dict[str, Kind]] = {
+    "profile": {
+        "sphere": _kind(Sphere, "hertz_1882", "popov_hess_2015", curvature_radius="10 mm"),
+        "paraboloid": _kind(Paraboloid, "hertz_1882", curvature_radius="10 mm"),
+        "power_law": _kind(PowerLaw, "galin_1946", "sneddon_1965", coefficient="1e6 m^-3", exponent=4.0),
+        "cone": _kind(Cone, "love_1939", "sneddon_1965", half_angle="70.3 deg"),
+        "ellipsoid": _kind(Ellipsoid, "popov_hess_willert_2019", radial_semi_axis="10 mm", axial_semi_axis="5 mm"),
+        "hyperboloid": _kind(Hyperboloid, "popov_hess_willert_2019", curvature_radius="1 mm", half_angle="70 deg"),
+        "flat_punch": _kind(FlatPunch, "boussinesq_1885", "sneddon_1965", radius="1 mm"),
+        "rounded_punch": _kind(RoundedPunch, "ciavarella_1998", flat_radius="0.5 mm", edge_radius="1 mm"),
+        "truncated_cone": _kind(TruncatedCone, "briscoe_1994", half_angle="80 deg", flat_radius="0.1 mm"),
+        "truncated_paraboloid": _kind(
+            TruncatedParaboloid, "maugis_barquins_1983", curvature_radius="10 mm", flat_radius="0.2 mm"
+        ),
+        "capped_paraboloid": _kind(
+            CappedParaboloid,
+            "maugis_barquins_1983",
+            curvature_radius="10 mm",
+            cap_curvature_radius="20 mm",
+            cap_radius="0.1 mm",
+        ),
+        "rounded_cone": _kind(RoundedCone, "maugis_barquins_1983", curvature_radius="1 mm", half_angle="70.3 deg"),
+        "sphero_conical": _kind(SpheroConical, "briscoe_1994", curvature_radius="1 mm", half_angle="60 deg"),
+        "berkovich": _kind(Berkovich, "oliver_pharr_1992"),
+        "vickers": _kind(Vickers, "oliver_pharr_1992"),
+        "cube_corner": _kind(CubeCorner, "oliver_pharr_1992"),
+        "area_function": _kind(AreaFunction, "oliver_pharr_1992", coefficients=["24.5", "2 um", "3e-6 m^1.5"]),
+        "capped_cylinder": _kind(
+            CappedCylinder,
+            "popov_hess_willert_2019",
+            radius="0.2 mm",
+            cap={"kind": "sphere", "curvature_radius": "10 mm"},
+        ),
+        "wavy": _kind(Wavy, "guduru_2007", amplitude="10 um", wavelength="4 mm"),
+        "sum": _kind(
+            Sum,
+            "guduru_2007",
+            parts=[
+                {"kind": "paraboloid", "curvature_radius": "10 mm"},
+                {"kind": "wavy", "amplitude": "0.1 um", "wavelength": "1 mm"},
+            ],
+        ),
+        "formula": _kind(Formula, "popov_hess_2015", expression="r**2/(2*R) + r**4/(8*R**3)", constants={"R": "10 mm"}),
+        "measured": _kind(
+            Measured,
+            "popov_hess_2015",
+            reader=read_profile,
+            radii={"from": "0 mm", "to": "1 mm", "count": 6},
+            heights=["0 um", "2 um", "8 um", "18 um", "32 um", "50 um"],
+        ),
+    },
+    "solid": {
+        "elastic": _kind(Elastic, young="210 GPa", poisson=0.3),
+        "rigid": _kind(Rigid),
+        "transversely_isotropic": _kind(
+            TransverselyIsotropic, c11="162 GPa", c12="92 GPa", c13="69 GPa", c33="181 GPa", c44="47 GPa"
+        ),
+    },
+    "medium": {
+        "half_space": _kind(HalfSpace, "johnson_1985"),
+        "transversely_isotropic_half_space": _kind(TransverselyIsotropicHalfSpace, "elliott_1949"),
+    },
+    "bed": {
+        "foundation": _kind(Foundation, "popov_hess_2015"),
+        "plane_foundation": _kind(PlaneFoundation, "popov_hess_2015"),
+    },
+    "load": {
+        "force": _kind(Force, force="100 N"),
+        "depth": _kind(Depth, depth="5 um"),
+        "radius": _kind(Radius, radius="0.1 mm"),
+    },
+    "problem": {
+        "indentation": _kind(Indentation, "popov_hess_2015", "galin_1946", "sneddon_1965", "jaeger_1995"),
+        "yield_onset": _kind(
+            YieldOnset,
+            "johnson_1985",
+            "popov_hess_2015",
+            bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
+        ),
+    },
+}
+"""Slot -> kind -> class; kinds are unique over all slots."""
+
+SLOTS: dict[Any, str] = {Profile: "profile", Medium: "medium", Bed: "bed"}
+"""Protocol -> slot: what may stand where a class asks for this contract."""
+
+REFUSED: dict[str, type] = {"cylinder": Cylinder}
+"""Kinds that people ask for and that cannot be answered; making one raises the reason."""
+
+
+def kinds() -> dict[str, Kind]:
+    """Return every kind of every slot by its name."""
+    return {name: line for slot in CATALOGUE.values() for name, line in slot.items()}
+
+
+def kind_of(cls: type) -> str:
+    """Return the name of `cls` in study files; an empty string if the catalogue does not know it."""
+    return next((name for name, line in kinds().items() if line.cls is cls), "")
+
+
+def slot_of(name: str) -> str:
+    """Return the slot that the kind `name` belongs to."""
+    return next(slot for slot, known in CATALOGUE.items() if name in known)

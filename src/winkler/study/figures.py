@@ -1,0 +1,240 @@
+"""The figures of a study: the pictures of the method for one load, and the answers over what was varied."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from winkler.errors import WinklerError
+from winkler.loading import Depth
+from winkler.plot.families import bar_picture, family_picture
+from winkler.plot.method import PICTURES
+from winkler.plot.series import Series, spoken
+from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.study import keys
+from winkler.study.inputs import setting_told
+from winkler.study.outcome import Outcome, Solved
+
+if TYPE_CHECKING:
+    from winkler.plot.picture import Picture
+
+__all__ = ["CAPTIONS", "Shown", "figures_of", "shown_contact", "shown_point", "save", "svg_element"]
+
+MOST_CURVES = 24
+"""More curves are not drawn into one figure; the table holds all."""
+MOST_BARS = 40
+
+CAPTIONS = {
+    "shape": (
+        "The body in three dimensions",
+        "Cut open, in the dent it makes; the contact is ringed in red, and the darker, the higher the pressure.",
+    ),
+    "springs": (
+        "The equivalent plane profile over its springs",
+        "Every spring under g(x) − d is compressed on its own; nothing else has to be solved.",
+    ),
+    "line_load": ("The load of the springs", "q(x), proportional to the compression; the area below it is the force."),
+    "pressure": ("The pressure", "p(r) of the three-dimensional contact, brought back from the springs."),
+    "displacement": (
+        "The surface",
+        "Displacement of the surface inside and outside the contact, and the distance of the surfaces.",
+    ),
+    "stress": ("The stress below the surface", "Equivalent stress after von Mises; where it is greatest, yielding begins."),
+    "force": ("Force over depth", "F(d) from first touch to this load, the point."),
+}
+"""Picture of the method -> its title, and one sentence."""
+
+
+class Shown(NamedTuple):
+    """A figure of a study, or why there is none.
+
+    Parameters
+    ----------
+    name
+        The stem of its files: a picture of the method, or ``answer_`` and the name of an answer.
+    title, sentence
+        What it shows.
+    picture
+        The figure; None if it could not be drawn.
+    svg
+        The same as text; empty if it could not be drawn.
+    missing
+        Why there is none; empty if there is one.
+    """
+
+    name: str
+    title: str
+    sentence: str
+    picture: Picture | None
+    svg: str = ""
+    missing: str = ""
+
+    @property
+    def of_method(self) -> bool:
+        """Whether this is a picture of the method, not of the answers."""
+        return self.name in CAPTIONS
+
+
+def shown_point(outcome: Outcome) -> Solved:
+    """Return the point whose contact the pictures show: the last one that was solved."""
+    return outcome.solved[-1]
+
+
+def shown_contact(point: Solved) -> IndentationSolution | None:
+    """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
+    solution = point.each[-1]
+    if isinstance(solution, IndentationSolution):
+        return solution
+    bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
+    if bed is None or not isinstance(depth, float):
+        return None
+    return Indentation(bed, Depth(depth)).solve()
+
+
+def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
+    """Return every figure of a study, the answers over what was varied first."""
+    found = list(_answers(outcome))
+    contact = shown_contact(shown_point(outcome))
+    for name, make in PICTURES.items() if contact is not None else ():
+        try:
+            found.append(_shown(name, *CAPTIONS[name], make(contact)))
+        except WinklerError as error:
+            found.append(Shown(name, *CAPTIONS[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
+    return tuple(found)
+
+
+def _shown(name: str, title: str, sentence: str, picture: Picture) -> Shown:
+    store = io.BytesIO()
+    picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
+    picture.set_layout_engine("none")  # it is laid out now: what is saved afterwards need not do it again
+    return Shown(name, title, sentence, picture, store.getvalue().decode("utf-8"))
+
+
+# ------------------------------------------------------------------------------------- answers over what was varied
+
+
+def _answers(outcome: Outcome) -> Iterator[Shown]:
+    """Yield a figure for every answer over what was varied; none if nothing was."""
+    study = outcome.study
+    loads = max(len(numbers) for point in outcome.solved for numbers in point.answers.values())
+    if loads > 1 and "depth" in outcome.answers:
+        yield from _over_depth(outcome)
+        return
+    if len(outcome.points) < 2:
+        return
+    numeric = [axis for axis in study.sweep if all(isinstance(item, int | float) for item in axis.values)]
+    if not numeric:
+        yield from _bars(outcome)
+        return
+    along = max(numeric, key=lambda axis: len(axis.values))
+    place = study.sweep.index(along)
+    others = [axis for axis in study.sweep if axis is not along]
+    if study.together:
+        curves: list[tuple[str, Any]] = [("", slice(None))]
+    else:
+        curves = []
+        for index in np.ndindex(*(len(axis.values) for axis in others)):
+            told = (setting_told(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
+            curves.append((", ".join(told), (*index[:place], slice(None), *index[place:])))
+    cut = f" The first {MOST_CURVES} of {len(curves)} curves are shown." if len(curves) > MOST_CURVES else ""
+    curves = curves[:MOST_CURVES]
+    entry = keys.word_at(study, along.key)
+    x = Series(along.key.rpartition(".")[2], entry, np.array(along.values, dtype=float))
+    for name in _told_apart(outcome):
+        of = [Series(name, outcome.word(name), outcome.answer(name)[..., 0][where]) for _, where in curves]
+        picture = family_picture([x for _ in curves], of, [label for label, _ in curves])
+        title = f"{spoken(name)} over {spoken(x.name)}"
+        sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "Everything else was kept."
+        yield _shown(f"answer_{name}", title[:1].upper() + title[1:], sentence, picture)
+
+
+def _bars(outcome: Outcome) -> Iterator[Shown]:
+    points = outcome.points[:MOST_BARS]
+    labels = [", ".join(keys.label(item) for item in point.settings) for point in points]
+    cut = f" The first {MOST_BARS} of {len(outcome.points)} are shown." if len(outcome.points) > MOST_BARS else ""
+    for name in _told_apart(outcome):
+        of = Series(name, outcome.word(name), outcome.answer(name)[..., 0].ravel()[:MOST_BARS])
+        sentence = f"One bar for each that was varied.{cut}"
+        yield _shown(f"answer_{name}", spoken(name).capitalize(), sentence, bar_picture(labels, of))
+
+
+def _over_depth(outcome: Outcome) -> Iterator[Shown]:
+    """Yield a figure for every answer to many loads over the depth, one curve for every point of the sweep."""
+    study = outcome.study
+    points = outcome.solved[:MOST_CURVES]
+    cut = f" The first {MOST_CURVES} of {len(outcome.solved)} curves are shown." if len(outcome.solved) > MOST_CURVES else ""
+    labels = [
+        ", ".join(setting_told(study, axis, item) for axis, item in zip(study.sweep, point.settings, strict=True))
+        for point in points
+    ]
+    along = [Series("depth", outcome.word("depth"), point.answers["depth"]) for point in points]
+    for name in outcome.answers:
+        if name != "depth" and all(name in point.answers for point in points):
+            of = [Series(name, outcome.word(name), point.answers[name]) for point in points]
+            title = f"{spoken(name)} over depth"
+            sentence = f"All loads that were asked at once.{cut}"
+            picture = family_picture(along, of, labels)
+            yield _shown(f"answer_{name}", title[:1].upper() + title[1:], sentence, picture)
+
+
+def _told_apart(outcome: Outcome) -> list[str]:
+    """Return the answers that are worth a panel: numbers that vary and are not what was given."""
+    given = [np.array([point.settings[place] for point in outcome.solved]) for place in range(len(outcome.study.sweep))]
+    found = []
+    for name in outcome.answers:
+        content = np.array([point.answers[name][0] for point in outcome.solved if name in point.answers])
+        same = any(g.dtype.kind == "f" and g.shape == content.shape and np.array_equal(g, content) for g in given)
+        if (
+            not same
+            and content.size
+            and np.ptp(content[np.isfinite(content)] if np.isfinite(content).any() else [0.0]) > 0.0
+        ):
+            found.append(name)
+    return found or list(outcome.answers)
+
+
+# ------------------------------------------------------------------------------------------------------- files
+
+
+def svg_element(shown: Shown, description: str) -> str:
+    """Return a figure as one SVG element for a page: no prolog, its own identifiers, scalable, with a description.
+
+    Parameters
+    ----------
+    shown
+        A figure that was drawn; its name is put before every identifier, so that many figures can stand on one page.
+    description
+        Read aloud where the figure cannot be seen; already escaped.
+    """
+    name = shown.name.replace("_", "-")
+    text = shown.svg[shown.svg.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
+    text = re.sub(r'\bid="', f'id="{name}-', text)
+    text = re.sub(r"url\(#", f"url(#{name}-", text)
+    text = re.sub(r'href="#', f'href="#{name}-', text)
+    head, rest = text.split(">", 1)
+    size = re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', head)
+    assert size is not None
+    box = f'viewBox="0 0 {size[1]} {size[2]}"'
+    links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+    return f'<svg {links} {box} role="img" aria-label="{description}" style="max-width:{float(size[1]) * 1.6:.0f}px">{rest}'
+
+
+def save(shown: tuple[Shown, ...], folder: Path, formats: tuple[str, ...]) -> None:
+    """Write every figure into ``folder/figures`` in every format."""
+    if not formats:
+        return
+    target = folder / "figures"
+    target.mkdir(exist_ok=True)
+    for one in shown:
+        for ending in formats if one.picture is not None else ():
+            assert one.picture is not None
+            if ending == "svg":
+                (target / f"{one.name}.svg").write_text(one.svg, encoding="utf-8")
+            else:
+                one.picture.savefig(target / f"{one.name}.{ending}", dpi=200)

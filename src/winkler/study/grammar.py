@@ -1,0 +1,186 @@
+"""The grammar of a study file above its kinds: title, sweep, fields, output, expect."""
+
+from __future__ import annotations
+
+import functools
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, Field, StrictBool, StrictStr, create_model
+from pydantic_core import PydanticCustomError
+
+from winkler.errors import InvalidInput, suggest
+from winkler.study import quantities
+from winkler.study.catalogue import CATALOGUE
+from winkler.study.quantities import WHERE, wrong
+from winkler.study.schema import FORBID, MISSING, choice, forms
+from winkler.study.study import Expectation, Places
+from winkler.vocabulary import GLOSSARY
+
+__all__ = ["SECTIONS", "expectation", "section_keys", "study_form", "unit_of_quantity"]
+
+SECTIONS: dict[str, dict[str, str]] = {
+    "the study": {
+        "title": "one line for tables, figures and the report; the name of the file if left out",
+        "problem": "what is asked: a table with a kind",
+        "sweep": "keys of the problem that vary",
+        "fields": "where pressures, displacements and stresses are restored",
+        "output": "what is written",
+        "expect": "numbers that must come out, one [[expect]] each",
+        "source": "of a literature case: where the expected numbers come from",
+        "grade": "of a literature case: analytical, cross-code or published table",
+    },
+    "sweep": {
+        '"problem.load.force"': "the values of a key in turn: a list or a range { from, to, count, spacing }",
+        "together": "true: all keys vary together, first values first",
+    },
+    "fields": {
+        "r": 'distances from the axis: lengths, or multiples of the contact radius a, as "2 a"; a list or a range',
+        "z": "depths below the surface, positive in the first body; leave it out for surface fields only",
+    },
+    "output": {
+        "folder": "folder of the results; results/NAME if left out",
+        "figures": "formats of the figures: a list of svg, png, pdf",
+        "report": "whether report.html is written: true or false",
+    },
+    "expect": {
+        "quantity": "an answer (depth), a restored field (pressure, von_mises), a function (line_load), or a path",
+        "value": "a quantity, or a number with its unit in unit; a list where the load is one",
+        "unit": "unit of value and scale, where they are numbers",
+        "tolerance": "largest allowed deviation, relative to the value or to scale",
+        "scale": "what deviations are relative to; needed where the value is zero",
+        "r": "of a field: distance from the axis",
+        "z": "of a field below the surface: depth",
+        "x": "of a function along the springs: place",
+    },
+}
+"""Section -> key -> what it says."""
+
+
+def places(raw: Any) -> Places:
+    """Return places as lengths, or as multiples of the contact radius, written with the unit ``a``."""
+    if isinstance(raw, str):
+        raw = [raw]
+    if isinstance(raw, dict) and "values" in raw and raw.get("unit") == "a":
+        return Places(quantities.numbers({"values": raw["values"]}, ""), relative=True)
+    texts = raw if isinstance(raw, list) else [raw.get("from"), raw.get("to")] if isinstance(raw, dict) else []
+    relative = [isinstance(text, str) and text.split()[1:] == ["a"] for text in texts]
+    if any(relative):
+        if not all(relative):
+            wrong(f"{WHERE} mixes lengths and multiples of the contact radius a; use one of both.")
+        plain = [str(text).split()[0] for text in texts]
+        raw = {**raw, "from": plain[0], "to": plain[1]} if isinstance(raw, dict) else plain
+        return Places(quantities.numbers(raw, ""), relative=True)
+    return Places(quantities.numbers(raw, "m"))
+
+
+def picture_formats(raw: Any) -> Any:
+    """Refuse what is not a list of texts."""
+    if not isinstance(raw, list) or not all(isinstance(item, str) for item in raw):
+        wrong(f'{WHERE} is {raw!r}; give a list of formats, such as ["svg", "png"].')
+    return tuple(raw)
+
+
+def _text(raw: Any) -> Any:
+    if not isinstance(raw, str):
+        wrong(f'{WHERE} is {raw!r}, not text; give the name of an answer or a field, such as "depth".')
+    return raw
+
+
+def expectation(table: dict[str, Any]) -> Expectation:
+    """Return one ``[[expect]]``.  Its value is a quantity, or a number with its unit in ``unit``."""
+    name = table["quantity"]
+    unit = unit_of_quantity(name)
+    raw, given = table["value"], table["unit"]
+    if given is not MISSING and isinstance(raw, int | float) and not isinstance(raw, bool):
+        raw = f"{raw!r} {given}".strip()
+    elif given is not MISSING and isinstance(raw, list):
+        raw = {"values": raw, "unit": given}
+    scale = table["scale"]
+    if given is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
+        scale = f"{scale!r} {given}".strip()
+    place = tuple((key, float(_at(key, table[key], "m"))) for key in ("r", "z", "x") if table[key] is not MISSING)
+    if [key for key, _ in place] not in ([], ["r"], ["r", "z"], ["x"]):
+        raise InvalidInput(
+            f"expect gives {' and '.join(key for key, _ in place)}; give r on the surface, r and z below it, "
+            "or x along the springs."
+        )
+    return Expectation(
+        quantity=name,
+        expected=_at("value", raw, unit),
+        tolerance=float(_at("tolerance", table["tolerance"], "")),
+        place=place,
+        scale=0.0 if scale is MISSING else float(_at("scale", scale, unit)),
+    )
+
+
+def unit_of_quantity(name: str) -> str:
+    """Return the unit of an expected quantity; of a path such as ``problem.bed.medium.modulus``, that of its end.
+
+    Raises
+    ------
+    InvalidInput
+        If the glossary does not know it.
+    """
+    last = name.rpartition(".")[2]
+    known = sorted({key for key, word in GLOSSARY.items() if word.unit is not None})
+    if last not in known:
+        raise InvalidInput(f"quantity is '{name}'{suggest(last, known)}; give a quantity of the glossary.")
+    return GLOSSARY[last].unit or ""
+
+
+def _at(key: str, raw: Any, unit: str) -> Any:
+    try:
+        return quantities.number_or_numbers(raw, unit)
+    except PydanticCustomError as error:
+        raise InvalidInput(str((error.context or {})["sentence"]).replace(WHERE, key)) from None
+
+
+def _either_value(raw: Any) -> Any:
+    if isinstance(raw, bool) or not isinstance(raw, str | int | float | list):
+        wrong(f"{WHERE} is {raw!r}; give a quantity or a number, or a list of them.")
+    return raw
+
+
+@functools.cache
+def study_form() -> type[BaseModel]:
+    """Return the input model of a whole study."""
+    where = Annotated[Any, BeforeValidator(places)]
+    fields = create_model("fields", __config__=FORBID, r=(where, ...), z=(where, MISSING))
+    output = create_model(
+        "output",
+        __config__=FORBID,
+        folder=(StrictStr, MISSING),
+        figures=(Annotated[Any, BeforeValidator(picture_formats)], MISSING),
+        report=(StrictBool, MISSING),
+    )
+    expect = create_model(
+        "expect",
+        __config__=FORBID,
+        quantity=(Annotated[Any, BeforeValidator(_text)], ...),
+        value=(Annotated[Any, BeforeValidator(_either_value)], ...),
+        unit=(StrictStr, MISSING),
+        tolerance=(Any, ...),
+        scale=(Any, MISSING),
+        r=(Any, MISSING),
+        z=(Any, MISSING),
+        x=(Any, MISSING),
+    )
+    model = create_model(
+        "study",
+        __config__=FORBID,
+        title=(StrictStr, ""),
+        source=(StrictStr, ""),
+        grade=(StrictStr, ""),
+        problem=(choice(tuple(CATALOGUE["problem"])), ...),
+        sweep=(dict[str, Any], Field(default_factory=dict)),
+        fields=(fields, MISSING),
+        output=(output, MISSING),
+        expect=(list[expect], Field(default_factory=list)),  # type: ignore[valid-type]
+    )
+    model.model_rebuild(_types_namespace=dict(forms()))
+    return model
+
+
+def section_keys(section: str) -> tuple[str, ...]:
+    """Return the keys that a section of a study takes; none if it is no section."""
+    return tuple(SECTIONS.get(section.partition("[")[0], {}))

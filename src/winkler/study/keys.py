@@ -1,0 +1,110 @@
+"""Keys of a study: ``problem.load.force`` names a place inside the value, to be read, named or replaced.
+
+Parts of lists are named by their number from zero (``parts.1``), entries of a table of names by the name
+(``constants.R``).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, suggest
+from winkler.vocabulary import Word, word
+
+__all__ = ["content_at", "label", "owner_at", "replaced", "word_at"]
+
+
+def _names(content: Any) -> list[str] | None:
+    """Return the names of a table that is kept as a tuple of (name, content) pairs, else None."""
+    if isinstance(content, tuple) and content:
+        pairs = [isinstance(item, tuple) and len(item) == 2 and isinstance(item[0], str) for item in content]
+        if all(pairs):
+            return [item[0] for item in content]
+    return None
+
+
+def _step(content: Any, part: str, key: str) -> tuple[Any, Any]:
+    """Return ``(place, content)`` one part further down: a field's name, or a position in a list."""
+    names = _names(content)
+    if names is not None:
+        if part in names:
+            return names.index(part), content[names.index(part)][1]
+        raise InvalidInput(
+            f"the key '{key}': there is no '{part}'{suggest(part, names)}; known are {', '.join(names)}."
+        )
+    if isinstance(content, tuple | np.ndarray):
+        if part.isdecimal() and int(part) < len(content):
+            return int(part), content[int(part)]
+        raise InvalidInput(f"the key '{key}': '{part}' is no number from 0 to {len(content) - 1}, a part of the list.")
+    if dataclasses.is_dataclass(content):
+        fields = [field.name for field in dataclasses.fields(content)]
+        if part in fields:
+            return part, getattr(content, part)
+        known = f"; known are {', '.join(fields)}" if fields else "; nothing is adjustable there"
+        raise InvalidInput(f"the key '{key}': there is no '{part}'{suggest(part, fields)}{known}.")
+    raise InvalidInput(f"the key '{key}': nothing lies below the part before '{part}', which is {label(content)}.")
+
+
+def _walk(root: Any, key: str) -> list[tuple[Any, Any]]:
+    """Return ``(owner, place)`` of every step from `root` down to `key`."""
+    steps, content = [], root
+    for part in key.split("."):
+        place, below = _step(content, part, key)
+        steps.append((content, place))
+        content = below
+    return steps
+
+
+def content_at(root: Any, key: str) -> Any:
+    """Return what stands at `key` inside `root`."""
+    content = root
+    for part in key.split("."):
+        _, content = _step(content, part, key)
+    return content
+
+
+def owner_at(root: Any, key: str) -> tuple[Any, str, tuple[Any, ...]]:
+    """Return the value that holds `key`, the name of its field, and the places below that field."""
+    steps = _walk(root, key)
+    last = max(number for number, (owner, _) in enumerate(steps) if dataclasses.is_dataclass(owner))
+    return steps[last][0], str(steps[last][1]), tuple(place for _, place in steps[last + 1 :])
+
+
+def replaced(root: Any, key: str, content: Any) -> Any:
+    """Return `root` with `content` at `key`; every value on the way is made anew, and so checked again."""
+    for owner, place in reversed(_walk(root, key)):
+        if dataclasses.is_dataclass(owner) and not isinstance(owner, type):
+            content = dataclasses.replace(owner, **{place: content})
+        elif isinstance(owner, np.ndarray):
+            changed = owner.copy()
+            changed[place] = content
+            content = changed
+        else:
+            names = _names(owner)
+            item = content if names is None else (names[place], content)
+            content = (*owner[:place], item, *owner[place + 1 :])
+    return content
+
+
+def word_at(root: Any, key: str) -> Word:
+    """Return symbol, unit and meaning of what stands at `key`."""
+    owner, field, below = owner_at(root, key)
+    told = word(type(owner).__name__, field)
+    if below and isinstance(below[0], int):
+        names = _names(getattr(owner, field))
+        return told._replace(symbol=names[below[0]] if names else f"{told.symbol}[{below[0]}]", unit=told.unit or "")
+    return told
+
+
+def label(content: Any) -> str:
+    """Return a short text for what stands at a key: a number, a name, or a value with its numbers."""
+    if isinstance(content, float):
+        return f"{content:.6g}"
+    if dataclasses.is_dataclass(content):
+        shown = ((field.name, getattr(content, field.name)) for field in dataclasses.fields(content))
+        numbers = [f"{name}={number:.6g}" for name, number in shown if isinstance(number, float)]
+        return f"{type(content).__name__}({', '.join(numbers)})"
+    return str(content)

@@ -1,0 +1,292 @@
+"""The outcome of a study: what tables, archives, figures and the report are made of.
+
+::
+
+    outcome.study                 the `Study` that was run (title, problem, sweep, fields, output, expect)
+    outcome.points                one `Solved` or `Failed` per point of the sweep, in its order (one without a sweep)
+    outcome.solved, .failed       the same, apart
+    outcome.verdicts              one `Verdict` for every [[expect]] at every solved point
+    outcome.provenance            `Provenance`: version, hash of the study, time, versions of what computed
+    outcome.validity              the notes of all points, each kind of statement once, in its worst standing
+    outcome.shape                 number of points along each axis of the sweep
+    outcome.table()               `Column` after `Column`: a long table with one row per load; swept keys, then answers
+    outcome.answers               names of the answers (depth, force, ...), as in the glossary
+    outcome.answer("depth")       the same numbers as an array of shape ``shape + (loads,)``, NaN where a point failed
+
+    point.index, point.settings   place in the sweep, and the values of its keys there (in the order of study.sweep)
+    point.problem, point.solution
+    point.answers                 name -> numbers of shape (loads,)
+    point.each                    the solution load by load: one scalar solution for every load asked at once
+    point.surface                 SurfaceFields of every load, in the order of `each`; empty unless [fields] asks for r
+    point.subsurface              SubsurfaceFields of every load; empty unless [fields] asks for r and z
+
+Numbers are SI.  Symbols, units and meanings come from `winkler.vocabulary`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from winkler.numerics.types import Array, Quantity
+from winkler.study import keys
+from winkler.study.study import Expectation, Study
+from winkler.validity import Note, worst
+from winkler.values import value
+from winkler.vocabulary import Word, word
+
+__all__ = ["Column", "Failed", "Outcome", "Provenance", "Solved", "Verdict", "answers_of"]
+
+
+def answers_of(solution: Any) -> dict[str, Quantity]:
+    """Return the numbers that a solution answers with: every public field or property that the glossary gives a unit.
+
+    Returns
+    -------
+    dict
+        Name -> float or array in SI units, in the order in which the class states them.
+    """
+    owner = type(solution)
+    names = [field.name for field in dataclasses.fields(solution)]
+    for base in reversed(owner.__mro__):
+        names += [name for name, member in vars(base).items() if isinstance(member, property)]
+    answers: dict[str, Quantity] = {}
+    for name in dict.fromkeys(names):
+        if name.startswith("_"):
+            continue
+        try:
+            unit = word(owner.__name__, name).unit
+        except KeyError:
+            continue
+        content = getattr(solution, name) if unit is not None else None
+        if isinstance(content, int | float) and not isinstance(content, bool):
+            answers[name] = float(content)
+        elif isinstance(content, np.ndarray) and content.dtype.kind in "fiu":
+            answers[name] = np.asarray(content, dtype=float)
+    return answers
+
+
+@value
+class Column:
+    """A column of the table of answers.
+
+    Parameters
+    ----------
+    name
+        Key of the sweep (``problem.load.force``), name of an answer (``depth``), or ``failure``.
+    word
+        Symbol, unit and meaning; the unit is None for text.
+    content : ndarray, shape (rows,)
+        Numbers in SI units, or text.
+    """
+
+    name: str
+    word: Word
+    content: np.ndarray
+
+
+@value
+class Solved:
+    """A point of the study that was solved; see the module for its parts."""
+
+    index: tuple[int, ...]
+    settings: tuple[Any, ...]
+    problem: Any
+    solution: Any
+    found: tuple[tuple[str, Quantity], ...]
+    surface: tuple[Any, ...] = ()
+    subsurface: tuple[Any, ...] = ()
+
+    @property
+    def answers(self) -> dict[str, Array]:
+        """Name -> numbers of shape (loads,), SI."""
+        count = max((np.size(content) for _, content in self.found), default=1)
+        return {name: np.broadcast_to(np.ravel(content), (count,)) for name, content in self.found}
+
+    @property
+    def each(self) -> tuple[Any, ...]:
+        """The solution load by load: one scalar solution for every load."""
+        return tuple(_loads(self.solution))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What was assumed and checked."""
+        return tuple(getattr(self.solution, "validity", ()))
+
+
+def _loads(solution: Any) -> Iterator[Any]:
+    shape = max(
+        (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
+    )
+    if shape == () or not hasattr(solution, "at"):
+        yield solution
+        return
+    for index in np.ndindex(shape):
+        yield solution.at(index[0] if len(index) == 1 else index)
+
+
+@value
+class Failed:
+    """A point of the study that has no answer, and why.
+
+    Parameters
+    ----------
+    index, settings, problem
+        As for `Solved`.
+    reason
+        The sentence of the error.
+    code
+        What the command line returns for it: 2 input, 3 not converged, 4 outside validity.
+    """
+
+    index: tuple[int, ...]
+    settings: tuple[Any, ...]
+    problem: Any
+    reason: str
+    code: int
+
+
+@value
+class Verdict:
+    """Whether an expected number came out.
+
+    Parameters
+    ----------
+    index
+        Point of the sweep.
+    expectation
+        What was expected.
+    got : float or ndarray
+        What came out.
+    deviation
+        Largest deviation, relative to the scale of the expectation; infinite if no number came out.
+    """
+
+    index: tuple[int, ...]
+    expectation: Expectation
+    got: Quantity
+    deviation: float
+
+    @property
+    def passed(self) -> bool:
+        """Whether the deviation is within the tolerance."""
+        return self.deviation <= self.expectation.tolerance
+
+    @property
+    def digits(self) -> float:
+        """Decimal digits that agree, at most 16."""
+        return float(min(16.0, max(0.0, -np.log10(max(self.deviation, 1e-16)))))
+
+
+@value
+class Provenance:
+    """What made the numbers.
+
+    Parameters
+    ----------
+    version
+        Version of winkler.
+    hash
+        SHA-256 of the canonical form of problem, sweep and fields: equal hashes mean equal questions.
+    created
+        Time of the run in UTC, ISO 8601.
+    seconds
+        How long it took [s].
+    packages
+        ``(name, version)`` of Python and of the packages that computed.
+    source
+        Name of the study file, without its folder; empty for a study made in Python.
+    """
+
+    version: str
+    hash: str
+    created: str
+    seconds: float
+    packages: tuple[tuple[str, str], ...]
+    source: str = ""
+
+
+@value
+class Outcome:
+    """What a study came to; see the module for its parts."""
+
+    study: Study
+    points: tuple[Solved | Failed, ...]
+    verdicts: tuple[Verdict, ...]
+    provenance: Provenance
+
+    @property
+    def solved(self) -> tuple[Solved, ...]:
+        """The points that were solved, in the order of the sweep."""
+        return tuple(point for point in self.points if isinstance(point, Solved))
+
+    @property
+    def failed(self) -> tuple[Failed, ...]:
+        """The points that have no answer, in the order of the sweep."""
+        return tuple(point for point in self.points if isinstance(point, Failed))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of points along each axis of the sweep; ``()`` without a sweep."""
+        return self.study.shape
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """The notes of all points; of statements that differ in their numbers only, the worst."""
+        found: dict[str, Note] = {}
+        for note in (note for point in self.solved for note in point.validity):
+            topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
+            if topic not in found or worst((found[topic], note)) is note.standing:
+                found[topic] = note
+        return tuple(found.values())
+
+    @property
+    def answers(self) -> tuple[str, ...]:
+        """Names of the answers, in the order of the solution."""
+        return tuple(dict.fromkeys(name for point in self.solved for name in point.answers))
+
+    def answer(self, name: str) -> Array:
+        """Return one answer, shape ``shape + (loads,)``, SI; NaN where a point failed or has fewer loads."""
+        found = [(point.index, point.answers[name]) for point in self.solved if name in point.answers]
+        result = np.full((*self.shape, max((len(numbers) for _, numbers in found), default=1)), np.nan)
+        for index, numbers in found:
+            result[index][: len(numbers)] = numbers
+        return result
+
+    def word(self, name: str) -> Word:
+        """Return symbol, unit and meaning of an answer or of a swept key."""
+        if any(axis.key == name for axis in self.study.sweep):
+            return keys.word_at(self.study, name)
+        owner = next((type(point.solution) for point in self.solved if name in point.answers), type(None))
+        return word(owner.__name__, name)
+
+    def table(self) -> tuple[Column, ...]:
+        """Return the long table, one row per point and load: swept keys, answers, and failures if there are any."""
+        numbers = [point.answers if isinstance(point, Solved) else {} for point in self.points]
+        counts = [max((len(content) for content in found.values()), default=1) for found in numbers]
+        columns = []
+        for place, axis in enumerate(self.study.sweep):
+            content = _repeated([point.settings[place] for point in self.points], counts)
+            told = self.word(axis.key)
+            if all(isinstance(item, int | float) for item in content):
+                columns.append(Column(axis.key, told, np.array(content, dtype=float)))
+            else:
+                labels = np.array([keys.label(item) for item in content])
+                columns.append(Column(axis.key, told._replace(unit=None), labels))
+        for name in self.answers:
+            parts = [found.get(name, np.full(count, np.nan)) for found, count in zip(numbers, counts, strict=True)]
+            columns.append(Column(name, self.word(name), np.concatenate(parts)))
+        if self.failed:
+            reasons = [point.reason if isinstance(point, Failed) else "" for point in self.points]
+            columns.append(
+                Column("failure", Word("", None, "why a point has no answer"), np.array(_repeated(reasons, counts)))
+            )
+        return tuple(columns)
+
+
+def _repeated(items: list[Any], counts: list[int]) -> list[Any]:
+    return [item for item, count in zip(items, counts, strict=True) for _ in range(count)]

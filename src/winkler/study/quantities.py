@@ -1,0 +1,227 @@
+"""Numbers as people write them in a study file: quantities, lists, ranges, and tables of named constants.
+
+Each function here takes what TOML gave for one key and returns SI numbers, or raises one sentence in which `WHERE`
+stands for the key.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Callable
+from typing import Any, NoReturn
+
+import numpy as np
+from pydantic import BaseModel
+from pydantic_core import PydanticCustomError
+
+from winkler.errors import InvalidInput, WinklerError, suggest
+from winkler.numerics.types import Array
+from winkler.units import quantity, to_si
+from winkler.vocabulary import word
+
+__all__ = [
+    "INDEXED",
+    "WHERE",
+    "dependent",
+    "either_file_or",
+    "indexed",
+    "named",
+    "number",
+    "number_or_numbers",
+    "numbers",
+    "sample",
+    "settle",
+    "settled",
+    "unit_of",
+    "wrong",
+]
+
+WHERE = "\x00"
+"""Stands for the path of the key in a sentence."""
+
+SAMPLES = {"m": "10 mm", "Pa": "210 GPa", "N": "10 N", "rad": "70.3 deg", "N/m": "1 kN/m", "1/m": "1 1/mm", "J": "1 uJ"}
+"""What a quantity of each unit may look like, for hints and examples."""
+
+RANGE = ("from", "to", "count", "spacing")
+
+
+INDEXED: dict[tuple[str, str], Callable[[int], str]] = {
+    ("AreaFunction", "coefficients"): lambda place: f"m^{2.0 - 2.0 ** (1 - place):g}" if place else "",
+}
+"""Fields whose entries each have their own unit, by their place in the list."""
+
+
+def wrong(sentence: str, *key: str) -> NoReturn:
+    """Raise `sentence` about the value at hand, or about a `key` inside it."""
+    raise PydanticCustomError("winkler", "{sentence}", {"sentence": sentence, "key": key})
+
+
+def sample(unit: str) -> str:
+    """Return what a quantity of `unit` may look like."""
+    return SAMPLES.get(unit, f"1 {unit}" if unit else "0.3")
+
+
+def unit_of(owner: type, field: str) -> str | None:
+    """Return the unit of a field after the glossary; None if it is no quantity."""
+    return word(owner.__name__, field).unit
+
+
+def dependent(owner: type) -> tuple[str, ...]:
+    """Return the fields of `owner` whose unit depends on another field, such as the coefficient of c r^n."""
+    units = {field.name: unit_of(owner, field.name) for field in dataclasses.fields(owner)}
+    return tuple(name for name, unit in units.items() if unit is not None and re.search(r"\([^)]*[A-Za-z]", unit))
+
+
+def settled(unit: str, owner: type, content: dict[str, Any]) -> str:
+    """Return a unit such as ``m^(1-n)`` with the fields of `owner` that it names put in: ``m^-1``."""
+    symbols = {word(owner.__name__, item.name).symbol: item.name for item in dataclasses.fields(owner)}
+
+    def power(match: re.Match[str]) -> str:
+        exponent = float(match[1]) + (-1.0 if match[2] == "-" else 1.0) * float(content[symbols[match[3]]])
+        return f"^{exponent:.12g}"
+
+    result = re.sub(r"\^\(([\d.]+)([-+])([A-Za-z]+)\)", power, unit)
+    return re.sub(r"\^1(?![\d.])", "", "" if result.endswith("^0") else result)
+
+
+def settle(form: BaseModel, *, cls: type, keys: tuple[str, ...]) -> BaseModel:
+    """Convert the `keys` of `form` whose unit depends on the others."""
+    for key in keys:
+        unit = unit_of(cls, key) or ""
+        try:
+            setattr(form, key, number(getattr(form, key), settled(unit, cls, dict(form))))
+        except PydanticCustomError as error:
+            wrong((error.context or {})["sentence"], key)
+    return form
+
+
+def number(raw: Any, unit: str | None) -> Any:
+    """Return one quantity in SI units.  A unit that depends on other keys is left for `settle`."""
+    if isinstance(raw, np.ndarray | list | dict):
+        what = "a list" if isinstance(raw, list) else "a table"
+        wrong(f'{WHERE} is {what}; give one quantity, such as "{sample(unit or "")}".')
+    if unit is not None and re.search(r"\([^)]*[A-Za-z]", unit):
+        return raw
+    if isinstance(raw, bool) or not isinstance(raw, str | int | float):
+        what = f'a quantity, such as "{sample(unit)}"' if unit else "a number, such as 0.3"
+        wrong(f"{WHERE} is {str(raw).lower()}; give {what}.")
+    if isinstance(raw, int | float) and not np.isfinite(raw):
+        wrong(f"{WHERE} is {raw!r}; give a finite number.")
+    try:
+        return quantity(raw, unit or "", what=WHERE)
+    except WinklerError as error:
+        wrong(str(error))
+
+
+def numbers(raw: Any, unit: str | None) -> Array:
+    """Return a list of quantities in SI units, from a list, a range, or plain numbers with one unit."""
+    if isinstance(raw, dict) and "values" in raw:
+        return _with_one_unit(raw, unit)
+    if isinstance(raw, dict):
+        return _range(raw, unit)
+    if not isinstance(raw, list):
+        one = sample(unit or "")
+        wrong(f'{WHERE} is {raw!r}; give a list, such as ["{one}"], or a range {{ from, to, count }}.')
+    if not raw:
+        wrong(f"{WHERE} is an empty list; give at least one quantity.")
+    return np.array([_inside(item, unit, f"[{place}]") for place, item in enumerate(raw)], dtype=float)
+
+
+def number_or_numbers(raw: Any, unit: str | None) -> Any:
+    """Return one quantity or an array of them, in SI units."""
+    return numbers(raw, unit) if isinstance(raw, list | dict) else number(raw, unit)
+
+
+def _inside(raw: Any, unit: str | None, below: str) -> float:
+    """Return one quantity of a list or range; its sentence names the place `below` the key."""
+    try:
+        return float(number(raw, unit))
+    except PydanticCustomError as error:
+        wrong(str((error.context or {})["sentence"]).replace(WHERE, WHERE + below))
+
+
+def _known_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str, ...], what: str) -> None:
+    for key in raw:
+        if key not in allowed:
+            wrong(f"{WHERE}.{key} is not known{suggest(key, allowed)}; {what} takes {', '.join(allowed)}.")
+    for key in needed:
+        if key not in raw:
+            wrong(f"{WHERE} has no '{key}'; {what} needs {', '.join(needed)}.")
+
+
+def _range(raw: dict[str, Any], unit: str | None) -> Array:
+    _known_keys(raw, RANGE, RANGE[:3], "a range")
+    first, last = (_inside(raw[key], unit, f".{key}") for key in ("from", "to"))
+    count, spacing = raw["count"], raw.get("spacing", "linear")
+    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1_000_000:
+        wrong(f"{WHERE}.count is {count!r}; give a whole number from 1 to 1000000.")
+    if spacing not in ("linear", "log"):
+        wrong(f'{WHERE}.spacing is {spacing!r}{suggest(str(spacing), ("linear", "log"))}; give "linear" or "log".')
+    if spacing == "log":
+        if not first * last > 0.0:
+            wrong(
+                f"{WHERE} has logarithmic spacing from {first:g} to {last:g}; both ends must have one sign, not zero."
+            )
+        return np.geomspace(first, last, count)
+    return np.linspace(first, last, count)
+
+
+def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
+    _known_keys(raw, ("values", "unit"), ("values",) if not unit else ("values", "unit"), "a table of values")
+    values, given = raw["values"], raw.get("unit", "")
+    if not isinstance(values, list) or not values:
+        wrong(f"{WHERE}.values is {values!r}; give a list with at least one number.")
+    for place, item in enumerate(values):
+        if isinstance(item, bool) or not isinstance(item, int | float) or not np.isfinite(item):
+            wrong(f"{WHERE}.values[{place}] is {item!r}; give finite numbers, their unit stands in unit.")
+    if not isinstance(given, str):
+        wrong(f'{WHERE}.unit is {given!r}; give a unit that fits {unit}, such as "{sample(unit or "").split()[-1]}".')
+    if given == unit:
+        return np.array(values, dtype=float)
+    return np.array([_inside(f"{item!r} {given}".strip(), unit, f".values[{n}]") for n, item in enumerate(values)])
+
+
+def indexed(raw: Any, units: Callable[[int], str]) -> Array:
+    """Return a list of quantities where each has its own unit, ``units(place)``."""
+    if isinstance(raw, dict):
+        _known_keys(raw, ("values", "unit"), ("values",), "a table of values")
+        raw = raw["values"]
+        if isinstance(raw, list) and all(isinstance(item, int | float) and not isinstance(item, bool) for item in raw):
+            return np.array(raw, dtype=float)
+    if not isinstance(raw, list) or not raw:
+        wrong(f"{WHERE} is {raw!r}; give a list with at least one quantity.")
+    return np.array([_inside(item, units(place), f"[{place}]") for place, item in enumerate(raw)], dtype=float)
+
+
+def named(raw: Any) -> tuple[tuple[str, float], ...]:
+    """Return a table of named constants, each a number or a quantity of any dimension, in SI units."""
+    if not isinstance(raw, dict):
+        wrong(f'{WHERE} is {raw!r}; give a table of named constants, such as {{ R = "10 mm" }}.')
+    found = []
+    for name, item in raw.items():
+        if isinstance(item, str):
+            try:
+                found.append((name, to_si(item, what=f"{WHERE}.{name}")))
+            except InvalidInput as error:
+                wrong(str(error))
+        else:
+            found.append((name, _inside(item, "", f".{name}")))
+    return tuple(found)
+
+
+def either_file_or(raw: Any, *, required: list[str], options: tuple[str, ...]) -> Any:
+    """Refuse a table with a file and with the keys that the file stands for, or with neither."""
+    if not isinstance(raw, dict):
+        return raw
+    given = [key for key in required if key in raw]
+    if "file" in raw and given:
+        wrong(f"{WHERE} has both file and {given[0]}; give the file, or {' and '.join(required)}.")
+    if "file" not in raw:
+        for key in options:
+            if key in raw:
+                wrong(f"{WHERE}.{key} tells how a file is read, but there is no file; leave it out.")
+        if len(given) < len(required):
+            missing = next(key for key in required if key not in raw)
+            wrong(f"{WHERE} has no '{missing}'; give {' and '.join(required)}, or a file.")
+    return raw

@@ -1,0 +1,185 @@
+"""Studies read from TOML, and written back to it."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, WinklerError
+from winkler.study import axes
+from winkler.study.build import assembled, unbuild, written_number, written_numbers
+from winkler.study.study import Expectation, Fields, Output, Places, Study
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+__all__ = ["parse_study", "read_study", "study_text"]
+
+
+def read_study(path: str | Path) -> Study:
+    """Read a study file.
+
+    Parameters
+    ----------
+    path
+        A TOML file; files that it names lie relative to it.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake: file, key, what it was, what is allowed.
+    """
+    path = Path(path)
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except FileNotFoundError:
+        near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
+        told = f"; there are {', '.join(near)}" if near else ""
+        raise InvalidInput(f"{path}: there is no such file{told}; `winkler new indentation` writes one.") from None
+    except IsADirectoryError:
+        raise InvalidInput(f"{path} is a folder; give a study file in it.") from None
+    except UnicodeDecodeError as error:
+        raise InvalidInput(f"{path}: byte {error.start} is not UTF-8; save the study as UTF-8 text.") from None
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be read ({error.strerror or error}); give a readable study file.") from None
+    return parse_study(text, file=path.name, folder=path.parent)
+
+
+def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
+    """Return the study that TOML `text` describes.
+
+    Parameters
+    ----------
+    text
+        The content of a study file.
+    file
+        Its name, for messages and as the title where none is given.
+    folder
+        Where the files that it names lie.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+    """
+    try:
+        raw = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InvalidInput(f"{_at(file)}this is not TOML: {_lowered(str(error))}.") from None
+    if not raw:
+        raise InvalidInput(
+            f"{_at(file)}the study is empty; it needs at least [problem], see `winkler new indentation`."
+        )
+    return _study(raw, file, folder)
+
+
+def _at(file: str) -> str:
+    return f"{file}: " if file else ""
+
+
+def _lowered(sentence: str) -> str:
+    return sentence[:1].lower() + sentence[1:].rstrip(".")
+
+
+def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
+    from pydantic import ValidationError
+
+    from winkler.study import grammar, mistakes
+    from winkler.study.schema import MISSING
+
+    try:
+        form: Any = grammar.study_form().model_validate(raw)
+    except ValidationError as error:
+        raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
+    problem = assembled(form.problem, folder=folder, file=file, key="problem")
+    together = form.sweep.pop("together", False)
+    try:
+        if not isinstance(together, bool):
+            raise InvalidInput(f"sweep.together is {together!r}; give true or false.")
+        expect = []
+        for place, item in enumerate(form.expect):
+            try:
+                expect.append(grammar.expectation(dict(item)))
+            except InvalidInput as error:
+                sentence = str(error)
+                told = sentence.removeprefix("expect") if sentence.startswith("expect") else f".{sentence}"
+                raise InvalidInput(f"expect[{place}]{told}") from None
+        return Study(
+            title=form.title or Path(file).stem,
+            problem=problem,
+            sweep=tuple(
+                axes.axis(key, values, problem, file=file, folder=folder) for key, values in form.sweep.items()
+            ),
+            together=together,
+            fields=Fields() if form.fields is MISSING else Fields(**_given(form.fields)),
+            output=Output() if form.output is MISSING else Output(**_given(form.output)),
+            expect=tuple(expect),
+            source=form.source,
+            grade=form.grade,
+        )
+    except WinklerError as error:
+        if file and str(error).startswith(f"{file}: "):
+            raise
+        raise type(error)(f"{_at(file)}{error}") from None
+
+
+def _given(form: BaseModel) -> dict[str, Any]:
+    from winkler.study.schema import MISSING
+
+    return {name: content for name, content in form if content is not MISSING}
+
+
+def study_text(study: Study) -> str:
+    """Return a study as TOML; `parse_study` gives the same study back, floats to the last digit.
+
+    Examples
+    --------
+    A study that was made in Python becomes a file by ``Path("study.toml").write_text(study_text(study))``.
+    """
+    import tomli_w
+
+    table: dict[str, Any] = {"title": study.title} if study.title else {}
+    table |= {name: text for name, text in (("source", study.source), ("grade", study.grade)) if text}
+    table["problem"] = unbuild(study.problem)
+    if study.sweep:
+        table["sweep"] = {"together": True} if study.together else {}
+        table["sweep"] |= {axis.key: axes.written(axis, study.problem) for axis in study.sweep}
+    if study.fields != Fields():
+        asked = (("r", study.fields.r), ("z", study.fields.z))
+        table["fields"] = {name: _places(places) for name, places in asked if places.values.size}
+    if study.output != Output():
+        table["output"] = _output(study.output)
+    if study.expect:
+        table["expect"] = [_expected(item) for item in study.expect]
+    return tomli_w.dumps(table)
+
+
+def _places(places: Places) -> Any:
+    if places.relative:
+        return {"values": [float(number) for number in places.values], "unit": "a"}
+    return written_numbers(places.values, "m")
+
+
+def _output(output: Output) -> dict[str, Any]:
+    table: dict[str, Any] = {"folder": output.folder} if output.folder else {}
+    return table | {"figures": list(output.figures), "report": output.report}
+
+
+def _expected(item: Expectation) -> dict[str, Any]:
+    unit = item.unit
+    expected = item.expected
+    table: dict[str, Any] = {"quantity": item.quantity}
+    table["value"] = (
+        written_numbers(expected, unit) if isinstance(expected, np.ndarray) else written_number(float(expected), unit)
+    )
+    table["tolerance"] = float(item.tolerance)
+    if item.scale:
+        table["scale"] = written_number(float(item.scale), unit)
+    return table | {name: written_number(float(number), "m") for name, number in item.place}

@@ -1,0 +1,234 @@
+"""A study: a problem in a text file, with what to vary, what to restore, what to write and what to expect.
+
+A study is a value like everything else: read from TOML (`winkler.study.reading.read_study`), or made in Python, it
+runs to the same numbers.  ``[sweep]`` varies keys of the problem, ``[fields]`` asks for pressures and stresses,
+``[output]`` says what is written, ``[[expect]]`` what must come out.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array, Quantity
+from winkler.values import value
+from winkler.vocabulary import GLOSSARY
+
+__all__ = ["Axis", "Expectation", "Fields", "Output", "Places", "Study"]
+
+PICTURES = ("svg", "png", "pdf")
+"""Formats that figures can be written in."""
+
+GRADES = ("analytical", "cross-code", "published table")
+"""How independent a literature case is of this package."""
+
+
+@value
+class Axis:
+    """One line of ``[sweep]``: a key of the study and the values it takes in turn.
+
+    Parameters
+    ----------
+    key
+        Path of the key, from ``problem`` on, with dots: ``problem.load.force``; a part of a list is named by its
+        number, from zero: ``problem.bed.profile.parts.1.amplitude``.
+    values
+        What stands there in turn: SI numbers for quantities, otherwise whatever the key takes (a profile, a load).
+    """
+
+    key: str
+    values: tuple[Any, ...]
+
+    def __post_init__(self) -> None:
+        if isinstance(self.values, np.ndarray):
+            object.__setattr__(self, "values", tuple(float(number) for number in self.values.ravel()))
+        if not self.key.startswith("problem."):
+            raise InvalidInput(
+                f"sweep: the key '{self.key}' does not start with 'problem.'; sweep a key of the problem."
+            )
+        if len(self.values) == 0:
+            raise InvalidInput(f"sweep: '{self.key}' has no values; give at least one.")
+
+
+@value
+class Places:
+    """Places where fields are restored.
+
+    Parameters
+    ----------
+    values : ndarray, shape (n,)
+        Distances [m], or multiples of the contact radius if `relative`; empty: not asked for.
+    relative
+        Whether the values are multiples of the contact radius of each solution.
+    """
+
+    values: Array
+    relative: bool = False
+
+    def __post_init__(self) -> None:
+        if self.values.ndim != 1 or not np.all(np.isfinite(self.values)):
+            raise InvalidInput(f"fields: places are a list of finite numbers; got shape {self.values.shape}.")
+
+    def within(self, radius: float) -> Array:
+        """Return the places in [m] for a contact of the given `radius` [m]."""
+        return self.values * radius if self.relative else self.values
+
+
+@value
+class Fields:
+    """What ``[fields]`` asks for: fields on the surface at `r`, and below it on the grid of `r` and `z`.
+
+    Parameters
+    ----------
+    r
+        Distances from the axis, not negative; empty if no fields are asked for.
+    z
+        Depths below the surface, positive in the first body, negative in the second; empty for surface fields only.
+    """
+
+    r: Places = Places(np.empty(0))
+    z: Places = Places(np.empty(0))
+
+    def __post_init__(self) -> None:
+        if self.z.values.size and not self.r.values.size:
+            raise InvalidInput("fields: z is given without r; add r, the distances from the axis.")
+        if np.any(self.r.values < 0.0):
+            raise InvalidInput(
+                f"fields: r contains {np.min(self.r.values):g}; distances from the axis are not negative."
+            )
+
+
+@value
+class Output:
+    """What ``[output]`` says about the results.
+
+    Parameters
+    ----------
+    folder
+        Folder of the results, relative to the working directory; empty for ``results/<name of the study file>``.
+    figures
+        Formats of the figures: any of svg, png, pdf; empty for none.
+    report
+        Whether a report.html is written.
+    """
+
+    folder: str = ""
+    figures: tuple[str, ...] = ("svg", "png")
+    report: bool = True
+
+    def __post_init__(self) -> None:
+        for picture in self.figures:
+            if picture not in PICTURES:
+                raise InvalidInput(
+                    f"output: figures cannot be written as '{picture}'; give some of {', '.join(PICTURES)}."
+                )
+
+
+@value
+class Expectation:
+    """One ``[[expect]]``: a number that must come out.
+
+    Parameters
+    ----------
+    quantity
+        Name of an answer (``depth``) or, with `place`, of a restored field (``pressure``, ``von_mises``) or of a
+        function of the solution (``line_load``); or a path inside the solution (``problem.bed.medium.modulus``).
+    expected : float or ndarray
+        The number in SI units; an array where the load is one.
+    tolerance
+        Largest allowed deviation, relative to `scale`.
+    place
+        ``()`` for an answer; ``(("r", r),)`` for the surface, ``(("r", r), ("z", z))`` below it, ``(("x", x),)`` along
+        the line of springs [m].
+    scale
+        What deviations are relative to, in the unit of the quantity; zero (the default) for the expected number itself.
+    """
+
+    quantity: str
+    expected: Quantity
+    tolerance: float
+    place: tuple[tuple[str, float], ...] = ()
+    scale: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.quantity.rpartition(".")[2] not in GLOSSARY:
+            raise InvalidInput(f"expect: '{self.quantity}' is no quantity of the glossary.")
+        if not np.all(np.isfinite(self.expected)):
+            raise InvalidInput(f"expect: the expected {self.quantity} is not finite; give finite numbers.")
+        if not (math.isfinite(self.tolerance) and self.tolerance >= 0.0):
+            raise InvalidInput(f"expect: tolerance is {self.tolerance!r}; give a number that is zero or positive.")
+        if not (math.isfinite(self.scale) and self.scale >= 0.0):
+            raise InvalidInput(f"expect: scale is {self.scale!r}; give a number that is zero or positive.")
+        if self.scale == 0.0 and np.any(np.asarray(self.expected) == 0.0):
+            raise InvalidInput(
+                f"expect: the expected {self.quantity} is zero, so that no deviation is small against it; add scale."
+            )
+
+    @property
+    def unit(self) -> str:
+        """Unit of the quantity; of a path, that of its end."""
+        return GLOSSARY[self.quantity.rpartition(".")[2]].unit or ""
+
+
+@value
+class Study:
+    """A problem, and what to do with it.
+
+    Parameters
+    ----------
+    title
+        One line for tables, figures and the report.
+    problem
+        What is asked: a value with a method ``solve()``.
+    sweep
+        The keys that vary; every combination is solved, the last key changing fastest.
+    together
+        Vary all keys together instead: the first values, then the second ones.
+    fields
+        Where fields are restored.
+    output
+        What is written.
+    expect
+        What must come out; checked at every point of the study.
+    source, grade
+        Of a literature case: where the expected numbers come from, and how independent they are (analytical,
+        cross-code, published table).
+    """
+
+    title: str
+    problem: Any
+    sweep: tuple[Axis, ...] = ()
+    together: bool = False
+    fields: Fields = Fields()
+    output: Output = Output()
+    expect: tuple[Expectation, ...] = ()
+    source: str = ""
+    grade: str = ""
+
+    def __post_init__(self) -> None:
+        if self.together and len({len(axis.values) for axis in self.sweep}) > 1:
+            counts = ", ".join(f"'{axis.key}' {len(axis.values)}" for axis in self.sweep)
+            raise InvalidInput(f"sweep: keys that vary together need equally many values; here {counts}.")
+        keys = [axis.key for axis in self.sweep]
+        for key in keys:
+            if keys.count(key) > 1:
+                raise InvalidInput(f"sweep: '{key}' is there twice; give each key once.")
+        if self.grade and self.grade not in GRADES:
+            raise InvalidInput(f"grade: '{self.grade}' is not known; give one of {', '.join(GRADES)}.")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of points along each axis of the sweep; ``()`` without a sweep."""
+        counts = tuple(len(axis.values) for axis in self.sweep)
+        return counts[:1] if self.together else counts
+
+    def settings(self) -> Iterator[tuple[tuple[int, ...], tuple[Any, ...]]]:
+        """Yield ``(index, values)`` of every point of the sweep; the values in the order of its axes."""
+        for index in itertools.product(*(range(count) for count in self.shape)):
+            places = index * len(self.sweep) if self.together else index
+            yield index, tuple(axis.values[place] for axis, place in zip(self.sweep, places, strict=True))

@@ -1,0 +1,115 @@
+"""A commented study, to begin with: every key with its symbol, unit and meaning beside it."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from winkler.study.catalogue import kinds, slot_of
+from winkler.study.explain import Key, example_study, keys_of, place_of, plain_symbol, summary
+from winkler.study.quantities import sample
+
+__all__ = ["example_text", "inline", "template", "whole_text"]
+
+WIDTH = 44
+
+SWEEP = {
+    "force": '"problem.load.force" = { from = "1 N", to = "100 N", count = 9, spacing = "log" }',
+    "depth": '"problem.load.depth" = { from = "1 um", to = "5 um", count = 9 }',
+    "radius": '"problem.load.radius" = { from = "0.02 mm", to = "0.1 mm", count = 9 }',
+}
+
+TAIL = """
+# [fields]                                  # fields to restore, in lengths or in contact radii a
+# r = {{ from = "0 a", to = "3 a", count = 61 }}
+# z = {{ from = "0.05 a", to = "3 a", count = 41 }}  # below the surface; leave it out for surface fields only
+
+# [output]
+# folder = "results/{name}"
+# figures = ["svg", "png"]
+# report = true
+"""
+
+
+def inline(content: Any) -> str:
+    """Return a value as TOML on one line."""
+    if isinstance(content, bool):
+        return str(content).lower()
+    if isinstance(content, str):
+        return json.dumps(content, ensure_ascii=False)
+    if isinstance(content, dict):
+        return "{ " + ", ".join(f"{key} = {inline(item)}" for key, item in content.items()) + " }"
+    if isinstance(content, list | tuple):
+        return "[" + ", ".join(inline(item) for item in content) + "]"
+    return repr(content)
+
+
+def _comment(key: Key) -> str:
+    unit = key.word.unit
+    told = " ".join(
+        part for part in (plain_symbol(key.word.symbol), f"[{unit or '-'}]" if unit is not None else "") if part
+    )
+    return f"{told}: {key.word.meaning}" if told else key.word.meaning
+
+
+def _line(text: str, comment: str) -> str:
+    return f"{text:<{WIDTH - 2}}  # {comment}" if comment else text
+
+
+def _section(place: str, table: dict[str, Any]) -> list[str]:
+    """Return the lines of one kind and of those inside it."""
+    name = str(table["kind"])
+    lines = ["", _line(f"[{place}]", summary(kinds()[name].cls)), f"kind = {inline(name)}"]
+    below: list[str] = []
+    for key in keys_of(name):
+        content = table.get(key.name)
+        if isinstance(content, dict) and "kind" in content:
+            below += _section(f"{place}.{key.name}", content)
+        elif content is not None:
+            lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
+        elif key.word.unit is not None and not key.required:
+            lines.append(_line(f"# {key.name} = {inline(sample(key.word.unit))}", f"{_comment(key)} (optional)"))
+    return lines + below
+
+
+def template(name: str, *, file: str = "study", **chosen: str) -> str:
+    """Return a commented study for a problem.
+
+    Parameters
+    ----------
+    name
+        Kind of the problem.
+    file
+        Name of the study file without its ending.
+    chosen
+        Kinds to use in it, by slot: ``profile="cone"``; an empty text leaves the choice.
+    """
+    table = example_study(name, **chosen)
+    used = table["problem"]
+    load = used.get("load", {}).get("kind", "")
+    head = [
+        f"# Run it:            winkler run {file}.toml",
+        f"# What a kind takes: winkler show {name}",
+        "# What there is:     winkler show",
+        "",
+        f"title = {inline(table['title'])}",
+    ]
+    tail = ["", "# [sweep]", f"# {SWEEP[load]}", TAIL.format(name=file).rstrip("\n")] if load in SWEEP else []
+    return "\n".join([*head, *_section("problem", used), *tail]) + "\n"
+
+
+def whole_text(name: str) -> str:
+    """Return a whole study, as text, that uses a kind."""
+    table = example_study(name)
+    return "\n".join([f"title = {inline(table['title'])}", *_section("problem", table["problem"])]) + "\n"
+
+
+def example_text(name: str) -> str:
+    """Return the part of a study file that describes an example of a kind."""
+    place = place_of(name)
+    table: Any = example_study(name)
+    for part in place.split("."):
+        table = table[part]
+    lines = _section(place, table)
+    title = [f'title = "{name.replace("_", " ")}"'] if slot_of(name) == "problem" else []
+    return "\n".join([*title, *lines]).strip() + "\n"

@@ -1,0 +1,173 @@
+"""The folder of results: written whole or not at all.
+
+Everything is written into a hidden folder beside the wanted one, which takes its name when it is complete.  Two runs
+into one folder never mix, and a run that is stopped leaves what was there before.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+
+from winkler.errors import InvalidInput
+from winkler.study.outcome import Outcome
+from winkler.study.reading import study_text
+
+__all__ = ["PROVENANCE", "holds_results", "placed", "write_outcome"]
+
+PROVENANCE = "provenance.json"
+"""Marks a folder of results, and lists its files."""
+
+
+def write_outcome(outcome: Outcome, folder: Path) -> None:
+    """Write everything that a study came to into an existing, empty `folder`.
+
+    Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
+    numbers), and provenance.json.
+    """
+    from winkler.study.archive import write as write_numbers
+    from winkler.study.report import write as write_report
+
+    write_numbers(outcome, folder)
+    if outcome.study.output.report or outcome.study.output.figures:
+        write_report(outcome, folder)
+    (folder / "study.toml").write_text(study_text(outcome.study), encoding="utf-8")
+    made = outcome.provenance
+    content = {
+        "program": "winkler",
+        "version": made.version,
+        "study": made.source,
+        "hash": made.hash,
+        "created": made.created,
+        "seconds": made.seconds,
+        "packages": dict(made.packages),
+        "files": [*_files(folder), PROVENANCE],
+    }
+    (folder / PROVENANCE).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+
+
+def _files(folder: Path) -> list[str]:
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
+
+
+def holds_results(folder: Path) -> bool:
+    """Return whether `folder` holds results that a new run would replace; False if it is free.
+
+    Raises
+    ------
+    InvalidInput
+        If the folder cannot be used: it is a file, or holds anything that winkler did not write.
+    """
+    if _is_here(folder):
+        raise InvalidInput(f"output: '{folder}' is the working directory or contains it; give a folder inside it.")
+    try:
+        if not folder.exists():
+            return False
+        if not folder.is_dir():
+            raise InvalidInput(f"output: '{folder}' is a file; give a folder.")
+        present = _files(folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from None
+    if not present and not any(folder.iterdir()):
+        return False
+    foreign = [name for name in present if name not in _listed(folder)]
+    if foreign or not present:
+        names = ", ".join(foreign[:3]) or "other folders"
+        raise InvalidInput(
+            f"output: '{folder}' holds what winkler did not write ({names}); give another folder, or move that away."
+        )
+    return True
+
+
+def _listed(folder: Path) -> set[str]:
+    try:
+        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
+        return set(content["files"]) if content["program"] == "winkler" else set()
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()
+
+
+def _is_here(folder: Path) -> bool:
+    here, there = Path.cwd().resolve(), folder.resolve()
+    return there == here or there in here.parents
+
+
+def _unwritable(folder: Path, error: OSError) -> InvalidInput:
+    why = (error.strerror or type(error).__name__).lower()
+    return InvalidInput(f"output: '{folder}' cannot be written ({why}); give another folder with --output.")
+
+
+@contextlib.contextmanager
+def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
+    """Give an empty folder to write into; at the end it becomes `folder`, unless an error or a stop came between.
+
+    Parameters
+    ----------
+    folder
+        Where the results go.
+    overwrite
+        Whether results of an earlier run may be replaced.
+
+    Raises
+    ------
+    InvalidInput
+        If the folder cannot be used or written.
+    """
+    if holds_results(folder) and not overwrite:
+        raise _occupied(folder)
+    parent = folder.parent
+    created = [path for path in (parent, *parent.parents) if not path.exists()]
+    mark = f".{folder.name}.{uuid.uuid4().hex[:12]}"
+    partial = parent / f"{mark}.partial"
+    done = False
+    try:
+        try:
+            parent.mkdir(parents=True, exist_ok=True)
+            partial.mkdir()
+        except OSError as error:
+            raise _unwritable(folder, error) from None
+        try:
+            yield partial
+        except OSError as error:
+            raise _unwritable(folder, error) from None
+        _put(partial, folder, parent / f"{mark}.old", overwrite)
+        done = True
+    finally:
+        if not done:
+            shutil.rmtree(partial, ignore_errors=True)
+            for path in created:
+                with contextlib.suppress(OSError):
+                    path.rmdir()
+
+
+def _occupied(folder: Path) -> InvalidInput:
+    return InvalidInput(
+        f"output: '{folder}' already holds results; add --overwrite to replace them, or give another folder "
+        "with --output."
+    )
+
+
+def _put(partial: Path, folder: Path, aside: Path, overwrite: bool) -> None:
+    """Give `partial` the name `folder`; what was there goes `aside` and is removed only afterwards."""
+    moved = False
+    try:
+        if holds_results(folder):
+            if not overwrite:
+                raise _occupied(folder)
+            os.rename(folder, aside)
+            moved = True
+        elif folder.exists():
+            folder.rmdir()
+        os.rename(partial, folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from None
+    finally:
+        if moved and not folder.exists():
+            os.rename(aside, folder)
+        elif moved:
+            shutil.rmtree(aside, ignore_errors=True)

@@ -1,0 +1,111 @@
+"""Python, study file and command line give the same numbers to the last digit, for every kind of the catalogue."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.cli import main
+from winkler.study.catalogue import kinds
+from winkler.study.reading import parse_study, study_text
+from winkler.study.run import run
+from winkler.study.template import whole_text
+
+STEEL = wk.Elastic(210e9, 0.3)
+QUARTZ = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)
+HALF_SPACE = wk.HalfSpace(STEEL)
+
+
+def pressed(profile, medium=HALF_SPACE, load=wk.Force(100.0)):  # noqa: B008 (values are immutable)
+    return wk.Indentation(wk.Foundation(profile, medium), load)
+
+
+RADII = np.linspace(0.0, 1e-3, 6)
+BALL = wk.Sphere(10e-3)
+PYTHON = {
+    "sphere": pressed(BALL),
+    "paraboloid": pressed(wk.Paraboloid(10e-3)),
+    "power_law": pressed(wk.PowerLaw(1e6, 4.0)),
+    "cone": pressed(wk.Cone(math.radians(70.3))),
+    "ellipsoid": pressed(wk.Ellipsoid(10e-3, 5e-3)),
+    "hyperboloid": pressed(wk.Hyperboloid(1e-3, math.radians(70.0))),
+    "flat_punch": pressed(wk.FlatPunch(1e-3)),
+    "rounded_punch": pressed(wk.RoundedPunch(0.5e-3, 1e-3)),
+    "truncated_cone": pressed(wk.TruncatedCone(math.radians(80.0), 0.1e-3)),
+    "truncated_paraboloid": pressed(wk.TruncatedParaboloid(10e-3, 0.2e-3)),
+    "capped_paraboloid": pressed(wk.CappedParaboloid(10e-3, 20e-3, 0.1e-3)),
+    "rounded_cone": pressed(wk.RoundedCone(1e-3, math.radians(70.3))),
+    "sphero_conical": pressed(wk.SpheroConical(1e-3, math.radians(60.0))),
+    "berkovich": pressed(wk.Berkovich()),
+    "vickers": pressed(wk.Vickers()),
+    "cube_corner": pressed(wk.CubeCorner()),
+    "area_function": pressed(wk.AreaFunction((24.5, 2e-6, 3e-6))),
+    "capped_cylinder": pressed(wk.CappedCylinder(0.2e-3, BALL)),
+    "wavy": pressed(wk.Wavy(10e-6, 4e-3)),
+    "sum": pressed(wk.Paraboloid(10e-3) + wk.Wavy(0.1e-6, 1e-3)),
+    "formula": pressed(wk.Formula("r**2/(2*R) + r**4/(8*R**3)", R=10e-3)),
+    "measured": pressed(wk.Measured(RADII, np.array([0.0, 2e-6, 8e-6, 18e-6, 32e-6, 50e-6]))),
+    "elastic": pressed(BALL),
+    "rigid": pressed(BALL, wk.HalfSpace.between(STEEL, wk.Rigid())),
+    "transversely_isotropic": pressed(BALL, wk.TransverselyIsotropicHalfSpace(QUARTZ)),
+    "half_space": pressed(BALL),
+    "transversely_isotropic_half_space": pressed(BALL, wk.TransverselyIsotropicHalfSpace.between(QUARTZ)),
+    "foundation": pressed(BALL),
+    "plane_foundation": wk.Indentation(wk.PlaneFoundation(BALL, HALF_SPACE), wk.Force(100.0)),
+    "force": pressed(BALL),
+    "depth": pressed(BALL, load=wk.Depth(5e-6)),
+    "radius": pressed(BALL, load=wk.Radius(0.1e-3)),
+    "indentation": pressed(BALL),
+    "yield_onset": wk.YieldOnset(wk.Foundation(BALL, wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))),
+}
+LIGHT = "\n[output]\nfigures = []\nreport = false\n"
+
+
+def test_every_kind_is_in_the_table():
+    assert set(PYTHON) == set(kinds())
+
+
+@pytest.mark.parametrize("kind", list(PYTHON))
+def test_same_numbers(kind, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    problem = PYTHON[kind]
+    solution = problem.solve()
+    text = whole_text(kind)
+    study = parse_study(text)
+    assert study.problem == problem
+    assert parse_study(study_text(study)) == study
+
+    answers = run(study).points[0].answers
+    (tmp_path / "study.toml").write_text(text + LIGHT, encoding="utf-8")
+    assert main(["run", "study.toml", "--json", "--output", "answer"]) == 0
+    told = {column["name"]: column["values"] for column in json.loads(capsys.readouterr().out)["answers"]}
+    with (tmp_path / "answer" / "results.csv").open(encoding="utf-8") as file:
+        kept = {name.split(" ")[0]: [float(number)] for name, number in next(csv.DictReader(file)).items()}
+    assert set(answers) == set(told) == set(kept)
+    assert len(answers) >= 3
+    for name in answers:
+        expected = [float(getattr(solution, name))]
+        assert answers[name].tolist() == told[name] == kept[name] == expected
+
+
+def test_a_result_can_be_run_again_to_the_same_numbers(tmp_path, monkeypatch):
+    """study.toml in the folder of results stands on its own, measured points included."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "tip.csv").write_text(
+        "radius [um], height [nm]\n" + "".join(f"{r / 7}, {r * r / 3}\n" for r in range(30)), encoding="utf-8"
+    )
+    text = whole_text("indentation").replace('kind = "sphere"', 'kind = "measured"\nfile = "tip.csv"')
+    text = "\n".join(line for line in text.splitlines() if not line.startswith("curvature_radius"))
+    text = text.replace('"100 N"', '"1 mN"')
+    (tmp_path / "study.toml").write_text(text + LIGHT, encoding="utf-8")
+    assert main(["run", "study.toml", "--quiet", "--output", "first"]) == 0
+    (tmp_path / "tip.csv").unlink()
+    assert main(["run", "first/study.toml", "--quiet", "--output", "second"]) == 0
+    first, second = (json.loads((tmp_path / name / "provenance.json").read_text()) for name in ("first", "second"))
+    assert first["hash"] == second["hash"]
+    assert (tmp_path / "first" / "results.csv").read_text() == (tmp_path / "second" / "results.csv").read_text()
