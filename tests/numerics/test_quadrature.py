@@ -1,9 +1,10 @@
-"""The two rules on [0, 1]: exact where they promise it, and shared without being spoilt."""
+"""Gauss-Legendre and tanh-sinh rules on (0, 1)."""
 
 from __future__ import annotations
 
 import math
 
+import mpmath as mp
 import numpy as np
 import pytest
 
@@ -11,65 +12,48 @@ from winkler.errors import InvalidInput
 from winkler.numerics.quadrature import gauss_legendre, tanh_sinh
 
 
-@pytest.mark.parametrize("count", [1, 2, 5, 16, 48, 96])
-def test_gauss_is_exact_for_polynomials_of_its_order(count):
+@pytest.mark.parametrize("count", [1, 2, 5, 20, 64])
+def test_gauss_is_exact_up_to_its_degree_and_not_beyond(count):
     nodes, weights = gauss_legendre(count)
-    for power in (0, 1, 2 * count - 1):
-        assert np.isclose(weights @ nodes**power, 1.0 / (power + 1), rtol=1e-13)
+    degree = 2 * count - 1
+    assert float(weights @ nodes**degree) == pytest.approx(1.0 / (degree + 1.0), rel=1e-13)
+    missed = abs(float(weights @ nodes ** (degree + 1)) - 1.0 / (degree + 2.0))
+    exact = math.factorial(count) ** 4 / ((2 * count + 1) * math.factorial(2 * count) ** 2)
+    assert missed == pytest.approx(exact, rel=1e-2, abs=1e-15)
 
 
-def test_gauss_misses_the_next_power():
-    nodes, weights = gauss_legendre(3)
-    assert abs(weights @ nodes**6 - 1.0 / 7.0) == pytest.approx(1.0 / 2800.0, rel=1e-10)  # (n!)^4 / ((2n+1) (2n)!^2)
+def test_gauss_nodes_are_the_roots_of_legendre():
+    nodes, _ = gauss_legendre(7)
+    mp.mp.dps = 30
+    for node in nodes:
+        assert abs(mp.legendre(7, 2 * mp.mpf(node) - 1)) < 1e-14
 
 
-@pytest.mark.parametrize(
-    ("integrand", "exact"),
-    [
-        (lambda x, y: x**-0.5, 2.0),
-        (lambda x, y: y**-0.5, 2.0),
-        (lambda x, y: (x * y) ** -0.5, math.pi),
-        (lambda x, y: np.log(x) * np.log(y), 2.0 - math.pi**2 / 6.0),
-        (lambda x, y: x**0.3 * y**1.7, math.gamma(1.3) * math.gamma(2.7) / math.gamma(4.0)),
-        (lambda x, y: np.exp(x), math.e - 1.0),
-    ],
-)
-def test_tanh_sinh_takes_singular_ends(integrand, exact):
+@pytest.mark.parametrize("power", [-0.5, -0.25, 0.5, 3.3])
+def test_tanh_sinh_integrates_powers_at_either_end(power):
+    nodes, complements, weights = tanh_sinh(161)
+    assert float(weights @ nodes**power) == pytest.approx(1.0 / (power + 1.0), rel=1e-14)
+    assert float(weights @ complements**power) == pytest.approx(1.0 / (power + 1.0), rel=1e-14)
+
+
+def test_tanh_sinh_complements_keep_their_digits():
     nodes, complements, weights = tanh_sinh(81)
-    assert np.isclose(weights @ integrand(nodes, complements), exact, rtol=1e-14)
-
-
-def test_tanh_sinh_converges_geometrically():
-    errors = []
-    for count in (21, 41, 81):
-        nodes, _, weights = tanh_sinh(count)
-        errors.append(abs(weights @ (1.0 / (1.0 + (4.0 * nodes) ** 2)) - math.atan(4.0) / 4.0))
-    assert errors[1] < 20.0 * errors[0] ** 1.7
-    assert errors[2] < 1e-13 < errors[0]
-
-
-@pytest.mark.parametrize("count", [2, 40, 81])
-def test_complements_know_the_far_end(count):
-    nodes, complements, weights = tanh_sinh(count)
-    assert np.all(np.diff(complements[complements < 0.5]) < 0.0)
-    assert np.array_equal(complements, nodes[::-1])
-    assert np.array_equal(weights, weights[::-1])
-    assert np.allclose(nodes + complements, 1.0, rtol=0.0, atol=3e-16)
+    np.testing.assert_array_equal(nodes, complements[::-1])
+    np.testing.assert_allclose(weights, weights[::-1], rtol=1e-15)
     assert 0.0 < complements[-1] < 1e-37
-    assert np.all(nodes > 0.0)
+    assert np.all(np.diff(nodes) >= 0.0)
 
 
-@pytest.mark.parametrize("rule", [gauss_legendre, tanh_sinh])
-def test_rules_are_shared_and_read_only(rule):
-    assert rule(12) is rule(12)
-    for array in rule(12):
-        assert array.shape == (12,)
-        with pytest.raises(ValueError, match="read-only"):
-            array[0] = 0.0
+def test_rules_are_shared_and_cannot_be_spoilt():
+    nodes, _ = gauss_legendre(9)
+    assert gauss_legendre(9)[0] is nodes
+    with pytest.raises(ValueError, match="read-only"):
+        nodes[0] = 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        tanh_sinh(9)[0][0] = 1.0
 
 
-def test_too_few_nodes_are_refused():
-    with pytest.raises(InvalidInput, match="count is 0; give at least 1"):
-        gauss_legendre(0)
-    with pytest.raises(InvalidInput, match="count is 1; give at least 2"):
-        tanh_sinh(1)
+@pytest.mark.parametrize(("rule", "count"), [(gauss_legendre, 0), (gauss_legendre, -3), (tanh_sinh, 1)])
+def test_too_few_nodes(rule, count):
+    with pytest.raises(InvalidInput, match=f"count is {count}"):
+        rule(count)

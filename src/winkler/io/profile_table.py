@@ -36,8 +36,8 @@ LARGEST = 200_000_000
 """Most bytes of a table."""
 ABOVE = 500
 """Most lines above the numbers."""
-UNEVEN = 0.1
-"""Largest difference between the flanks of a scan, against its height."""
+UNEVEN = 0.05
+"""Largest difference (root mean square) between the flanks of a scan, against its height."""
 SEPARATORS = ("\t", ";", ",", None)
 COMMENT = "#% \t"
 EXAMPLE = "radius [um], height [nm]"
@@ -116,7 +116,8 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
     ----------
     path : str or path
         The file.  Units stand in its header, as in ``radius [um], height [nm]``; columns with other names are ignored.
-        Negative radii make it a scan across the apex, which is folded onto one flank.
+        Negative radii make it a scan across the apex, which is folded onto one flank; flanks that differ by more than
+        5 % of the height are refused.
     peak : bool, optional
         Whether heights are largest at the apex, as in a topography of a tip that points upwards; their sign is then
         changed.  By default they rise away from the apex.
@@ -302,6 +303,7 @@ def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column]
             listed = " and ".join(f"'{name}'" for name in bare)
             raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{EXAMPLE}'.")
         header = header._replace(line=header.line + 1, units=tuple(wanted))
+        where = f"{shown}, line {header.line}"
     for column, unit in zip(columns, header.units, strict=True):
         scale(unit, column.unit, what=f"{where}, {column.word}")
     return header
@@ -369,10 +371,10 @@ def _compare_flanks(x: Array, f: Array) -> None:
     """Refuse a scan whose flanks differ, as those of a tilted one do."""
     order = np.argsort(x)
     x, f = x[order], f[order]
-    left, right = x < 0.0, x > 0.0
-    common = right & (x <= -x[0])
-    other = np.interp(x[common], -x[left][::-1], f[left][::-1])
-    uneven = float(np.sqrt(np.mean((f[common] - other) ** 2)) / np.ptp(f))
+    left, common = x < 0.0, np.abs(x) <= min(-x[0], x[-1])
+    right = common & ~left
+    other = np.interp(x[right], -x[left][::-1], f[left][::-1])
+    uneven = float(np.sqrt(np.mean((f[right] - other) ** 2)) / np.ptp(f[common]))
     if uneven > UNEVEN:
         raise InvalidInput(
             f"the two flanks of the scan differ by {uneven:.0%} of its height; level the scan, or give one flank with "

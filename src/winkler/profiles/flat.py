@@ -95,7 +95,9 @@ class CappedCylinder(Shape):
                 f"CappedCylinder: the cap is known up to {min(self.cap.reach, self.cap.rim):g} m but the cylinder has "
                 f"the radius {self.radius:g} m; give a cap that reaches the rim."
             )
-        if self.cap.size <= self.radius and not np.isfinite(self.cap.gap(np.array([self.radius]))[0]):
+        with np.errstate(divide="ignore"):
+            closes = self.cap.size > self.radius or np.isfinite(self.cap.gap(np.array([self.radius]))[0])
+        if not closes:
             raise InvalidInput(
                 f"CappedCylinder: the cap is vertical at the rim (radius {self.radius:g} m); give a cylinder that is "
                 "thinner than its cap."

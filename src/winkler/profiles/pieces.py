@@ -25,10 +25,10 @@ Term = tuple[float, int, float]
 
 
 def _moment(m: int, x: Array, b: float) -> Array:
-    """Return W_m(x, b), zero where x <= b."""
+    """Return W_m(x, b), zero where x <= b; W_0(x, 0) is a right angle even at the axis."""
     root = root_difference(x, b)
     if m == 0:
-        return np.where(x > b, np.arctan2(root, b), 0.0) if b > 0.0 else np.where(x > 0.0, 0.5 * np.pi, 0.0)
+        return np.where(x > b, np.arctan2(root, b), 0.0) if b > 0.0 else np.full(x.shape, 0.5 * np.pi)
     if m == 1:
         return root
     return ((m - 1) * x * x * _moment(m - 2, x, b) + b ** (m - 1) * root) / m
@@ -78,8 +78,7 @@ class PowerPieces(Shape):
         x = np.asarray(x, dtype=float)
         total = 0.0 * x
         for b, m, c in self.terms:
-            smooth = (m + 1) * _moment(m, x, b) if x.ndim == 0 or b > 0.0 or m else np.full(x.shape, 0.5 * np.pi)
-            total = total + c * smooth
+            total = total + c * (m + 1) * _moment(m, x, b)
             if b > 0.0:
                 root = root_difference(x, b)
                 total = total + np.where(x > b, c * b ** (m + 1) / np.where(x > b, root, 1.0), 0.0)

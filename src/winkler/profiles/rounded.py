@@ -1,12 +1,36 @@
-"""Punches with rounded edges, and paraboloids that were cut off or worn."""
+r"""Punches with rounded edges, and paraboloids that were cut off or worn.
+
+Beyond the flat of a rounded punch, with :math:`t=\sqrt{x^2-b^2}/b`,
+
+.. math:: g = \frac{b\,x}{R}\,(t-\arctan t), \qquad g' = \frac bR\,(2t-\arctan t), \qquad
+          \int_0^x g = \frac{b^3}{R}\Big(\frac{t^3}{3} + \frac t2 - \frac{1+t^2}{2}\arctan t\Big) ,
+
+where series stand for the differences at small t.
+"""
 
 from __future__ import annotations
 
+import numpy as np
+
+from winkler.numerics.abel import root_difference
+from winkler.numerics.types import Array
 from winkler.profiles.check import positive
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.values import value
 
 __all__ = ["CappedParaboloid", "RoundedPunch", "TruncatedParaboloid"]
+
+
+def _excess(t: Array) -> tuple[Array, Array]:
+    """Return t - arctan(t) and t^3/3 + t/2 - (1 + t^2) arctan(t)/2 without cancellation."""
+    small, large = np.minimum(t, 0.3), np.maximum(t, 0.3)
+    square, series = small**2, np.zeros_like(small)
+    for k in range(17, 1, -1):
+        series = 1.0 / (2.0 * k + 1.0) - square * series
+    rest, arc = small**5 * series, np.arctan(large)  # t^3/3 - t + arctan(t) at small t
+    first = np.where(t < 0.3, small**3 / 3.0 - rest, large - arc)
+    second = small**5 / 6.0 - 0.5 * (1.0 + square) * rest
+    return first, np.where(t < 0.3, second, large**3 / 3.0 + 0.5 * large - 0.5 * (1.0 + large**2) * arc)
 
 
 @value
@@ -42,6 +66,27 @@ class RoundedPunch(PowerPieces):
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """The end of the flat, where the slope is continuous."""
         return ((self.flat_radius, 0.0),)
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        return np.asarray(np.maximum(r - self.flat_radius, 0.0) ** 2 / (2.0 * self.edge_radius))
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        return np.asarray(np.maximum(r - self.flat_radius, 0.0) / self.edge_radius)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        t = self._ratio(x)
+        return np.asarray(self.flat_radius / self.edge_radius * x * _excess(t)[0])
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        t = self._ratio(x)
+        return np.asarray(self.flat_radius**3 / self.edge_radius * _excess(t)[1])
+
+    def _ratio(self, x: Array) -> Array:
+        return root_difference(np.asarray(x, dtype=float), self.flat_radius) / self.flat_radius
 
 
 @value

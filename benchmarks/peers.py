@@ -1,0 +1,255 @@
+"""Hertz' contact by winkler and by two boundary-element codes, side by side in one run.
+
+The task is the same for all: a paraboloid of R = 1 on a half-space of E* = 1 is pressed with the force that gives a
+contact radius of 0.1; asked is the depth.  The error is that of the force against Hertz' closed form at the depth that
+was found.  What is counted: for the peers the solve alone, their grids, height maps and transforms having been set up
+before; for winkler everything, from the shape to the answer.
+
+The peers compute any height map; winkler uses that this one is a body of revolution.  The figure therefore says what
+it costs to use a tool for everything where the special one exists, and not that the peers are slow.
+
+Run it:  pip install ".[peers]" && python benchmarks/peers.py
+It prints the table, puts it into docs/benchmarks.md, and draws docs/figures/peers.png.
+"""
+
+from __future__ import annotations
+
+import os
+
+os.environ["OMP_NUM_THREADS"] = "1"  # neither wheel gains from a second thread; must be set before they are imported
+
+import argparse
+import math
+import statistics
+import time
+from collections.abc import Callable
+from importlib.metadata import version
+from typing import NamedTuple
+
+import numpy as np
+from pages import FIGURES, machine, replace, spoken, table
+
+import winkler as wk
+from winkler.reference.hertz import hertz_force
+
+RADIUS, CONTACT, SHARE = 1.0, 0.1, 0.4
+"""R, a, and a over the side of the grid: 80 % of the grid's width is in contact, which spares the peers idle pixels."""
+FORCE = float(hertz_force(CONTACT, curvature_radius=RADIUS, modulus=1.0))
+SIDE = CONTACT / SHARE
+GRIDS = (64, 128, 256, 512)
+
+
+class Row(NamedTuple):
+    """One code at one resolution."""
+
+    code: str
+    points: int
+    times: list[float]
+    error: float
+    what: str
+
+    @property
+    def median(self) -> float:
+        """The usual time [s]."""
+        return statistics.median(self.times)
+
+
+def force_error(depth: float) -> float:
+    """Return the relative error of the force, F over Hertz' force at the depth that was found, less one."""
+    return FORCE / float(hertz_force(math.sqrt(RADIUS * depth), curvature_radius=RADIUS, modulus=1.0)) - 1.0
+
+
+def heights(points: int) -> np.ndarray:
+    """Return the height map of the paraboloid, its apex between the four middle pixels, falling away from it."""
+    x = (np.arange(points) + 0.5) * SIDE / points - 0.5 * SIDE
+    return -(x[:, None] ** 2 + x**2) / (2.0 * RADIUS)
+
+
+def by_winkler() -> float:
+    """Return the depth by winkler."""
+    medium = wk.HalfSpace.between(wk.Elastic(young=1.0, poisson=0.0))
+    return wk.Indentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), wk.Force(FORCE)).solve().depth
+
+
+def by_winkler_without_closed_form() -> float:
+    """Return the depth by winkler for the same shape given as a formula, of which it knows no closed form."""
+    medium = wk.HalfSpace.between(wk.Elastic(young=1.0, poisson=0.0))
+    shape = wk.Formula("r**2 / (2*R)", R=RADIUS)
+    return wk.Indentation(wk.Foundation(shape, medium), wk.Force(FORCE)).solve().depth
+
+
+def by_winkler_with_fields() -> float:
+    """Return the depth by winkler, and compute pressure, displacement and gap at 512 radii as well."""
+    medium = wk.HalfSpace.between(wk.Elastic(young=1.0, poisson=0.0))
+    contact = wk.Indentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), wk.Force(FORCE)).solve()
+    wk.restore(contact, np.linspace(0.0, 0.5 * SIDE, 512))
+    return contact.depth
+
+
+def by_tamaas(points: int) -> Callable[[], tuple[float, float]]:
+    """Return a run of Tamaas: Polonsky and Keer's solver, free boundaries, tolerance 1e-5 (1e-6 gives the same error)."""
+    import tamaas
+
+    tamaas.set_log_level(tamaas.LogLevel.error)
+    surface = heights(points)
+
+    def run() -> tuple[float, float]:
+        model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [SIDE, SIDE], [points, points])
+        model.E, model.nu = 1.0, 0.0
+        tamaas.ModelFactory.registerNonPeriodic(model, "dcfft")
+        pressure = tamaas.PolonskyKeerRey.pressure
+        solver = tamaas.PolonskyKeerRey(model, surface, 1e-5, pressure, pressure)
+        solver.setIntegralOperator("dcfft")
+        start = time.perf_counter()
+        solver.solve(FORCE / SIDE**2)
+        elapsed = time.perf_counter() - start
+        model.operators["dcfft"](model.traction, model.displacement)  # the solver leaves the gap there
+        depth = np.average(model.displacement - surface, weights=model.traction)
+        return elapsed, float(depth)
+
+    return run
+
+
+def by_contact_mechanics(points: int) -> Callable[[], tuple[float, float]]:
+    """Return a run of ContactMechanics: its constrained conjugate gradients, free boundaries, default tolerances."""
+    from ContactMechanics import FreeFFTElasticHalfSpace
+    from ContactMechanics.Systems import NonSmoothContactSystem
+    from SurfaceTopography import Topography
+
+    surface = heights(points)
+
+    def run() -> tuple[float, float]:
+        half_space = FreeFFTElasticHalfSpace((points, points), 1.0, (SIDE, SIDE))
+        system = NonSmoothContactSystem(half_space, Topography(surface, (SIDE, SIDE)))
+        start = time.perf_counter()
+        result = system.minimize_proxy(external_force=FORCE)
+        elapsed = time.perf_counter() - start
+        if not result.success:
+            raise RuntimeError(f"ContactMechanics did not converge: {result.message}")
+        return elapsed, float(system.offset)
+
+    return run
+
+
+def measure(rounds: int) -> list[Row]:
+    """Return all rows; the rounds of all codes alternate, so that a busy moment of the machine meets all of them."""
+    peers = {
+        (code, points): maker(points)
+        for points in GRIDS
+        for code, maker in (("Tamaas", by_tamaas), ("ContactMechanics", by_contact_mechanics))
+    }
+    times: dict[tuple[str, int], list[float]] = {key: [] for key in peers}
+    depths: dict[tuple[str, int], float] = {}
+    ours = {
+        ("winkler", 0): by_winkler,
+        ("winkler, by quadrature", 0): by_winkler_without_closed_form,
+        ("winkler, with fields", 0): by_winkler_with_fields,
+    }
+    for solve in ours.values():
+        for _ in range(50):
+            solve()
+    times |= {key: [] for key in ours}
+    for _ in range(rounds):
+        for key, run in peers.items():
+            elapsed, depths[key] = run()
+            times[key].append(elapsed)
+        for key, solve in ours.items():
+            for _ in range(400):
+                start = time.perf_counter()
+                depths[key] = solve()
+                times[key].append(time.perf_counter() - start)
+    what = {
+        "winkler": "depth, radius, stiffness",
+        "winkler, by quadrature": "the same; the shape given as a formula, g by quadrature",
+        "winkler, with fields": "the same, and p, u, gap at 512 radii",
+    }
+    return [
+        Row(code, points, times[code, points], force_error(depths[code, points]), what.get(code, "p, u at every pixel"))
+        for code, points in times
+    ]
+
+
+def written(rows: list[Row]) -> str:
+    """Return the table and the ratio that is claimed."""
+    ours = next(row for row in rows if row.code == "winkler")
+    lines = [
+        [
+            row.code if not row.points else f"{row.code}, {row.points} × {row.points}",
+            version(row.code.split(",")[0]),
+            spoken(row.median),
+            spoken(min(row.times)),
+            f"{abs(row.error):.1e}" if abs(row.error) > 1e-15 else "< 1e-15",
+            f"{row.median / ours.median:,.0f}",
+            row.what,
+        ]
+        for row in sorted(rows, key=lambda row: (row.points, row.code))
+    ]
+    return table(["code", "version", "median", "fastest", "error of F", "time / winkler", "what is known then"], lines)
+
+
+def draw(rows: list[Row]) -> None:
+    """Draw error over time."""
+    from matplotlib.figure import Figure
+
+    from winkler.plot import style
+
+    with style.styled():
+        figure = Figure(figsize=(6.4, 4.2), dpi=144, layout="constrained")
+        axes = figure.subplots()
+        for code, colour, mark in (("Tamaas", style.BLUE, "o"), ("ContactMechanics", style.GREEN, "s")):
+            mine = sorted((row for row in rows if row.code == code), key=lambda row: row.points)
+            axes.loglog(
+                [row.median for row in mine], [abs(row.error) for row in mine], color=colour, marker=mark, label=code
+            )
+        for row in rows:
+            if row.code == "Tamaas":
+                both = [abs(other.error) for other in rows if other.points == row.points]
+                right = max(other.median for other in rows if other.points == row.points)
+                axes.annotate(
+                    f"{row.points}²",
+                    (right, math.sqrt(min(both) * max(both))),
+                    xytext=(9, 0),
+                    textcoords="offset points",
+                    va="center",
+                )
+        for code, mark in (("winkler", "D"), ("winkler, with fields", "d")):
+            row = next(row for row in rows if row.code == code)
+            axes.loglog(
+                [row.median],
+                [max(abs(row.error), 1e-16)],
+                mark,
+                color=style.RED,
+                markersize=8,
+                markerfacecolor=style.RED if mark == "D" else "white",
+                label=code.replace("with fields", "with p, u, gap at 512 radii"),
+            )
+        axes.axhline(1e-8, color=style.MUTED, linewidth=0.8, linestyle="--")
+        axes.set(xlabel="time for one contact [s]", ylabel="relative error of the force [-]", ylim=(3e-17, 1e-2))
+        axes.set_xlim(3e-5, 30.0)
+        style.note(axes, "Hertz' contact: error against the closed form", where="upper left")
+        style.framed_legend(axes, loc="center right")
+        FIGURES.mkdir(exist_ok=True)
+        figure.savefig(FIGURES / "peers.png")
+
+
+def main() -> None:
+    """Measure, print, write."""
+    parser = argparse.ArgumentParser(description="Hertz by winkler, Tamaas and ContactMechanics, side by side.")
+    parser.add_argument("--rounds", type=int, default=5, help="how often each peer solves (default 5)")
+    parser.add_argument("--print-only", action="store_true", help="leave the manual as it is")
+    given = parser.parse_args()
+    rows = measure(given.rounds)
+    text = written(rows)
+    print(text)
+    ours = next(row for row in rows if row.code == "winkler")
+    ratio = min(row.median for row in rows if row.points == GRIDS[-1]) / ours.median
+    print(f"\nwinkler at {abs(ours.error):.1e} is {ratio:,.0f} times faster than the faster peer at 512 x 512")
+    if not given.print_only:
+        replace("peers", f"{text}\n\nMeasured on {machine()}, one thread, {given.rounds} rounds.")
+        draw(rows)
+    if not (abs(ours.error) < 1e-8 and ratio >= 500.0):
+        raise SystemExit("The claim does not hold: error below 1e-8, and 500 times faster.")
+
+
+if __name__ == "__main__":
+    main()

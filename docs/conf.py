@@ -1,0 +1,150 @@
+"""How the manual is built: ``sphinx-build -W -b html docs OUT``.
+
+The page of the interface is written while building, from ``winkler.__all__``: it cannot forget a name.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+import weakref
+from typing import Any
+
+from matplotlib import pyplot
+from matplotlib.figure import Figure
+from sphinx_gallery.scrapers import figure_rst
+
+import winkler
+
+pyplot.switch_backend("Agg")
+
+project = "winkler"
+author = "The winkler developers"
+copyright = "2026, The winkler developers"
+release = version = winkler.__version__
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "sphinx_gallery.gen_gallery",
+]
+
+html_theme = "furo"
+html_title = "winkler"
+exclude_patterns = ["_build", "**/sg_execution_times.rst"]
+
+myst_enable_extensions = ["dollarmath", "deflist"]
+myst_heading_anchors = 3
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+autoclass_content = "class"
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+napoleon_use_rtype = False
+
+
+_shown: weakref.WeakSet[Figure] = weakref.WeakSet()
+
+
+def figures(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
+    """Hand the figures of an example to the gallery; `draw` makes them without pyplot, where it would not find them."""
+    paths = []
+    for item in list(block_vars["example_globals"].values()):
+        if isinstance(item, Figure) and item not in _shown:
+            _shown.add(item)
+            paths.append(next(block_vars["image_path_iterator"]))
+            item.savefig(paths[-1], dpi=110, bbox_inches="tight")
+            pyplot.close(item)
+    return str(figure_rst(paths, gallery_conf["src_dir"]))
+
+
+sphinx_gallery_conf = {
+    "image_scrapers": (figures, "matplotlib"),
+    "capture_repr": (),
+    "examples_dirs": "../examples",
+    "gallery_dirs": "gallery",
+    "filename_pattern": r"\.py$",
+    "ignore_pattern": r"__init__\.py$",
+    "download_all_examples": False,
+    "remove_config_comments": True,
+    "show_memory": False,
+    "show_signature": False,
+    "plot_gallery": True,
+    "abort_on_example_error": True,
+    "only_warn_on_example_error": False,
+}
+suppress_warnings = ["config.cache"]
+
+CHAPTERS = (
+    ("Solids", "materials"),
+    ("Shapes", "profiles"),
+    ("Media", "media"),
+    ("Beds of springs", "foundation"),
+    ("Loads", "loading"),
+    ("Problems and their answers", "problems"),
+    ("Fields", "fields"),
+    ("Reading measured profiles", "io"),
+    ("How far a result can be trusted", "validity"),
+    ("Errors", "errors"),
+)
+
+
+def _entry(name: str) -> str:
+    """Return the directive that documents one name of the front door."""
+    item = getattr(winkler, name)
+    if inspect.isclass(item):
+        return f".. autoclass:: winkler.{name}\n   :members:\n"
+    if callable(item):
+        return f".. autofunction:: winkler.{name}\n"
+    return f".. py:data:: winkler.{name}\n\n   ``{str(item).replace('winkler.', '')}``\n"
+
+
+def _floor(name: str) -> str:
+    """Return the floor that a name comes from; a union comes from the floor of its members."""
+    item = getattr(winkler, name)
+    module = getattr(item, "__module__", "")
+    if not module.startswith("winkler."):
+        members = getattr(item, "__args__", ())
+        module = members[0].__module__ if members else ""
+    return module.split(".")[1] if module.startswith("winkler.") else ""
+
+
+def front_door() -> str:
+    """Return the page of the interface in reStructuredText, chapter by chapter."""
+    names = [name for name in winkler.__all__ if not name.startswith("__")]
+    written, text = set(), []
+    for title, floor in CHAPTERS:
+        here = [name for name in names if _floor(name) == floor]
+        if here:
+            text += [title, "-" * len(title), "", *map(_entry, here)]
+            written.update(here)
+    rest = [name for name in names if name not in written]
+    if rest:
+        text += ["More", "----", "", *map(_entry, rest)]
+    return "\n".join(text)
+
+
+def _write_front_door(app: Any, docname: str, source: list[str]) -> None:
+    if docname == "api":
+        source[0] = source[0].replace("FRONT_DOOR", front_door())
+
+
+def _keep_initials(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:
+    """Escape the initials that open a reference: "W. C. Oliver" is no list."""
+    lines[:] = [re.sub(r"^(\s*)([A-Z]\. )", r"\1\\\2", line) for line in lines]
+
+
+def _keep_sentences(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:
+    """Open a property with a blank line: napoleon takes what stands before a colon in its first line for a type."""
+    if what in ("property", "attribute"):
+        lines.insert(0, "")
+
+
+def setup(app: Any) -> None:
+    """Hook the page of the interface into the build."""
+    app.connect("source-read", _write_front_door)
+    app.connect("autodoc-process-docstring", _keep_sentences, priority=100)
+    app.connect("autodoc-process-docstring", _keep_initials, priority=900)

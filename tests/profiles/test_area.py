@@ -1,0 +1,117 @@
+"""Area functions: T1 over heights instead of radii, at 30 digits, and the shapes that they contain."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+import winkler as wk
+
+NANO = 1e-9
+TIP = tuple(
+    # a worn Berkovich tip in nm: 24.5 h^2 + 890 h + ... with alternating signs, as calibrations give them
+    c * NANO ** (2.0 - 2.0 ** (1 - n))
+    for n, c in enumerate([24.5, 890.0, -3200.0, 5100.0, 410.0, -160.0, 95.0, 210.0, 60.0])
+)
+DEPTHS = np.array([5e-9, 30e-9, 200e-9, 2e-6])
+
+
+def area(coefficients, h):
+    return mp.fsum(mp.mpf(c) * h ** (mp.mpf(2) ** (1 - n)) for n, c in enumerate(coefficients) if c)
+
+
+def judged_gap(coefficients, h):
+    """g at the radius where the height is h: x Int_0^h dh' / sqrt(x^2 - A(h')/pi)."""
+    with mp.workdps(50):
+        top = area(coefficients, mp.mpf(h)) / mp.pi
+        cuts = [0, *[mp.mpf(h) * mp.mpf(10) ** -k for k in (12, 8, 4, 2, 1)], mp.mpf(h) / 2, mp.mpf(h)]
+        inner = mp.quad(lambda t: 1 / mp.sqrt(top - area(coefficients, t) / mp.pi), cuts)
+        return mp.sqrt(top), mp.sqrt(top) * inner
+
+
+def test_a_calibrated_tip():
+    profile = wk.AreaFunction(TIP)
+    for h in DEPTHS:
+        x, expected = judged_gap(TIP, h)
+        place = np.array([float(x)])
+        assert profile.height(place)[0] == pytest.approx(h, rel=1e-12)
+        assert profile.gap(place)[0] == pytest.approx(float(expected), rel=1e-10)
+
+
+def test_derivatives_of_a_calibrated_tip():
+    profile = wk.AreaFunction(TIP)
+    x = np.sqrt([float(area(TIP, mp.mpf(h)) / mp.pi) for h in DEPTHS])
+    step = 1e-5 * x
+    for function, derivative in ((profile.height, profile.slope), (profile.slope, profile.curvature),
+                                 (profile.gap, profile.gap_slope), (profile.gap_integral, profile.gap)):
+        differences = (function(x - 2 * step) - 8 * function(x - step) + 8 * function(x + step)
+                       - function(x + 2 * step)) / (12 * step)
+        np.testing.assert_allclose(derivative(x), differences, rtol=3e-9)
+
+
+def test_the_cross_section_is_the_area():
+    profile = wk.AreaFunction(TIP)
+    r = np.geomspace(1e-8, 1e-4, 9)
+    sections = [float(area(TIP, mp.mpf(h))) for h in profile.height(r)]
+    np.testing.assert_allclose(sections, math.pi * r**2, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "twin"),
+    [
+        ((24.5,), wk.Cone(math.atan(math.sqrt(24.5 / math.pi)))),
+        ((0.0, 2.0 * math.pi * 3e-6), wk.Paraboloid(3e-6)),
+        ((-math.pi, 2.0 * math.pi * 3e-6), wk.Sphere(3e-6)),
+        # c h^(1/2) = pi r^2: a quartic
+        ((0.0, 0.0, 2e-9), wk.PowerLaw((math.pi / 2e-9) ** 2, 4.0)),
+        # pi tan^2 (h^2 + 2 h h0): a hyperboloid of half-angle 70 deg
+        (
+            (math.pi * math.tan(1.2) ** 2, 2.0 * math.pi * math.tan(1.2) ** 2 * 1e-8),
+            wk.Hyperboloid(1e-8 * math.tan(1.2) ** 2, 1.2),
+        ),
+    ],
+)
+def test_twins(coefficients, twin):
+    profile = wk.AreaFunction(coefficients)
+    x = np.array([0.0, 1e-9, 1e-7, 1e-6, 2.9e-6])
+    for word in ("height", "slope", "curvature", "gap", "gap_slope", "gap_integral"):
+        np.testing.assert_allclose(
+            getattr(profile, word)(x), getattr(twin, word)(x), rtol=1e-11, atol=1e-40, err_msg=word
+        )
+    assert float(profile.gap_slope(np.array(1e-6))) == pytest.approx(float(twin.gap_slope(np.array(1e-6))))
+
+
+def test_the_reach_ends_where_the_area_stops_growing():
+    assert wk.AreaFunction((-math.pi, 2.0 * math.pi * 3e-6)).reach == pytest.approx(3e-6, rel=1e-12)
+    assert wk.AreaFunction((24.5, 1e-7)).reach == math.inf
+    # the equator of the sphere is known and the contact beyond it refused
+    bed = wk.Foundation(wk.AreaFunction((-math.pi, 2.0 * math.pi * 3e-6)), wk.HalfSpace.between(wk.Elastic(1e9, 0.3)))
+    with pytest.raises(wk.OutsideValidity, match="beyond the reach"):
+        wk.Indentation(bed, wk.Radius(3.1e-6)).solve()
+
+
+def test_says_that_it_stands_for_a_pyramid():
+    assert any("same cross-sections" in note.statement for note in wk.AreaFunction((24.5,)).notes)
+
+
+@pytest.mark.parametrize("bad", [(), (0.0,), (0.0, 0.0), (math.nan,), (24.5, math.inf)])
+def test_bad_coefficients(bad):
+    with pytest.raises(wk.InvalidInput, match=r"^AreaFunction: coefficients are .*; give finite numbers C0, C1, \.\.\. "
+                                              r"of which at least one is not zero\.$"):
+        wk.AreaFunction(bad)
+
+
+@pytest.mark.parametrize("bad", [(-24.5,), (24.5, -1e-7), (24.5, 1e-7, -1e-12)])
+def test_an_area_that_shrinks_from_the_apex_on(bad):
+    with pytest.raises(wk.InvalidInput, match=r"the area does not grow from the apex on; the last coefficient that is "
+                                              r"not zero must be positive\.$"):
+        wk.AreaFunction(bad)
+
+
+@pytest.mark.parametrize("bad", [["a"], "24.5", [[1.0, 2.0], 3.0], None])
+def test_coefficients_that_are_no_numbers(bad):
+    with pytest.raises(wk.InvalidInput, match="^AreaFunction: coefficients are"):
+        wk.AreaFunction(bad)

@@ -1,0 +1,53 @@
+"""Every example runs: the scripts as a reader would start them, the studies through the command line."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+SCRIPTS = sorted(EXAMPLES.rglob("*.py"))
+STUDIES = sorted((EXAMPLES / "studies").glob("*.toml"))
+
+
+def start(arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *arguments],
+        cwd=folder,
+        env={**os.environ, "MPLBACKEND": "Agg", "PYTHONWARNINGS": "error::RuntimeWarning", "PYTHONIOENCODING": "utf-8"},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=600,
+        check=False,
+    )
+
+
+def name(path: Path) -> str:
+    return path.relative_to(EXAMPLES).as_posix()
+
+
+def test_there_are_examples():
+    assert {"measured_tip.toml"} <= {path.name for path in STUDIES}
+    assert len(SCRIPTS) >= 4
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
+def test_script(script, tmp_path):
+    answer = start([str(script)], tmp_path)
+    assert answer.returncode == 0, answer.stdout + answer.stderr
+
+
+@pytest.mark.parametrize("study", STUDIES, ids=map(name, STUDIES))
+def test_study(study, tmp_path):
+    output = tmp_path / "answer"
+    answer = start(["-m", "winkler.cli", "run", str(study), "--output", str(output)], tmp_path)
+    assert answer.returncode == 0, answer.stdout + answer.stderr
+    report = list(output.rglob("report.html"))
+    assert report, f"no report.html in {sorted(path.name for path in output.rglob('*'))}"
+    assert all(path.stat().st_size > 0 for path in output.rglob("*") if path.is_file())

@@ -1,0 +1,118 @@
+"""Every Python block of README.md and of the manual runs, and prints what the page says it prints.
+
+The blocks of one page share their names, as they do for a reader who types them in one after the other.  The
+folder they run in holds a copy of `examples/`, like the checkout in which the reader sits.  A block of text below
+the comment ``<!-- output -->`` is what the Python block before it prints; ``...`` stands for anything.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import doctest
+import io
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = [
+    ROOT / "README.md",
+    *(
+        path
+        for path in sorted((ROOT / "docs").rglob("*.md"))
+        if not {"gallery", "_build"} & set(path.relative_to(ROOT).parts)
+    ),
+]
+FENCE = re.compile(r"(?P<mark><!-- [^\n]*? -->\n)?^```(?P<kind>[^\n]*)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+CHECK = doctest.OutputChecker()
+FLAGS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+
+
+def blocks(text: str) -> list[tuple[str, str, str, int]]:
+    """Return (mark, language, body, line) of every fenced block."""
+    return [
+        (
+            (found["mark"] or "").strip(),
+            found["kind"].strip(),
+            found["body"],
+            text.count("\n", 0, found.start("body")),
+        )
+        for found in FENCE.finditer(text)
+    ]
+
+
+def run(page: Path, text: str) -> int:
+    """Run the Python blocks of a page; return how many there were."""
+    names: dict[str, object] = {"__name__": "__main__"}
+    printed, count = "", 0
+    for mark, language, body, line in blocks(text):
+        if language == "python":
+            out = io.StringIO()
+            code = compile("\n" * line + body, str(page), "exec")
+            with contextlib.redirect_stdout(out):
+                exec(code, names)
+            printed, count = out.getvalue(), count + 1
+        elif mark == "<!-- output -->":
+            assert CHECK.check_output(body, printed, FLAGS), (
+                f"{page.name}:{line}: the page says\n{body}\nbut the block prints\n{printed}"
+            )
+    return count
+
+
+@pytest.mark.parametrize("page", PAGES, ids=[path.relative_to(ROOT).as_posix() for path in PAGES])
+def test_the_python_of_a_page_runs(page, tmp_path, monkeypatch):
+    text = page.read_text(encoding="utf-8")
+    assert text.count("\n```") % 2 == 0, f"{page.name}: a fence is not closed"
+    shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("results", "__pycache__"))
+    monkeypatch.chdir(tmp_path)
+    count = run(page, text)
+    assert count == len(re.findall(r"^```python$", text, re.MULTILINE))
+    if page.name == "README.md":
+        assert count >= 2
+
+
+@pytest.mark.parametrize("page", PAGES, ids=[path.relative_to(ROOT).as_posix() for path in PAGES])
+def test_the_studies_of_a_page_can_be_read(page, tmp_path):
+    """A block of TOML with a problem in it is a study, and is solved."""
+    from winkler.study.reading import parse_study
+    from winkler.study.run import run as solve
+
+    shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("results", "__pycache__"))
+    for _, language, body, _ in blocks(page.read_text(encoding="utf-8")):
+        if language == "toml" and "[problem]" in body:
+            outcome = solve(parse_study(body, file=page.name, folder=tmp_path / "examples" / "studies"))
+            assert outcome.failed == ()
+
+
+def test_a_wrong_output_is_noticed(tmp_path):
+    text = "```python\nprint(1 + 1)\n```\n\n<!-- output -->\n```text\n{}\n```\n"
+    assert run(tmp_path / "page.md", text.format("2")) == 1
+    with pytest.raises(AssertionError, match=r"page\.md:6: the page says"):
+        run(tmp_path / "page.md", text.format("3"))
+
+
+@pytest.mark.parametrize("name", ["run", "test"])
+def test_readme_has_the_two_commands(name):
+    """`.ci/run` takes them from here and runs them word for word."""
+    marked = [
+        (language, body)
+        for mark, language, body, _ in blocks((ROOT / "README.md").read_text(encoding="utf-8"))
+        if mark == f"<!-- ci: {name} -->"
+    ]
+    assert len(marked) == 1
+    language, body = marked[0]
+    assert language == "bash"
+    assert body.count("\n") == 1, "one command, one line"
+    assert body.startswith("python3 -m venv .venv && . .venv/bin/activate && pip install ")
+
+
+def test_links_inside_the_project_lead_somewhere():
+    bad = []
+    for page in PAGES:
+        for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+            made_by_the_build = target.startswith(("gallery/", "../gallery/"))
+            if not made_by_the_build and not (page.parent / target).exists():
+                bad.append(f"{page.name}: {target}")
+    assert bad == []
