@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from winkler.errors import InvalidInput
-from winkler.io.profile_table import Column, read_profile, read_table
+from winkler.io.profile_table import read_profile
+from winkler.io.table import Column, read_table
 from winkler.profiles.measured import Measured
 
 RADIUS = Column("radius", ("radius", "r", "x"), "m")
@@ -216,7 +217,7 @@ SHAPES = {
     "paraboloid": (lambda r: r**2 / 20e-6, 1e-9),
     "cone": (lambda r: 0.3 * r, 0.1),
     "sphere": (lambda r: 20e-6 - np.sqrt(400e-12 - r**2), 1e-3),
-    "flat, then round": (lambda r: np.maximum(r - 1e-6, 0.0) ** 2 / 1e-5, 0.01),
+    "flat, then round": (lambda r: np.maximum(r - 1e-6, 0.0) ** 2 / 1e-5, 0.05),
     "fourth power": (lambda r: r**4 / 1e-16, 0.1),
 }
 """Height, and how far the apex may be missed, in steps of the scan."""

@@ -13,7 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from winkler.errors import InvalidInput
-from winkler.numerics.expression import FUNCTIONS, Expression, power_sum
+from winkler.numerics.expression import Expression
+from winkler.numerics.taylor import FUNCTIONS, power_sum
 
 INF, NAN = math.inf, math.nan
 
@@ -134,10 +135,16 @@ def test_constants_and_variable_have_names():
     assert law != dataclasses.replace(law, constants=(("a", 3.0), ("b_1", -1)))
 
 
-def test_sums_of_powers_are_recognised():
-    assert Expression("r**2/(2*R) - 4*r**4*R", constants=(("R", 0.5),)).powers == ((1.0, 2.0), (-2.0, 4.0))
+def test_powers_are_told_from_the_rest():
+    law = Expression("r**2/(2*R) - 4*r**4*R", constants=(("R", 0.5),))
+    assert law.powers == ((1.0, 2.0), (-2.0, 4.0))
+    assert law.remainder([1.0]) is None
     assert Expression("sqrt(4*r**3)*(1 + r) - 3").powers == ((-3.0, 0.0), (2.0, 1.5), (2.0, 2.5))
-    assert Expression("r + sin(r)").powers == ()
+    mixed = Expression("r + 2*sin(r) - 3*r**2/2")
+    assert mixed.powers == ((1.0, 1.0), (-1.5, 2.0))
+    np.testing.assert_allclose(
+        [part[0] for part in mixed.remainder([0.5])], [2 * math.sin(0.5), 2 * math.cos(0.5), -2 * math.sin(0.5)]
+    )
     assert Expression("(1 + r)**2").powers == ()
 
 

@@ -176,6 +176,15 @@ def test_a_corner_where_only_the_curvature_is_infinite_has_no_jump():
     assert tip.gap(x)[0] == pytest.approx(float(wanted), rel=1e-10)
 
 
+def test_a_corner_does_not_spoil_the_apex():
+    """Beside a ramp of slope 0.1 the paraboloid's slope of 1e-13 is still itself: theory 1.1, both parts."""
+    tip = Formula("r**2/(2*R) + t*(r - b + sqrt((r - b)**2))/2", corners=(2e-4,), R=R, b=2e-4, t=0.1)
+    x = np.array([1e-15, 1e-9, 1e-4, 3e-4])
+    cone = np.where(x > 2e-4, 0.1 * x * np.arccos(np.minimum(2e-4 / x, 1.0)), 0.0)
+    np.testing.assert_allclose(tip.gap(x), x**2 / R + cone, rtol=1e-12)
+    np.testing.assert_allclose(tip.gap_slope(x[:3]), 2.0 * x[:3] / R, rtol=1e-12)
+
+
 def test_corners_are_sorted_and_counted_once():
     tip = Formula("r**2 + sqrt((r-2)**2) + sqrt((r-1)**2) + 2*r - 3", corners=[2.0, 1, 2.0])
     assert tip.corners == (1.0, 2.0)

@@ -1,17 +1,24 @@
 r"""Indenters known by their area function, :math:`A(h) = C_0h^2 + C_1h + C_2h^{1/2} + C_3h^{1/4} + \dots`
 
 A calibrated nanoindenter tip is given by its cross-section A at the distance h from the apex.  The body of
-revolution with the same cross-sections has :math:`f(r)=h` where :math:`A(h)=\pi r^2`.
+revolution with the same cross-sections has :math:`f(r)=h` where :math:`A(h)=\pi r^2`.  Its transform is an integral
+over heights, which :math:`h' = h\,e^{-w}` makes smooth for any exponents, however small:
+
+.. math:: g(x) = x\int_0^h \frac{\mathrm dh'}{\sqrt D}, \qquad \int_0^x g = \int_0^h \sqrt D\,\mathrm dh', \qquad
+          D = x^2 - \frac{A(h')}\pi = \sum_n \frac{C_n}\pi\,h^{p_n}\,(1-e^{-p_n w}) .
 """
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.roots import invert
+from winkler.numerics.settling import settled
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.validity import Note, Standing
@@ -19,10 +26,29 @@ from winkler.values import value
 
 __all__ = ["AreaFunction"]
 
+Kernel = Callable[[Array, Array, Array], Array]
+
 NOTHING = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
 HEIGHTS = np.geomspace(1e-15, 1e3, 3000)
-"""Heights [m] at which the area function is searched for a maximum."""
+"""Heights [m] at which the area function is searched for a maximum, and for places where it is not log-concave."""
+LAST = 6.3
+"""Largest sqrt(w): exp(-w) is then 6e-18."""
+
+
+def _stretched(h: Array, fall: Array, steep: Array) -> Array:
+    """Return the kernel of g/x."""
+    return np.asarray(h / np.sqrt(fall))
+
+
+def _stretching(h: Array, fall: Array, steep: Array) -> Array:
+    """Return the kernel of its derivative with respect to h."""
+    return np.asarray((1.0 - 0.5 * steep / fall) / np.sqrt(fall))
+
+
+def _stored(h: Array, fall: Array, steep: Array) -> Array:
+    """Return the kernel of the integral of g."""
+    return np.asarray(h * np.sqrt(fall))
 
 
 @value
@@ -48,7 +74,10 @@ class AreaFunction(Shape):
     coefficients: tuple[float, ...]
 
     def __post_init__(self) -> None:
-        numbers = np.ravel(np.asarray(self.coefficients, dtype=float))
+        try:
+            numbers = np.ravel(np.asarray(tuple(self.coefficients), dtype=float))
+        except (TypeError, ValueError):
+            numbers = np.zeros(0)
         if not numbers.size or not np.all(np.isfinite(numbers)) or not np.any(numbers):
             raise InvalidInput(
                 f"AreaFunction: coefficients are {self.coefficients!r}; give finite numbers C0, C1, ... of which at "
@@ -78,14 +107,7 @@ class AreaFunction(Shape):
     @property
     def _top(self) -> float:
         """The height at which the area stops growing [m]; infinite if it never does."""
-        growth = self._derivatives(HEIGHTS)[1]
-        (shrinking,) = np.nonzero(growth <= 0.0)
-        if not shrinking.size:
-            return math.inf
-        from scipy.optimize import brentq
-
-        low, high = HEIGHTS[shrinking[0] - 1], HEIGHTS[shrinking[0]]
-        return float(brentq(lambda h: self._derivatives(np.array([h]))[1][0], low, high, xtol=1e-300, rtol=8.9e-16))
+        return _summit(self)
 
     @property
     def reach(self) -> float:
@@ -97,6 +119,13 @@ class AreaFunction(Shape):
     def size(self) -> float:
         """Where the area stops growing [m]."""
         return self.reach
+
+    @property
+    def rising(self) -> bool:
+        """Whether r f' = 2 A / A' rises with h everywhere, so that g does."""
+        heights = HEIGHTS[self._top > HEIGHTS]
+        area, first, second = self._derivatives(heights)
+        return bool(np.all(first**2 - area * second >= -1e-13 * first**2))
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
@@ -168,6 +197,49 @@ class AreaFunction(Shape):
             bend[above] = (2.0 * math.pi - second * rise**2) / first
         return slope, bend
 
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]; infinite at the reach."""
+        x = np.asarray(x, dtype=float)
+        result = np.where(x < self.reach, 0.0, math.inf)
+        above = (x > self._blunt) & (x < self.reach)
+        if above.any():
+            result[above] = x[above] * self._over(self._heights(x[above]), _stretched, "g(x)")
+        return result
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]; infinite at the reach."""
+        x = np.asarray(x, dtype=float)
+        result = np.where(x < self.reach, np.where(x > 0.0, 0.0, 0.5 * math.pi * self._apex[0]), math.inf)
+        above = (x > self._blunt) & (x < self.reach)
+        if above.any():
+            h, inner = self._heights(x[above]), x[above]
+            growth = 2.0 * math.pi * inner / self._derivatives(h)[1]
+            result[above] = self._over(h, _stretched, "g'(x)") + inner * growth * self._over(h, _stretching, "g'(x)")
+        return result
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        x = np.asarray(x, dtype=float)
+        result = np.zeros(x.shape)
+        above = x > self._blunt
+        if above.any():
+            result[above] = self._over(self._heights(x[above]), _stored, "integral of g")
+        return result
+
+    def _over(self, h: Array, kernel: Kernel, what: str) -> Array:
+        """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h."""
+
+        def integrand(node: Array, index: Array) -> Array:
+            v = LAST * node  # w = v^2, because D vanishes like w
+            fall, steep = np.zeros((index.size, node.size)), np.zeros((index.size, node.size))
+            for c, n in self._terms:
+                part = (c / math.pi * h[index] ** n)[:, None] * -np.expm1(-n * v * v)
+                fall += part
+                steep += n * part
+            return kernel(h[index, None], fall, steep) * (2.0 * LAST * v * np.exp(-v * v))
+
+        return settled(integrand, h.size, what)
+
     @property
     def _apex(self) -> tuple[float, float]:
         """f' and f'' at the apex: of a cone, a paraboloid, or something flatter."""
@@ -175,3 +247,15 @@ class AreaFunction(Shape):
         if n == 2.0:
             return math.sqrt(math.pi / c), 0.0
         return 0.0, 2.0 * math.pi / c if n == 1.0 else 0.0
+
+
+@functools.lru_cache(maxsize=64)
+def _summit(profile: AreaFunction) -> float:
+    growth = profile._derivatives(HEIGHTS)[1]
+    (shrinking,) = np.nonzero(growth <= 0.0)
+    if not shrinking.size:
+        return math.inf
+    from scipy.optimize import brentq
+
+    low, high = HEIGHTS[shrinking[0] - 1], HEIGHTS[shrinking[0]]
+    return float(brentq(lambda h: profile._derivatives(np.array([h]))[1][0], low, high, xtol=1e-300, rtol=8.9e-16))

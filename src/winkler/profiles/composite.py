@@ -26,6 +26,8 @@ class Sum(Shape):
     def __post_init__(self) -> None:
         flat: list[Profile] = []
         for part in self.parts:
+            if not hasattr(part, "gap_integral"):
+                raise InvalidInput(f"Sum: {part!r} is no profile; add shapes such as Paraboloid(curvature_radius).")
             flat.extend(part.parts if isinstance(part, Sum) else (part,))
         if not flat:
             raise InvalidInput("Sum: no parts were given; give at least one profile.")

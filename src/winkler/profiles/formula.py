@@ -1,8 +1,8 @@
 r"""A profile written as a formula of r, with exact derivatives.
 
-The text is read by `winkler.numerics.expression`: no code in it is ever executed.  A sum of powers has the
-closed-form transform :math:`g = \sum_i \kappa_{p_i} c_i x^{p_i}`; any other formula is transformed by quadrature of
-its slope, with
+The text is read by `winkler.numerics.expression`: no code in it is ever executed.  Powers among its addends have the
+closed-form transform :math:`g = \sum_i \kappa_{p_i} c_i x^{p_i}`; the rest is transformed by quadrature of its slope,
+with
 
 .. math:: \int_0^x g = x\,g(x) - \int_0^x \frac{r^2 f'(r)}{\sqrt{x^2-r^2}}\,dr ,
 
@@ -19,7 +19,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics import abel
-from winkler.numerics.expression import Expression, Terms, power_sum
+from winkler.numerics.expression import Expression
+from winkler.numerics.taylor import Terms, power_sum
 from winkler.numerics.types import Array
 from winkler.profiles.power import PowerLaw
 from winkler.profiles.profile import Kinks, Shape
@@ -136,8 +137,7 @@ class Formula(Shape):
     @property
     def rising(self) -> bool:
         """Known of a sum of powers with positive coefficients."""
-        powers = self._law.powers
-        return bool(powers) and all(c > 0.0 for c, _ in powers)
+        return _pure(self._law) and all(c > 0.0 for c, _ in self._law.powers)
 
     def _refuse(self, what: str, r: Array, bad: Array) -> None:
         if np.any(bad):
@@ -157,45 +157,48 @@ class Formula(Shape):
     def slope(self, r: Array) -> Array:
         """f'(r) [-]; at a corner, the value just below it."""
         r = np.asarray(r, dtype=float)
-        slope = self._law.taylor(r)[1]
+        return power_sum(_powers(self._law), r)[1] + self._slope_of_rest(r)
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]; at a corner, the value just below it."""
+        r = np.asarray(r, dtype=float)
+        return power_sum(_powers(self._law), r)[2] + self._curvature_of_rest(r)
+
+    def _slope_of_rest(self, r: Array) -> Array:
+        slope = _rest(self._law, r)[1]
         for corner, (below, _) in zip(self.corners, _sides(self._law, self.corners), strict=True):
             slope = np.where(r == corner, below, slope)
         self._refuse("slope", r, np.isnan(slope))
         return slope
 
-    def curvature(self, r: Array) -> Array:
-        """f''(r) [1/m]; at a corner, the value just below it."""
-        r = np.asarray(r, dtype=float)
-        inside = np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r)
-        curvature = self._law.taylor(inside)[2]
+    def _curvature_of_rest(self, r: Array) -> Array:
+        curvature = _rest(self._law, np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r))[2]
         self._refuse("curvature", r, np.isnan(curvature))
         return curvature
 
-    @property
-    def _stretched(self) -> Terms:
-        """(kappa_p c, p) of every power in g, if the formula is a sum of powers."""
-        return _stretched(self._law)
-
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
-        if self._stretched:
-            return power_sum(self._stretched, np.asarray(x, dtype=float))[0]
-        return abel.gap(self.slope, self.corners, x)
+        x = np.asarray(x, dtype=float)
+        powers = power_sum(_stretched(self._law), x)[0]
+        return powers if _pure(self._law) else powers + abel.gap(self._slope_of_rest, self.corners, x)
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
-        if self._stretched:
-            return power_sum(self._stretched, np.asarray(x, dtype=float))[1]
-        return abel.gap_slope(self.slope, self.curvature, self.kinks, x)
+        x = np.asarray(x, dtype=float)
+        powers = power_sum(_stretched(self._law), x)[1]
+        if _pure(self._law):
+            return powers
+        return powers + abel.gap_slope(self._slope_of_rest, self._curvature_of_rest, self.kinks, x)
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x, dtype=float)
-        if self._stretched:
-            return power_sum(tuple((c / (p + 1.0), p + 1.0) for c, p in self._stretched), x)[0]
-        inner = np.where(x > 0.0, x, 1.0)
-        second = abel.gap(lambda r: r * r * self.slope(r), self.corners, x) / inner
-        return x * self.gap(x) - second
+        powers = power_sum(tuple((c / (p + 1.0), p + 1.0) for c, p in _stretched(self._law)), x)[0]
+        if _pure(self._law):
+            return powers
+        first = x * abel.gap(self._slope_of_rest, self.corners, x)
+        second = abel.gap(lambda r: r * r * self._slope_of_rest(r), self.corners, x)
+        return np.asarray(powers + first - second / np.where(x > 0.0, x, 1.0))
 
 
 def _is_number(content: object) -> bool:
@@ -208,8 +211,37 @@ def _law(expression: str, constants: tuple[tuple[str, float], ...]) -> Expressio
 
 
 @functools.lru_cache(maxsize=256)
+def _pure(law: Expression) -> bool:
+    """Whether the formula is nothing but a sum of powers."""
+    return law.remainder(np.zeros(0)) is None
+
+
+@functools.lru_cache(maxsize=256)
+def _powers(law: Expression) -> Terms:
+    """Return the powers that are transformed in closed form.
+
+    The first power stays with the rest, where there is one: in (r - b) + sqrt((r - b)**2) their slopes cancel exactly.
+    """
+    return tuple((c, p) for c, p in law.powers if p != 0.0 and (p != 1.0 or _pure(law)))
+
+
+@functools.lru_cache(maxsize=256)
 def _stretched(law: Expression) -> Terms:
-    return tuple((c * PowerLaw(1.0, p).stretch, p) for c, p in law.powers if p != 0.0)
+    """Return (kappa_p c, p), their transform."""
+    return tuple((c * PowerLaw(1.0, p).stretch, p) for c, p in _powers(law))
+
+
+@functools.lru_cache(maxsize=256)
+def _linear(law: Expression) -> float:
+    return sum(c for c, p in law.powers if p == 1.0)
+
+
+def _rest(law: Expression, r: Array) -> tuple[Array, Array, Array]:
+    """Return value, slope and curvature of what is beside those powers."""
+    rest = law.remainder(r)
+    if rest is None:
+        return np.zeros(r.shape), np.zeros(r.shape), np.zeros(r.shape)
+    return rest[0], rest[1] + _linear(law), rest[2]
 
 
 @functools.lru_cache(maxsize=256)
@@ -222,7 +254,7 @@ def _start(law: Expression) -> float:
             f"Formula: '{law.text}' cannot be evaluated at r = 0, where it is undetermined or infinite; rewrite it, as "
             "r*sqrt(1 + r) for sqrt(r**2 + r**3)."
         )
-    if math.isinf(slope) and not law.powers:
+    if math.isinf(_rest(law, axis)[1][0]):
         raise InvalidInput(f"Formula: '{law.text}' is infinitely steep at r = 0; give one with a finite slope there.")
     if abs(height) > ROUNDING * float(law.magnitude(axis)[0]):
         raise InvalidInput(
@@ -245,7 +277,7 @@ def _sides(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, fl
     found = []
     for corner in corners:
         r = corner * (1.0 + np.outer((-1.0, 1.0), BESIDE))
-        _, slope, curvature = law.taylor(r)
+        _, slope, curvature = _rest(law, r)
         size = float(np.max(np.abs(slope)))
         below, above = (_limit(near, size) for near in slope + (corner - r) * curvature)
         if not math.isfinite(below + above):

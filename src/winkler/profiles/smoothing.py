@@ -67,7 +67,8 @@ def choose(r: Array, f: Array) -> Spline:
         if predicted < score:
             slope_noise = 4.0 * scatter + 1e-12 * np.ptp(f)
             even = _through(r, f, scatter, rounded=True)
-            if abs(through.evaluate(np.zeros(1), 1)[0]) * r[r > 0.0][0] <= slope_noise and _agrees(even, through, r):
+            start = float(through.evaluate(np.zeros(1), 1)[0])
+            if start < 0.0 or (start * r[r > 0.0][0] <= slope_noise and _agrees(even, through, r)):
                 return even
             return through
     return best
@@ -170,7 +171,7 @@ def _fitted(r: Array, f: Array, pieces: int) -> tuple[Spline, float]:
         part, misfit_round = _solve(
             joined, np.concatenate([[right[0] + right[1]], right[2:]]), design, f, repeat_first=True
         )
-        if misfit_round <= misfit + 6.0 * spread:
+        if free[1] < free[0] or misfit_round <= misfit + 6.0 * spread:  # no tip falls from its apex
             free, misfit, rounded = part, misfit_round, True
     score = (misfit / len(r)) / (1.0 - min((count - rounded) / len(r), 0.99)) ** 2
     poly = PPoly.from_spline(BSpline(knots, free, 3))

@@ -1,0 +1,299 @@
+r"""Tables of measured numbers.
+
+A table is a text file (UTF-8, or Latin-1 as older instruments write it) with one row of numbers per line; cells are
+separated by tabs, semicolons, commas or spaces.  Above the numbers stands a header that names columns and units::
+
+    # tip 7, scanned 2024-05-02            lines above the header and behind # are not read
+    radius [um], height [nm]               or  r (um);f (nm)  or  radius_um  height_nm  or a row of units below
+
+Nothing is guessed or left out silently: what cannot be read is refused with its line.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from array import array
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, suggest
+from winkler.numerics.types import Array
+from winkler.units import scale
+from winkler.values import value
+
+__all__ = ["Column", "Table", "read_table"]
+
+LARGEST = 200_000_000
+"""Most bytes of a table."""
+ABOVE = 500
+"""Most lines above the numbers."""
+SEPARATORS = ("\t", ";", ",", None)
+COMMENT = "#% \t"
+EXAMPLE = "radius [um], height [nm]"
+MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
+NAME_AND_UNIT = (
+    r"(.+?)\s*[\[(]([^\])]*)[\])]",
+    r"(.+?)\s*/\s*(.+)",
+    r"(.+?)\s+in\s+(\S+)",
+    r"(.+)_([^_]+)",
+    r"(\S+)\s+(\S+)",
+)
+SPREADSHEET = "this is a spreadsheet or an archive; save the table as text (CSV)"
+SIGNATURES = (
+    (b"\xff\xfe", "the file is written in UTF-16; save it as UTF-8"),
+    (b"\xfe\xff", "the file is written in UTF-16; save it as UTF-8"),
+    (b"PK\x03\x04", SPREADSHEET),
+    (b"\xd0\xcf\x11", SPREADSHEET),
+)
+DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
+
+
+@value
+class Column:
+    """A column that is wanted from a table.
+
+    Parameters
+    ----------
+    word : str
+        What it is, for messages.
+    names : tuple of str
+        Names in the header by which it is known, in lower case.
+    unit : str
+        SI unit in which it is wanted.
+    """
+
+    word: str
+    names: tuple[str, ...]
+    unit: str
+
+
+@value
+class Table:
+    """Columns read from a file.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+    values : ndarray, (rows, columns)
+        Numbers in SI units, in the order in which the columns were asked for.
+    lines : ndarray, (rows,)
+        The line of the file, counted from 1, on which each row stands.
+    """
+
+    path: str
+    values: Array
+    lines: Array
+
+
+class _Header(NamedTuple):
+    line: int
+    separator: str | None
+    cells: tuple[str, ...]
+    places: tuple[int, ...]
+    units: tuple[str, ...]
+
+
+def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table:
+    """Read columns of numbers from a text file with a header.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    columns : sequence of Column
+        What is wanted; each must be found once, with a unit that fits.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read; the message names the line.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise InvalidInput(f"{path!r} is no path of a file; give one such as 'tip.csv'.")
+    shown = str(path)
+    lines = _text(Path(path)).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    header = _header(lines, columns, shown)
+    separator = _separator(lines, header)
+    numbers, places, absent = array("d"), array("d"), list[int]()
+    for index in range(header.line, len(lines)):
+        line = lines[index].partition("#")[0]
+        if not line.strip():
+            continue
+        cells = _cells(line, separator)
+        while len(cells) > len(header.cells) and not cells[-1]:
+            cells.pop()
+        if len(cells) != len(header.cells):
+            hint = "; if the comma is the decimal sign, save the file with decimal points" if "," in line else ""
+            size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
+            raise InvalidInput(f"{shown}, line {index + 1}: {size}{hint}.")
+        try:
+            if "_" in line:
+                raise ValueError("float() reads 1_000")
+            row = [float(cells[place]) for place in header.places]
+        except ValueError:
+            row = [_number(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places]
+        if not all(map(math.isfinite, row)):
+            absent.append(index + 1)
+        numbers.extend(row)
+        places.append(index + 1)
+    if absent:
+        listed = ", ".join(map(str, absent[:5])) + (f" and {len(absent) - 5} more" if len(absent) > 5 else "")
+        few = "line" if len(absent) == 1 else "lines"
+        raise InvalidInput(f"{shown}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
+    if not places:
+        raise InvalidInput(f"{shown}: there are no numbers below the header in line {header.line}.")
+    factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
+    return Table(shown, np.array(numbers).reshape(-1, len(columns)) / factors, np.array(places))
+
+
+def _text(path: Path) -> str:
+    """Return the text of a file, or say why it is none."""
+    try:
+        if path.is_dir():
+            raise InvalidInput(f"{path}: this is a folder; give a file in it.")
+        if not path.exists():
+            raise InvalidInput(f"{path}: {_not_there(path)}; give the path of a text file.")
+        if not path.is_file():
+            raise InvalidInput(f"{path}: this is not a file with contents; give the path of a text file.")
+        size = path.stat().st_size
+        if size > LARGEST:
+            raise InvalidInput(f"{path}: {size / 1e6:.0f} MB are too much; at most {LARGEST / 1e6:.0f} MB are read.")
+        content = path.read_bytes()
+    except OSError as error:
+        raise InvalidInput(f"{path}: the file cannot be read ({error.strerror}).") from None
+    for start, what in SIGNATURES:
+        if content.startswith(start):
+            raise InvalidInput(f"{path}: {what}.")
+    if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
+        raise InvalidInput(f"{path}: the file is not a text; save the table as text (CSV) in UTF-8.")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = content.decode("latin-1")
+    if not text.strip():
+        raise InvalidInput(f"{path}: the file is empty; it needs a header such as '{EXAMPLE}', and numbers below.")
+    return text
+
+
+def _not_there(path: Path) -> str:
+    if not path.parent.is_dir():
+        return f"there is no folder '{path.parent}'"
+    return (
+        f"there is no such file in '{path.parent}'{suggest(path.name, [item.name for item in path.parent.iterdir()])}"
+    )
+
+
+def _cells(line: str, separator: str | None) -> list[str]:
+    if separator is not None:
+        return [cell.strip(" \t\"'") for cell in line.split(separator)]
+    # a unit in brackets belongs to the name before it
+    return re.findall(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?", line) if "[" in line or "(" in line else line.split()
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return "_" not in cell
+
+
+def _like_number(cell: str) -> bool:
+    return _is_number(cell) or DECIMAL_COMMA.fullmatch(cell) is not None
+
+
+def _number(cell: str, where: str, column: str) -> float:
+    if _is_number(cell):
+        return float(cell)
+    if cell.lower() in MISSING:
+        return float("nan")
+    if DECIMAL_COMMA.fullmatch(cell):
+        raise InvalidInput(f"{where}: '{cell}' has a decimal comma; save the file with decimal points.")
+    raise InvalidInput(f"{where}: '{cell[:40]}' in the column '{column}' is not a number.")
+
+
+def _named(cell: str, column: Column) -> tuple[bool, str]:
+    """Return whether a cell of the header names the column, and the unit behind the name if there is one."""
+    for pattern in NAME_AND_UNIT:
+        match = re.fullmatch(pattern, cell)
+        if match and match[1].lower() in column.names:
+            return True, match[2].strip(" -")
+    return cell.lower() in column.names, ""
+
+
+def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
+    """Return the first line in which every column is named."""
+    for index, line in enumerate(lines[:ABOVE]):
+        text = line.lstrip(COMMENT).rstrip()
+        for separator in SEPARATORS if text else ():
+            cells = _cells(text, separator)
+            found = [[p for p, cell in enumerate(cells) if _named(cell, column)[0]] for column in columns]
+            if not all(found):
+                continue
+            for column, places in zip(columns, found, strict=True):
+                if len(places) > 1:
+                    listed = " and ".join(f"'{cells[place]}'" for place in places)
+                    raise InvalidInput(
+                        f"{shown}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
+                    )
+            units = tuple(_named(cells[places[0]], column)[1] for column, places in zip(columns, found, strict=True))
+            header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in found), units)
+            return _with_units(header, lines, columns, shown)
+    raise InvalidInput(f"{shown}: {_without_header(lines, columns)}.")
+
+
+def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
+    """Take units that are not in the header from the row below it, and check that all fit."""
+    where = f"{shown}, line {header.line}"
+    bare = [header.cells[place] for place, unit in zip(header.places, header.units, strict=True) if not unit]
+    if bare:
+        below = _cells(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
+        wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
+        if not wanted or any(not unit or _like_number(unit) for unit in wanted):
+            listed = " and ".join(f"'{name}'" for name in bare)
+            raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{EXAMPLE}'.")
+        header = header._replace(line=header.line + 1, units=tuple(wanted))
+        where = f"{shown}, line {header.line}"
+    for column, unit in zip(columns, header.units, strict=True):
+        scale(unit, column.unit, what=f"{where}, {column.word}")
+    return header
+
+
+def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
+    """Return why no header was found."""
+    above: list[str] = []
+    for index, line in enumerate(lines[:ABOVE]):
+        text = line.lstrip(COMMENT).rstrip()
+        splits = [_cells(text, separator) for separator in SEPARATORS]
+        if text == line.strip() and any(
+            any(cells) and all(_like_number(cell) for cell in cells if cell) for cells in splits
+        ):
+            if not above:
+                return f"numbers begin in line {index + 1} without a header above them; write one, as '{EXAMPLE}'"
+            break
+        if text:
+            above = next((cells for cells in splits if len(cells) > 1), [text])
+    missing = [column for column in columns if not any(_named(cell, column)[0] for cell in above)]
+    wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
+    listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
+    return f"the header has no {wanted}, there are {listed}; name the columns, as in '{EXAMPLE}'"
+
+
+def _separator(lines: Sequence[str], header: _Header) -> str | None:
+    """Return what separates the cells of the numbers: as in the header, or otherwise if the first row says so."""
+    first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
+    for separator in (header.separator, *SEPARATORS):
+        cells = _cells(first.partition("#")[0], separator)
+        if len(cells) == len(header.cells) and all(_is_number(cells[place]) for place in header.places):
+            return separator
+    return header.separator
