@@ -176,7 +176,7 @@ def test_a_folder_that_cannot_be_made(here, capsys):
     assert main(["run", "ball.toml", "--output", "ball.toml/answer"]) == 2
     folder = Path("ball.toml") / "answer"
     assert capsys.readouterr().err == (
-        f"winkler: output: '{folder}' cannot be written (not a directory); give another folder with --output.\n"
+        f"winkler: output: '{folder}' lies in 'ball.toml', which is a file; give another folder.\n"
     )
 
 
@@ -323,7 +323,7 @@ def test_what_cannot_be_read(arguments, sentence, here, capsys):
         (["rnu", "ball.toml"], "rnu"),
         (["run"], "study"),
         (["run", "ball.toml", "--outputt", "x"], "--outputt"),
-        (["run", "ball.toml", "--workers", "many"], "many"),
+        (["run", "ball.toml", "--workers", "many"], "--workers"),
         (["run", "ball.toml", "too", "much"], "too much"),
     ],
 )
@@ -333,7 +333,7 @@ def test_wrong_commands_are_one_sentence(arguments, part, here, capsys):
     assert told.out == ""
     assert told.err.startswith("winkler: ")
     assert told.err.count("\n") == 1
-    assert part in told.err
+    assert part in told.err.lower()
     assert "--help` tells what is known." in told.err
     assert not (here / "results").exists()
 

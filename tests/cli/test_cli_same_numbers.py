@@ -46,7 +46,7 @@ PYTHON = {
     "cube_corner": pressed(wk.CubeCorner()),
     "area_function": pressed(wk.AreaFunction((24.5, 2e-6, 3e-6))),
     "capped_cylinder": pressed(wk.CappedCylinder(0.2e-3, BALL)),
-    "wavy": pressed(wk.Wavy(10e-6, 4e-3)),
+    "wavy": pressed(wk.Paraboloid(10e-3) + wk.Wavy(0.1e-6, 1e-3)),
     "sum": pressed(wk.Paraboloid(10e-3) + wk.Wavy(0.1e-6, 1e-3)),
     "formula": pressed(wk.Formula("r**2/(2*R) + r**4/(8*R**3)", R=10e-3)),
     "measured": pressed(wk.Measured(RADII, np.array([0.0, 2e-6, 8e-6, 18e-6, 32e-6, 50e-6]))),

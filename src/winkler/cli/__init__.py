@@ -35,6 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from winkler.cli.app import app
 
         answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
+        if answer == INTERRUPTED:  # what typer makes of Ctrl-C
+            return _interrupted()
         return answer if isinstance(answer, int) else 0
     except KeyboardInterrupt:
         return _interrupted()

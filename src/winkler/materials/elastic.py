@@ -73,7 +73,7 @@ class TransverselyIsotropic:
     Raises
     ------
     InvalidInput
-        If the stiffnesses do not give a positive strain energy: c44 > 0, c11 > |c12| and
+        If the stiffnesses do not give a positive strain energy: c44 > 0, c11 > abs(c12) and
         (c11 + c12) c33 > 2 c13^2.
     """
 

@@ -139,10 +139,12 @@ class HalfSpace(HomogeneousMedium):
     @property
     def mismatch(self) -> float:
         """Dundurs' second constant beta [-]; zero for elastically similar bodies."""
-        normal = [2.0 * (1.0 - body.poisson) / body.shear for body in self._elastic]
-        lateral = [(1.0 - 2.0 * body.poisson) / body.shear for body in self._elastic]
-        sign = [1.0 if body is self.first else -1.0 for body in (self.first, self.second) if isinstance(body, Elastic)]
-        return sum(s * part for s, part in zip(sign, lateral, strict=True)) / sum(normal)
+        normal = sum(2.0 * (1.0 - body.poisson) / body.shear for body in self._elastic)
+        first, second = (
+            (1.0 - 2.0 * body.poisson) / body.shear if isinstance(body, Elastic) else 0.0
+            for body in (self.first, self.second)
+        )
+        return (first - second) / normal
 
     @property
     def notes(self) -> tuple[Note, ...]:

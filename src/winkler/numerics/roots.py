@@ -79,12 +79,13 @@ def invert(
 def _newton_step(distance: Array, value: Array, slope: Array, target: Array) -> Array:
     """Return the step of Newton's method in logarithms, infinite where it is not defined."""
     usable = (value > 0.0) & (slope > 0.0) & np.isfinite(slope)
-    exponent = np.where(usable, slope * distance / np.where(usable, value, 1.0), 1.0)
-    ratio = np.where(usable, target / np.where(usable, value, 1.0), 1.0)
-    close = np.abs(ratio - 1.0) < 1e-6
-    more = np.where(close, ratio - 1.0, 0.0)
-    power = np.where(close, more - 0.5 * more**2, np.log(ratio)) / exponent
-    return np.where(usable, distance * np.expm1(np.minimum(power, 50.0)), math.inf)
+    if not usable.all():
+        value, slope = np.where(usable, value, target), np.where(usable, slope, 1.0)
+    # at most ten decades down in one step, where the difference would round to -1
+    growth = np.maximum((target - value) / value, 1e-10 - 1.0)
+    power = np.log1p(growth) * value / (slope * distance)
+    step = distance * np.expm1(np.minimum(power, 50.0))
+    return step if usable.all() else np.where(usable, step, math.inf)
 
 
 def _middle(low: Array, high: Array, lower: float) -> Array:
@@ -94,4 +95,6 @@ def _middle(low: Array, high: Array, lower: float) -> Array:
     far = np.where(np.isinf(far), 16.0 * doubled, far)
     geometric = np.sqrt(np.maximum(near, 1e-30 * far) * far)
     arithmetic = 0.5 * (near + far)
-    return lower + np.where(far > 4.0 * near, geometric, arithmetic)
+    middle = lower + np.where(far > 4.0 * near, geometric, arithmetic)
+    # beside `lower` the geometric middle may round to it
+    return np.where((middle > low) & (middle < high), middle, lower + arithmetic)

@@ -6,6 +6,8 @@ accepts a radius only after checking that the contact is one disc.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from winkler.errors import OutsideValidity
@@ -14,7 +16,7 @@ from winkler.numerics.roots import invert
 from winkler.numerics.types import Array
 from winkler.problems import disc
 
-__all__ = ["at_depth", "at_force", "at_radius", "flat_radius"]
+__all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
 
 
 def _end(bed: Bed) -> float:
@@ -31,7 +33,7 @@ def flat_radius(bed: Bed) -> float:
     return max(touching, default=0.0)
 
 
-def _at_end(bed: Bed) -> tuple[float, float]:
+def at_end(bed: Bed) -> tuple[float, float]:
     """Return depth and force when the contact fills the profile; infinite if it never does."""
     end = _end(bed)
     if not np.isfinite(end):
@@ -62,7 +64,7 @@ def _refuse_beyond(bed: Bed, bad: Array, given: Array, word: str, unit: str, mos
 def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts with given radii `(m,)`."""
     end = _end(bed)
-    depth_end, _ = _at_end(bed)
+    depth_end, _ = at_end(bed)
     bad = radius > end if np.isfinite(depth_end) else radius >= end
     if bad.any():
         wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
@@ -85,22 +87,23 @@ def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
 
 def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
-    depth_end, _ = _at_end(bed)
+    radius = np.zeros(depth.shape)
+    if not bed.rising:
+        _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed)))
+        return depth.copy(), radius
+    depth_end, _ = at_end(bed)
     pinned = depth > depth_end if bed.rim <= bed.reach else np.zeros(depth.shape, dtype=bool)
     _refuse_beyond(bed, (depth > depth_end) & ~pinned, depth, "depth", "m", depth_end)
-    radius = np.where(pinned, _end(bed), 0.0)
+    radius[pinned] = _end(bed)
     free = (depth > 0.0) & ~pinned
     if free.any():
-        if bed.rising:
-            radius[free] = invert(
-                lambda a: (bed.gap(a), bed.gap_slope(a)),
-                depth[free],
-                lower=flat_radius(bed),
-                upper=_end(bed),
-                guess=_guess(bed),
-            )
-        else:
-            radius[free] = [disc.radius_at_depth(bed, float(d), _end(bed), _guess(bed)) for d in depth[free]]
+        radius[free] = invert(
+            lambda a: (bed.gap(a), bed.gap_slope(a)),
+            depth[free],
+            lower=flat_radius(bed),
+            upper=_end(bed),
+            guess=_guess(bed),
+        )
     return depth.copy(), radius
 
 
@@ -112,10 +115,23 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
             "pressed together: give a force of zero or more."
         )
-    depth_end, force_end = _at_end(bed)
+    radius = _radius_at_force(bed, force)
+    # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
+    stiffness = bed.stiffness(radius)
+    touching = stiffness > 0.0
+    depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
+    return depth, radius
+
+
+def _radius_at_force(bed: Bed, force: Array) -> Array:
+    radius = np.zeros(force.shape)
+    if not bed.rising:
+        _one_by_one(radius, force, lambda load: disc.radius_at_force(bed, load, _end(bed), _guess(bed)))
+        return radius
+    force_end = at_end(bed)[1]
     pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
     _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
-    radius = np.where(pinned, _end(bed), 0.0)
+    radius[pinned] = _end(bed)
     free = (force > 0.0) & ~pinned
 
     def force_and_slope(a: Array) -> tuple[Array, Array]:
@@ -123,17 +139,17 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
         return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
 
     if free.any():
-        if bed.rising:
-            radius[free] = invert(
-                force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed)
-            )
-        else:
-            radius[free] = [disc.radius_at_force(bed, float(load), _end(bed), _guess(bed)) for load in force[free]]
-    # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
-    stiffness = bed.stiffness(radius)
-    touching = stiffness > 0.0
-    depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
-    return depth, radius
+        radius[free] = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed))
+    return radius
+
+
+def _one_by_one(radius: Array, asked: Array, answer: Callable[[float], float]) -> None:
+    """Fill in the radii of positive loads, naming the load that is refused."""
+    for index in np.flatnonzero(asked > 0.0):
+        try:
+            radius[index] = answer(float(asked[index]))
+        except OutsideValidity as error:
+            raise OutsideValidity(f"{error} (load at index {index})" if asked.size > 1 else str(error)) from None
 
 
 def _guess(bed: Bed) -> float:

@@ -17,13 +17,15 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
-from winkler.numerics import abel
+from winkler.foundation.plane import PlaneFoundation
 from winkler.numerics.types import Array
 
 __all__ = ["radius_at_depth", "radius_at_force", "refuse_unless_disc"]
 
 SAMPLES = 4096
 """How finely g' is searched for changes of sign; narrower waves are not seen."""
+FAR = 1e6
+"""How many contact radii away overlap is looked for."""
 MOST_TURNS = 400
 """More turning points than this cannot be told apart by the samples."""
 
@@ -100,7 +102,9 @@ def radius_at_depth(bed: Bed, depth: float, end: float, guess: float) -> float:
             radius = _root(lambda t: _gap(bed, t) - depth, climb.start, climb.stop)
             refuse_unless_disc(bed, depth, radius, end)
             return radius
-    raise OutsideValidity(_falling(bed, f"depth {depth:.6g} m"))
+    _refuse_unless_pinned(bed, f"depth {depth:.6g} m", end)
+    refuse_unless_disc(bed, depth, end, end)
+    return end
 
 
 def radius_at_force(bed: Bed, force: float, end: float, guess: float) -> float:
@@ -117,7 +121,20 @@ def radius_at_force(bed: Bed, force: float, end: float, guess: float) -> float:
             radius = _root(lambda t: _force(bed, t) - force, climb.start, climb.stop)
             refuse_unless_disc(bed, _gap(bed, radius), radius, end)
             return radius
-    raise OutsideValidity(_falling(bed, f"force {force:.6g} N"))
+    _refuse_unless_pinned(bed, f"force {force:.6g} N", end)
+    place = np.array([end])
+    refuse_unless_disc(bed, float(((force + bed.gap_load(place)) / bed.stiffness(place))[0]), end, end)
+    return end
+
+
+def _refuse_unless_pinned(bed: Bed, asked: str, end: float) -> None:
+    """Raise if a load that no free edge meets is not met by the rim either."""
+    if not math.isfinite(end):
+        raise OutsideValidity(_falling(bed, asked))
+    if bed.rim > bed.reach:
+        raise OutsideValidity(
+            f"{asked} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; ask for less."
+        )
 
 
 def _falling(bed: Bed, asked: str) -> str:
@@ -131,31 +148,70 @@ def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> Non
     """Raise `OutsideValidity` if a disc of this radius would pull or overlap."""
     if radius == 0.0:
         return
-    inside = np.linspace(0.0, 1.0, SAMPLES + 1)[1:-1] * radius
-    if np.any(bed.gap_slope(inside) < 0.0):
-        r = (np.arange(400) + 0.5) / 400.0 * radius
-        pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
-        if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
-            raise OutsideValidity(
-                f"At depth {depth:.6g} m a round contact of {radius:.6g} m would need tension at r = "
-                f"{r[np.argmin(pressure)]:.6g} m: the true contact has a gap there; the profile is too concave or wavy "
-                "for this load."
-            )
-    beyond = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
-    if beyond.size and beyond[-1] > radius and np.any(bed.gap(beyond) < depth):
-        _refuse_overlap(bed, depth, radius, beyond[:: SAMPLES // 400])
-
-
-def _refuse_overlap(bed: Bed, depth: float, radius: float, r: Array) -> None:
-    edges = [b for b, _ in bed.kinks]
-    whole = abel.surface(bed.gap, edges, r)
-    pressed = bed.medium.displacement(Pressed(bed, depth, radius), r)
-    separation = whole - depth + pressed
-    if np.min(separation) < -1e-9 * depth:
-        place = float(r[int(np.argmin(separation))])
+    _refuse_tension(bed, depth, radius)
+    r = _where_it_may_overlap(bed, depth, radius, end)
+    if not r.size:
+        return
+    separation = bed.height(r) - depth + bed.medium.displacement(Pressed(bed, depth, radius), r)
+    if not np.all(np.isfinite(separation)):
+        raise NotConverged("The separation outside the contact could not be computed.")
+    overlap = separation < -1e-9 * depth
+    if overlap.any():
+        place = float(np.min(r[overlap]))
         raise OutsideValidity(
             f"At depth {depth:.6g} m the bodies would overlap outside the contact, at r = {place:.6g} m: there the "
             f"contact has begun as a ring around the disc of {radius:.6g} m; ask for a smaller load."
         )
-    if not math.isfinite(float(separation[0])):
-        raise NotConverged("The separation outside the contact could not be computed.")
+
+
+def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
+    slope = bed.gap_slope(np.linspace(0.0, 1.0, SAMPLES + 1)[1:-1] * radius)
+    falling = [b for b, strength in bed.kinks if strength < 0.0 and b < radius]
+    if not (falling or np.any(slope < 0.0)):
+        return
+    count = 400 + 8 * int(np.count_nonzero(np.diff(np.sign(slope))))
+    r = (np.arange(count) + 0.5) / count * radius
+    # beside a kink where the slope drops the pressure falls logarithmically: a gap narrower than this is of no account
+    beside = [b * (1.0 + side * 10.0**-k) for b in falling for side in (-1.0, 1.0) for k in range(2, 9)]
+    r = np.concatenate([r, [place for place in beside if 0.0 < place < radius]])
+    pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
+    if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
+        raise OutsideValidity(
+            f"At depth {depth:.6g} m a round contact of {radius:.6g} m would need tension at r = "
+            f"{r[np.argmin(pressure)]:.6g} m: the true contact has a gap there; the profile is too concave or wavy "
+            "for this load."
+        )
+
+
+def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> Array:
+    """Return places outside the contact at which the bodies might overlap.
+
+    They cannot where g >= d all the way from the edge, nor where f >= d.
+    """
+    near = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
+    near = near[near > radius]
+    far = np.geomspace(3.0 * radius, min(FAR * radius, end), SAMPLES) if end > 3.0 * radius else near[:0]
+    found = []
+    if np.any(bed.gap(near) < depth):
+        found += [near[:: SAMPLES // 400], _troughs(bed, near)]
+    if isinstance(bed, PlaneFoundation):
+        if np.any(bed.gap(far) < depth):
+            found += [far, _troughs(bed, far)]
+    else:
+        found += [far[bed.height(far) < depth], _troughs(bed, far)]
+    places = np.concatenate(found) if found else near[:0]
+    return np.asarray(places[bed.height(places) < depth] if places.size else places)
+
+
+def _troughs(bed: Bed, r: Array) -> Array:
+    """Return the places between the first and last r where f is least, to rounding."""
+    if r.size < 2:
+        return r[:0]
+    slope = bed.slope(r)
+    (turns,) = np.nonzero((slope[:-1] < 0.0) & (slope[1:] >= 0.0))
+    low, high = r[turns], r[turns + 1]
+    for _ in range(60 if turns.size else 0):
+        middle = 0.5 * (low + high)
+        falls = bed.slope(middle) < 0.0
+        low, high = np.where(falls, middle, low), np.where(falls, high, middle)
+    return high

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.validity import Note, Standing
@@ -82,7 +83,10 @@ def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
 
     if not can_yield(bed):
         return ()
-    onset = YieldOnset(bed).solve()
+    try:
+        onset = YieldOnset(bed).solve()
+    except OutsideValidity as error:
+        return (Note(Standing.APPROXIMATE, f"No onset of yield is known: {error}", "von Mises' criterion"),)
     if force < onset.force:
         standing, verdict = Standing.EXACT, f"yielding begins at {onset.force:.4g} N; the contact stays elastic"
     else:

@@ -13,7 +13,8 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.peak import Place, greatest
 from winkler.media.stress import von_mises
 from winkler.numerics.types import Array
-from winkler.problems.closure import flat_radius
+from winkler.problems.closure import at_end, flat_radius
+from winkler.problems.disc import refuse_unless_disc
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -76,7 +77,8 @@ class YieldOnset:
         Raises
         ------
         OutsideValidity
-            If the body yields at the first touch (sharp apex, kink or rim), or not within the profile's reach.
+            If the body yields at the first touch (sharp apex, kink or rim), not within the profile's reach, or where
+            the contact is no disc.
         NotConverged
             If the contact radius at the onset is not found.
         """
@@ -97,6 +99,8 @@ class YieldOnset:
         at = np.array([radius])
         depth = float(self.bed.gap(at)[0])
         force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
+        if not self.bed.rising:
+            refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
         return YieldOnsetSolution(self, depth, force, radius, r=place.r, z=place.z if below else -place.z)
 
 
@@ -147,6 +151,15 @@ def _onset(bed: Bed, below: bool, strength: float) -> tuple[float, Place]:
 
         return greatest(field, a)
 
+    if math.isfinite(at_end(bed)[0]):
+        place = stress(end)
+        if place.value < strength:
+            if bed.rim <= bed.reach:  # the rim is reached first, and there the stress is infinite
+                return end, Place(math.inf, end, 0.0)
+            raise OutsideValidity(
+                f"YieldOnset: within the profile's reach ({end:.6g} m) the largest von Mises stress stays below "
+                f"{strength:.6g} Pa; the body does not yield before the profile ends."
+            )
     flat = flat_radius(bed)
     low, high = flat, end
     a = 0.5 * end if math.isfinite(end) else (2.0 * flat or 1e-3 * min(bed.size, 1.0))
@@ -164,13 +177,6 @@ def _onset(bed: Bed, below: bool, strength: float) -> tuple[float, Place]:
         if not low < new < high:
             new = 0.5 * (low + high) if math.isfinite(high) else 2.0 * a
         if abs(new - a) <= 1e-14 * a:
-            if math.isfinite(end) and end - new < 1e-12 * end:
-                break
             return a, place
         a = new
-    if math.isfinite(end) and end - a < 1e-6 * end:
-        raise OutsideValidity(
-            f"YieldOnset: within the profile's reach ({end:.6g} m) the largest von Mises stress stays below "
-            f"{strength:.6g} Pa; the body does not yield before the profile ends."
-        )
     raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {STEPS} steps.")

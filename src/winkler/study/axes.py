@@ -115,8 +115,7 @@ class _Target:
         try:
             content = schema.adapter(self.cls, self.field, self.hint).validate_python({"content": raw}).content
         except ValidationError as error:
-            found = mistakes.sentences(error, {"content": raw})
-            raise InvalidInput("\n".join(where + sentence.removeprefix("content") for sentence in found)) from None
+            raise InvalidInput("\n".join(mistakes.sentences(error, {"content": raw}, where))) from None
         if isinstance(content, BaseModel):
             return assembled(content, folder=folder, file=file, key=where)
         if isinstance(content, list):

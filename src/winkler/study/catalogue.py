@@ -54,12 +54,28 @@ class Kind(NamedTuple):
     cites: tuple[str, ...] = ()
     reader: Callable[[Path], Any] | None = None
     """Reads the value from the file that the key ``file`` names, in place of the other keys."""
+    within: dict[str, Any] | None = None
+    """What an example study puts in its place, with the kind inside, where the kind alone would have no answer."""
 
 
-def _kind(cls: type, *cites: str, reader: Callable[[Path], Any] | None = None, **example: Any) -> Kind:
-    return Kind(cls, example, cites, reader)
+def _kind(
+    cls: type,
+    *cites: str,
+    reader: Callable[[Path], Any] | None = None,
+    within: dict[str, Any] | None = None,
+    **example: Any,
+) -> Kind:
+    return Kind(cls, example, cites, reader, within)
 
 
+WAVY_BALL = {
+    "kind": "sum",
+    "parts": [
+        {"kind": "paraboloid", "curvature_radius": "10 mm"},
+        {"kind": "wavy", "amplitude": "0.1 um", "wavelength": "1 mm"},
+    ],
+}
+"""A wave alone touches again at its next trough; on a ball it does not."""
 STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
 
 CATALOGUE: dict[str, dict[str, Kind]] = {
@@ -95,15 +111,8 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
             radius="0.2 mm",
             cap={"kind": "sphere", "curvature_radius": "10 mm"},
         ),
-        "wavy": _kind(Wavy, "guduru_2007", amplitude="10 um", wavelength="4 mm"),
-        "sum": _kind(
-            Sum,
-            "guduru_2007",
-            parts=[
-                {"kind": "paraboloid", "curvature_radius": "10 mm"},
-                {"kind": "wavy", "amplitude": "0.1 um", "wavelength": "1 mm"},
-            ],
-        ),
+        "wavy": _kind(Wavy, "guduru_2007", within=WAVY_BALL, amplitude="0.1 um", wavelength="1 mm"),
+        "sum": _kind(Sum, "guduru_2007", parts=WAVY_BALL["parts"]),
         "formula": _kind(Formula, "popov_hess_2015", expression="r**2/(2*R) + r**4/(8*R**3)", constants={"R": "10 mm"}),
         "measured": _kind(
             Measured,

@@ -133,7 +133,10 @@ def completed(table: dict[str, Any]) -> dict[str, Any]:
 
 
 def place_of(name: str) -> str:
-    """Return a key of a study at which a kind may stand, such as ``problem.bed.profile`` for a sphere."""
+    """Return a key of a study at which a kind may stand, such as ``problem.bed.profile`` for a sphere.
+
+    In an example study, what is around it stands there if the kind alone would have no answer.
+    """
     if slot_of(name) == "problem":
         return "problem"
     holder, field = _holder(name)
@@ -183,6 +186,6 @@ def _placed(table: dict[str, Any], kind: str) -> bool:
     if places:
         present = table.get(places[0])
         if not isinstance(present, dict) or present["kind"] != kind:
-            table[places[0]] = completed({"kind": kind})
+            table[places[0]] = completed(kinds()[kind].within or {"kind": kind})
         return True
     return any(_placed(inside, kind) for inside in table.values() if isinstance(inside, dict) and "kind" in inside)

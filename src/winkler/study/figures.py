@@ -17,13 +17,13 @@ from winkler.plot.method import PICTURES
 from winkler.plot.series import Series, spoken
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.study import keys
-from winkler.study.inputs import setting_told
+from winkler.study.inputs import content_label, setting_told
 from winkler.study.outcome import Outcome, Solved
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture
 
-__all__ = ["CAPTIONS", "Shown", "figures_of", "shown_contact", "shown_point", "save", "svg_element"]
+__all__ = ["CAPTIONS", "Shown", "answers_over", "figures_of", "save", "shown_contact", "shown_point", "svg_element"]
 
 MOST_CURVES = 24
 """More curves are not drawn into one figure; the table holds all."""
@@ -44,7 +44,10 @@ CAPTIONS = {
         "The surface",
         "Displacement of the surface inside and outside the contact, and the distance of the surfaces.",
     ),
-    "stress": ("The stress below the surface", "Equivalent stress after von Mises; where it is greatest, yielding begins."),
+    "stress": (
+        "The stress below the surface",
+        "Equivalent stress after von Mises; where it is greatest, yielding begins.",
+    ),
     "force": ("Force over depth", "F(d) from first touch to this load, the point."),
 }
 """Picture of the method -> its title, and one sentence."""
@@ -98,7 +101,7 @@ def shown_contact(point: Solved) -> IndentationSolution | None:
 
 def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     """Return every figure of a study, the answers over what was varied first."""
-    found = list(_answers(outcome))
+    found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
     for name, make in PICTURES.items() if contact is not None else ():
         try:
@@ -118,7 +121,7 @@ def _shown(name: str, title: str, sentence: str, picture: Picture) -> Shown:
 # ------------------------------------------------------------------------------------- answers over what was varied
 
 
-def _answers(outcome: Outcome) -> Iterator[Shown]:
+def answers_over(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer over what was varied; none if nothing was."""
     study = outcome.study
     loads = max(len(numbers) for point in outcome.solved for numbers in point.answers.values())
@@ -144,6 +147,8 @@ def _answers(outcome: Outcome) -> Iterator[Shown]:
     cut = f" The first {MOST_CURVES} of {len(curves)} curves are shown." if len(curves) > MOST_CURVES else ""
     curves = curves[:MOST_CURVES]
     entry = keys.word_at(study, along.key)
+    if ".constants." in along.key:
+        entry = entry._replace(symbol="")  # a name that the reader chose, not a symbol of the glossary
     x = Series(along.key.rpartition(".")[2], entry, np.array(along.values, dtype=float))
     for name in _told_apart(outcome):
         of = [Series(name, outcome.word(name), outcome.answer(name)[..., 0][where]) for _, where in curves]
@@ -155,7 +160,7 @@ def _answers(outcome: Outcome) -> Iterator[Shown]:
 
 def _bars(outcome: Outcome) -> Iterator[Shown]:
     points = outcome.points[:MOST_BARS]
-    labels = [", ".join(keys.label(item) for item in point.settings) for point in points]
+    labels = [", ".join(content_label(item) for item in point.settings) for point in points]
     cut = f" The first {MOST_BARS} of {len(outcome.points)} are shown." if len(outcome.points) > MOST_BARS else ""
     for name in _told_apart(outcome):
         of = Series(name, outcome.word(name), outcome.answer(name)[..., 0].ravel()[:MOST_BARS])
@@ -167,7 +172,11 @@ def _over_depth(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer to many loads over the depth, one curve for every point of the sweep."""
     study = outcome.study
     points = outcome.solved[:MOST_CURVES]
-    cut = f" The first {MOST_CURVES} of {len(outcome.solved)} curves are shown." if len(outcome.solved) > MOST_CURVES else ""
+    cut = (
+        f" The first {MOST_CURVES} of {len(outcome.solved)} curves are shown."
+        if len(outcome.solved) > MOST_CURVES
+        else ""
+    )
     labels = [
         ", ".join(setting_told(study, axis, item) for axis, item in zip(study.sweep, point.settings, strict=True))
         for point in points
@@ -222,7 +231,8 @@ def svg_element(shown: Shown, description: str) -> str:
     assert size is not None
     box = f'viewBox="0 0 {size[1]} {size[2]}"'
     links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-    return f'<svg {links} {box} role="img" aria-label="{description}" style="max-width:{float(size[1]) * 1.6:.0f}px">{rest}'
+    wide = f'style="max-width:{float(size[1]) * 1.6:.0f}px"'
+    return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
 
 
 def save(shown: tuple[Shown, ...], folder: Path, formats: tuple[str, ...]) -> None:

@@ -68,7 +68,7 @@ SURFACE = Formula(
     r"u_z(r) = \frac{2}{\pi}\int_0^{\min(r,a)} \frac{d-g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 MISES = Formula(
-    "Below the surface the stresses of flat punches of all radii are added up; the equivalent stress after von Mises is",
+    "Below the surface the stresses of flat punches of all radii add up; the equivalent stress after von Mises is",
     r"\sigma_{vM} = \sqrt{\frac{1}{2}\left[(\sigma_r-\sigma_\theta)^2+(\sigma_\theta-\sigma_z)^2+"
     r"(\sigma_z-\sigma_r)^2\right]+3\tau_{rz}^2}",
 )

@@ -9,23 +9,28 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.plot.series import spoken, told
+from winkler.plot.series import scale_of, spoken, told
 from winkler.study import keys
 from winkler.study.catalogue import kind_of
 from winkler.study.explain import summary
 from winkler.study.study import Axis, Study
-from winkler.vocabulary import Word, word
+from winkler.vocabulary import OWNED, Word, word
 
-__all__ = ["Input", "in_words", "inputs", "setting_told", "values_told"]
+__all__ = ["Input", "content_label", "in_words", "inputs", "setting_told", "values_told"]
 
 ROLES = {
-    "profile": "Its shape: {a}.",
+    "profile": "The shape is {a}.",
     "plane_profile": "The equivalent plane profile g(x) is given directly: {a}.",
     "first": "The body below is {adjective}.",
     "second": "The body above is {adjective}.",
     "load": "Prescribed: {plain}.",
 }
 """What a part of a problem is called; other parts are told by their name."""
+
+GROUPS = {"first": "body below (z > 0)", "second": "body above (z < 0)"}
+
+LABELS = {"measured": "measured profile"}
+"""Kinds that need another word to be part of a sentence."""
 
 LISTED = 6
 """Longer arrays are told by their ends."""
@@ -60,7 +65,13 @@ def inputs(study: Study) -> tuple[Input, ...]:
 
 
 def _label(content: Any) -> str:
-    return (kind_of(type(content)) or type(content).__name__).replace("_", " ")
+    kind = kind_of(type(content)) or type(content).__name__
+    return LABELS.get(kind, kind).replace("_", " ")
+
+
+def _name(owner: str, field: str) -> str:
+    """Return the name of a field as it is spoken; a word that means something else for its owner keeps its own name."""
+    return field.replace("_", " ") if (owner, field) in OWNED else spoken(field)
 
 
 def _rows(content: Any, path: str, group: str, swept: dict[str, Axis]) -> Iterator[Input]:
@@ -70,13 +81,14 @@ def _rows(content: Any, path: str, group: str, swept: dict[str, Axis]) -> Iterat
         inside = getattr(content, field.name)
         entry = word(owner, field.name)
         key = f"{path}.{field.name}"
-        name = spoken(field.name)
+        name = _name(owner, field.name)
         if key in swept:
             yield Input(group, name, entry.symbol, f"varied: {_axis_told(swept[key], entry)}", entry.meaning)
         elif dataclasses.is_dataclass(inside):
-            below.append((inside, key, f"{name}: {_label(inside)}"))
+            title = f"{GROUPS.get(field.name, name)}: {_label(inside)}"
+            below.append((inside, key, title))
             if not dataclasses.fields(inside):
-                yield Input(f"{name}: {_label(inside)}", "", "", "nothing to give", entry.meaning)
+                yield Input(title, "", "", "nothing to give", entry.meaning)
         elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
             for number, item in enumerate(inside):
                 below.append((item, f"{key}.{number}", f"{name} {number + 1}: {_label(item)}"))
@@ -128,18 +140,27 @@ def values_told(content: Any, unit: str | None) -> str:
     Examples
     --------
     >>> values_told(0.01, "m"), values_told(np.linspace(0.0, 5e-9, 200), "m")
-    ('10 mm', '200 values from 0 m to 5 nm')
+    ('10 mm', '200 values from 0 to 5 nm')
     """
     numbers = np.ravel(np.asarray(content, dtype=float))
     if numbers.size <= LISTED:
         return ", ".join(told(float(number), unit, 6) for number in numbers)
-    return f"{numbers.size} values from {told(float(numbers.min()), unit, 6)} to {told(float(numbers.max()), unit, 6)}"
+    low, high = float(numbers.min()), float(numbers.max())
+    scale = scale_of(unit, numbers)
+    if low == 0.0 or abs(low) > 1e-3 * abs(high):
+        return f"{numbers.size} values from {told(low / scale.factor, '', 6)} to {told(high, unit, 6)}"
+    return f"{numbers.size} values from {told(low, unit, 6)} to {told(high, unit, 6)}"
 
 
 def _axis_told(axis: Axis, entry: Word) -> str:
     if all(isinstance(item, int | float) for item in axis.values):
         return values_told(np.array(axis.values, dtype=float), entry.unit)
-    return ", ".join(keys.label(item) for item in axis.values)
+    return ", ".join(content_label(item) for item in axis.values)
+
+
+def content_label(content: Any) -> str:
+    """Return a short name for what a varied key takes: ``sphere (curvature radius = 10 mm)``."""
+    return _described(content, "", set()) if dataclasses.is_dataclass(content) else keys.label(content)
 
 
 def setting_told(study: Study, axis: Axis, content: Any) -> str:
@@ -147,7 +168,7 @@ def setting_told(study: Study, axis: Axis, content: Any) -> str:
     name = axis.key.rpartition(".")[2].replace("_", " ")
     if isinstance(content, int | float):
         return f"{name} = {told(float(content), keys.word_at(study, axis.key).unit, 6)}"
-    return f"{name}: {keys.label(content)}"
+    return f"{name}: {content_label(content)}"
 
 
 def in_words(study: Study) -> str:
@@ -187,13 +208,14 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
         inside = getattr(content, field.name)
         key = f"{path}.{field.name}"
         if key in swept:
-            parts.append(f"{spoken(field.name)} varied")
+            parts.append(f"{_name(type(content).__name__, field.name)} varied")
         elif dataclasses.is_dataclass(inside):
             parts.append(_described(inside, key, swept))
         elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
             parts.append(" + ".join(_described(item, f"{key}.{n}", swept) for n, item in enumerate(inside)))
         elif isinstance(inside, float | np.ndarray) and not _is_left_out(inside, field):
-            parts.append(f"{spoken(field.name)} {_content_told(content, field.name, inside, path, {})}")
+            name = _name(type(content).__name__, field.name)
+            parts.append(f"{name} = {_content_told(content, field.name, inside, path, {})}")
         elif isinstance(inside, str):
             parts.append(inside)
     label = _label(content)

@@ -12,7 +12,7 @@ import re
 
 from winkler.errors import InvalidInput
 
-__all__ = ["formula", "inline"]
+__all__ = ["formula", "inline", "symbol"]
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\[,;! ]|\d+(?:\.\d+)?|[A-Za-z]|\S")
 
@@ -55,6 +55,20 @@ def inline(latex: str) -> str:
     '<math><msub><mi>σ</mi><mi>Y</mi></msub></math>'
     """
     return f"<math>{_Reader(latex).whole()}</math>" if latex else ""
+
+
+def symbol(latex: str) -> str:
+    """Return a symbol inside a line of text; a name that is no formula, such as a reader's constant, as it is written.
+
+    Examples
+    --------
+    >>> symbol("my__constant")
+    '<i>my__constant</i>'
+    """
+    try:
+        return inline(latex)
+    except InvalidInput:
+        return f"<i>{html.escape(latex)}</i>"
 
 
 class _Reader:
@@ -107,15 +121,19 @@ class _Reader:
         """Read a piece with what is written below and above it."""
         token = self.take()
         base = self.atom(token)
-        below, above = "", ""
+        below, above, primes = "", "", 0
         while self.peek() in ("_", "^", "'"):
             sign = self.take()
+            if (sign == "_" and below) or (sign == "^" and above):
+                raise self.unknown(f"{sign}{sign}")
             if sign == "_":
                 below = self.group()
             elif sign == "^":
                 above = self.group()
             else:
-                above += "<mo>′</mo>"
+                primes += 1
+        if primes:
+            above = f"<mrow>{'<mo>′</mo>' * primes}{above}</mrow>" if primes > 1 or above else "<mo>′</mo>"
         stacked = token == "\\sum"
         if below and above:
             tag = "munderover" if stacked else "msubsup"

@@ -28,12 +28,15 @@ def worded(file: str, found: list[str]) -> InvalidInput:
 
 
 def sentences(error: ValidationError, raw: Any, root: str = "") -> list[str]:
-    """Return one sentence for every mistake that pydantic found in `raw`, the table at the key `root`."""
+    """Return one sentence for every mistake that pydantic found in `raw`.
+
+    With a `root`, `raw` is ``{"content": ...}``, and what stands there is named by that key.
+    """
     found: dict[str, str] = {}
     misspelt: set[str] = set()
     for mistake in sorted(error.errors(include_url=False), key=lambda mistake: mistake["type"] == "missing"):
         path, table = _place(mistake["loc"], raw)
-        key = _joined([*([root] if root else []), *path]) or "the study"
+        key = _joined([root, *path[1:]] if root else path) or "the study"
         if mistake["type"] == "extra_forbidden":
             near = difflib.get_close_matches(str(path[-1]), _allowed(key, table), n=1, cutoff=0.6)
             misspelt.update(f"{_parent(key)}.{name}" for name in near)

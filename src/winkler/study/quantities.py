@@ -179,7 +179,8 @@ def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
         wrong(f'{WHERE}.unit is {given!r}; give a unit that fits {unit}, such as "{sample(unit or "").split()[-1]}".')
     if given == unit:
         return np.array(values, dtype=float)
-    return np.array([_inside(f"{item!r} {given}".strip(), unit, f".values[{n}]") for n, item in enumerate(values)])
+    texts = [f"{repr(float(item)).removesuffix('.0')} {given}".strip() for item in values]
+    return np.array([_inside(text, unit, f".values[{place}]") for place, text in enumerate(texts)])
 
 
 def indexed(raw: Any, units: Callable[[int], str]) -> Array:

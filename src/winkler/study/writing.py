@@ -65,6 +65,9 @@ def holds_results(folder: Path) -> bool:
     """
     if _is_here(folder):
         raise InvalidInput(f"output: '{folder}' is the working directory or contains it; give a folder inside it.")
+    for above in folder.parents:
+        if above.is_file():
+            raise InvalidInput(f"output: '{folder}' lies in '{above}', which is a file; give another folder.")
     try:
         if not folder.exists():
             return False

@@ -1,0 +1,49 @@
+"""Pieces of a page: escaped text, sections, tables; nothing that a reader wrote gets into a page unescaped."""
+
+from __future__ import annotations
+
+import html
+import re
+
+__all__ = ["kept", "number", "safe", "section", "table"]
+
+
+def safe(text: object) -> str:
+    """Return text that a page shows as it is.
+
+    Examples
+    --------
+    >>> safe("<b>steel & 'stone'</b>")
+    '&lt;b&gt;steel &amp; &#x27;stone&#x27;&lt;/b&gt;'
+    """
+    return html.escape(str(text), quote=True)
+
+
+def kept(sentence: str) -> str:
+    """Return a sentence, escaped, in which a number stays on the line of its unit."""
+    return re.sub(r"(\d) (?=[µa-zA-Z°⁰-⁹/]{1,6}[,.;) ])", "\\1\u00a0", safe(sentence))
+
+
+def section(title: str, *parts: str) -> str:
+    """Return a section of a page; empty parts are left out."""
+    return f"<section>\n<h2>{safe(title)}</h2>\n" + "\n".join(part for part in parts if part) + "\n</section>"
+
+
+def number(text: str) -> str:
+    """Return the cell of a table for a number, already escaped."""
+    return f'<td class="number">{text}</td>'
+
+
+def table(heads: list[str], rows: list[str]) -> str:
+    """Return a table that scrolls by itself on narrow screens.
+
+    Parameters
+    ----------
+    heads
+        Cells of the heading, without their tags; one that begins with ``#`` stands over numbers.  None for no heading.
+    rows
+        Whole rows, with their tags.
+    """
+    cells = [f'<th class="number">{head[1:]}</th>' if head.startswith("#") else f"<th>{head}</th>" for head in heads]
+    top = f"<thead><tr>{''.join(cells)}</tr></thead>" if heads else ""
+    return f'<div class="scroll"><table>{top}<tbody>{"".join(rows)}</tbody></table></div>'

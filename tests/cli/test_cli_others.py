@@ -1,0 +1,433 @@
+"""``winkler show``, ``new``, ``draw``, ``cite``, ``validate``, help and version."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import winkler as wk
+from winkler.cli import main
+from winkler.study.build import build
+from winkler.study.catalogue import CATALOGUE, kinds, slot_of
+from winkler.study.citing import bibliography, cite
+from winkler.study.explain import keys_of, place_of, plain_symbol
+from winkler.study.grammar import SECTIONS, study_form
+from winkler.study.reading import parse_study
+from winkler.study.run import run
+from winkler.study.template import example_text, inline, template
+
+COMMANDS = ("run", "show", "draw", "new", "cite", "validate")
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+# ------------------------------------------------------------------------------------------------------- show
+
+
+@pytest.mark.parametrize("name", list(kinds()))
+def test_show_tells_every_key_and_a_valid_example(name, capsys):
+    assert main(["show", name]) == 0
+    told = capsys.readouterr().out
+    assert told.startswith(f"{name} (a {slot_of(name)}): ")
+    for key in keys_of(name):
+        assert key.name in told
+        if key.word.unit is not None:
+            assert plain_symbol(key.word.symbol) in told
+    assert example_text(name) in told
+    table = tomllib.loads(example_text(name))
+    for part in place_of(name).split("."):
+        table = table[part]
+    assert f"'kind': '{name}'" in str(table)
+    assert type(build(table, slot_of(name))) is kinds()[table["kind"]].cls
+
+
+@pytest.mark.parametrize("name", list(kinds()))
+def test_every_key_says_what_it_takes(name):
+    for key in keys_of(name):
+        assert key.takes, key.name
+        assert key.word.meaning, key.name
+        if key.word.unit is not None:
+            assert key.range, f"{name}.{key.name} is not in the section Parameters of its class"
+
+
+def test_show_lists_everything(capsys):
+    assert main(["show"]) == 0
+    told = capsys.readouterr().out
+    for slot, known in CATALOGUE.items():
+        assert slot in told
+        for name in known:
+            assert re.search(rf"\b{name}\b", told)
+    assert main(["show", "medium"]) == 0
+    told = capsys.readouterr().out
+    assert "half_space" in told
+    assert "sphero_conical" not in told
+
+
+def test_show_study_tells_the_grammar(capsys):
+    assert main(["show", "study"]) == 0
+    told = capsys.readouterr().out
+    for section, keys in SECTIONS.items():
+        assert section in told
+        for key in keys:
+            assert key in told
+
+
+def test_the_grammar_is_the_one_that_is_read():
+    assert list(study_form().model_fields) != []
+    assert set(SECTIONS["the study"]) == set(study_form().model_fields)
+
+
+def test_show_json(capsys):
+    assert main(["show", "cone", "--json"]) == 0
+    (content,) = json.loads(capsys.readouterr().out)
+    assert content["kind"] == "cone"
+    assert content["keys"][0]["unit"] == "rad"
+    assert build(content["example"], "profile") == wk.Cone(build(content["example"], "profile").half_angle)
+    assert main(["show", "--json"]) == 0
+    assert [item["kind"] for item in json.loads(capsys.readouterr().out)] == list(kinds())
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence", "code"),
+    [
+        ("spher", "'spher' is not known (did you mean 'sphere'?); `winkler show` lists every kind.", 2),
+        ("cylinder", "Cylinder: a cylinder on its side makes a line contact", 4),
+    ],
+)
+def test_show_what_is_not_known(name, sentence, code, capsys):
+    assert main(["show", name]) == code
+    assert capsys.readouterr().err.startswith(f"winkler: {sentence}")
+
+
+# -------------------------------------------------------------------------------------------------------- new
+
+
+def goes_together(problem: str, profile: str) -> bool:
+    """Say whether a profile has a load at which it begins to yield: not if its apex, edge or a kink is sharp."""
+    sharp = {
+        "cone",
+        "flat_punch",
+        "truncated_cone",
+        "truncated_paraboloid",
+        "berkovich",
+        "vickers",
+        "cube_corner",
+        "area_function",
+        "capped_paraboloid",
+    }
+    return problem != "yield_onset" or profile not in sharp
+
+
+@pytest.mark.parametrize("profile", list(CATALOGUE["profile"]))
+@pytest.mark.parametrize("problem", list(CATALOGUE["problem"]))
+def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
+    code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
+    told = capsys.readouterr()
+    if not (here / "study.toml").exists():
+        assert code in (2, 4)
+        assert told.err.startswith("winkler: these kinds do not go together: ")
+        assert not goes_together(problem, profile)
+        return
+    assert (code, told.err) == (0, "")
+    text = (here / "study.toml").read_text(encoding="utf-8")
+    study = parse_study(text)
+    assert type(study.problem) is kinds()[problem].cls
+    assert run(study).failed == ()
+    for line in text.splitlines():
+        assert not re.match(r"^\w+ = .*[^ ]$", line) or "#" in line or line.startswith(("kind", "title"))
+
+
+@pytest.mark.parametrize(
+    ("option", "kind"), [("--medium", name) for name in CATALOGUE["medium"]] + [("--bed", "plane_foundation")]
+)
+def test_new_with_other_parts(option, kind, here):
+    assert main(["new", "indentation", option, kind]) == 0
+    study = parse_study((here / "indentation.toml").read_text(encoding="utf-8"))
+    bed = study.problem.bed
+    assert kinds()[kind].cls in (type(bed), type(bed.medium))
+
+
+@pytest.mark.parametrize("load", list(CATALOGUE["load"]))
+def test_what_is_commented_out_is_valid_too(load):
+    """Sweep, fields and output of the template are right when their marks are taken away."""
+    text = template("indentation", load=load)
+    lines = text.splitlines()
+    for number, line in enumerate(lines):
+        match = re.match(r"^# (\[\w+\].*|\"?[\w.]+\"? = .*)$", line)
+        lines[number] = match[1] if match else line
+    study = parse_study("\n".join(lines))
+    assert len(study.sweep) == 1
+    assert study.fields.r.relative
+    assert study.fields.z.values.size > 10
+    assert study.output.folder == "results/study"
+    assert study.problem.bed.medium.first.strength > 0.0
+    outcome = run(study)
+    assert outcome.failed == ()
+    assert len(outcome.solved) == 9
+
+
+def test_new_does_not_replace_a_file_unasked(here, capsys):
+    (here / "indentation.toml").write_text("mine")
+    assert main(["new"]) == 2
+    assert capsys.readouterr().err == (
+        "winkler: 'indentation.toml' exists; add --overwrite to replace it, or give another file with --output.\n"
+    )
+    assert (here / "indentation.toml").read_text() == "mine"
+    assert main(["new", "--overwrite"]) == 0
+    assert (here / "indentation.toml").read_text() != "mine"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (
+            ["indention"],
+            "problem: 'indention' is not known (did you mean 'indentation'?); there are indentation, yield_onset.",
+        ),
+        (["--load", "forces"], "load: 'forces' is not known (did you mean 'force'?); there are force, depth, radius."),
+        (
+            ["--output", "no/where.toml"],
+            "cannot be written (no such file or directory); give another file with --output.",
+        ),
+        (
+            ["yield_onset", "--load", "force"],
+            "yield_onset has no place for force, a load; `winkler show yield_onset` tells.",
+        ),
+        (["yield_onset", "--profile", "cone"], "these kinds do not go together: YieldOnset: the apex is pointed"),
+    ],
+)
+def test_new_refuses(arguments, sentence, here, capsys):
+    assert main(["new", *arguments]) in (2, 4)
+    told = capsys.readouterr()
+    assert sentence in told.err
+    assert told.err.count("\n") == 1
+    assert list(here.iterdir()) == []
+
+
+def test_inline_values_are_toml():
+    content = {"a": 1, "b": 2.5, "c": True, "d": 'quote " and \\ and ü', "e": [1, {"f": "g"}]}
+    assert tomllib.loads(f"x = {inline(content)}")["x"] == content
+
+
+# ------------------------------------------------------------------------------------------------------- draw
+
+STUDY = template("indentation").replace("# [fields]", "[fields]").replace("# r = ", "r = ").replace("# z = ", "z = ")
+
+
+@pytest.mark.parametrize("part", ["contact", "profile", "bed", "surface", "stress", "staircase"])
+def test_draw(part, here, capsys):
+    (here / "ball.toml").write_text(STUDY, encoding="utf-8")
+    assert main(["draw", "ball.toml", "--part", part]) == 0
+    assert capsys.readouterr().out == f"Written ball-{part}.png\n"
+    assert (here / f"ball-{part}.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_draw_a_curve_as_svg(here):
+    text = STUDY.replace('force = "100 N"', 'force = { from = "1 N", to = "9 N", count = 5 }')
+    (here / "ball.toml").write_text(text, encoding="utf-8")
+    assert main(["draw", "ball.toml", "--part", "curve", "--output", "curve.svg"]) == 0
+    assert "<svg" in (here / "curve.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--part", "contct"], "draw: the part 'contct' is not known (did you mean 'contact'?); give one of contact,"),
+        (["--output", "ball.docx"], "draw: 'ball.docx' does not end like a picture; give .svg, .png, .pdf."),
+        (["--point", "3"], "draw: there is no point 3; the study has 1, counted from 0."),
+        (["--load", "1"], "draw: there is no load 1; the study has 1, counted from 0."),
+        (
+            ["--output", "no/where.png"],
+            "cannot be written (no such file or directory); give another file with --output.",
+        ),
+        (["--output", "ball.png"], "draw: 'ball.png' exists; add --overwrite to replace it"),
+    ],
+)
+def test_draw_refuses(arguments, sentence, here, capsys):
+    (here / "ball.toml").write_text(STUDY, encoding="utf-8")
+    (here / "ball.png").write_text("mine")
+    assert main(["draw", "ball.toml", *arguments]) == 2
+    told = capsys.readouterr().err
+    assert sentence in told
+    assert told.count("\n") == 1
+    assert sorted(path.name for path in here.iterdir()) == ["ball.png", "ball.toml"]
+    assert (here / "ball.png").read_text() == "mine"
+
+
+def test_draw_needs_the_fields_it_shows(here, capsys):
+    (here / "ball.toml").write_text(template("indentation"), encoding="utf-8")
+    assert main(["draw", "ball.toml", "--part", "stress"]) == 2
+    assert "the study restores no such fields; add [fields] with r and z." in capsys.readouterr().err
+
+
+# ------------------------------------------------------------------------------------------------------- cite
+
+
+def test_every_cited_paper_is_in_the_bibliography():
+    for name, line in kinds().items():
+        for key in (*line.cites, *getattr(line.cls, "references", ())):
+            assert key in bibliography(), f"{name} cites {key}"
+
+
+def test_the_bibliography_is_complete_and_sound():
+    for key, paper in bibliography().items():
+        assert re.fullmatch(r"[a-z_]+_\d{4}", key)
+        assert f"{{{key}," in paper.bibtex
+        assert key[-4:] in paper.text
+        assert "{" not in paper.text
+        assert "\\" not in paper.text
+        assert paper.doi == "" or re.fullmatch(r"10\.\d{4,}/\S+", paper.doi)
+
+
+def test_cite_a_study(here, capsys):
+    (here / "tip.toml").write_text(template("indentation", profile="berkovich"), encoding="utf-8")
+    assert main(["cite", "tip.toml"]) == 0
+    told = capsys.readouterr().out
+    assert "doi:10.1007/978-3-642-53876-6" in told  # the method
+    assert "doi:10.1557/JMR.1992.1564" in told  # the equal-area cone
+    assert len(told.splitlines()) == len(set(told.splitlines()))
+    assert main(["cite", "tip.toml", "--bibtex"]) == 0
+    told = capsys.readouterr().out
+    assert told.count("@") == told.count("\n}\n") >= 4
+
+
+def test_cite_a_kind(capsys):
+    assert main(["cite", "cone"]) == 0
+    assert "Boussinesq's problem for a rigid cone" in capsys.readouterr().out
+    assert main(["cite", "rigid"]) == 0
+    assert capsys.readouterr().out == "rigid stands on no particular paper.\n"
+
+
+def test_cite_in_python():
+    bed = wk.Foundation(wk.Sphere(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.3)))
+    keys = [paper.key for paper in cite(wk.Indentation(bed, wk.Force(1.0)))]
+    assert "hertz_1882" in keys
+    assert "johnson_1985" in keys
+    assert len(keys) == len(set(keys))
+
+
+# --------------------------------------------------------------------------------------------------- validate
+
+CASE = """title = "Hertz"
+source = "H. Hertz"
+grade = "analytical"
+
+[problem]
+kind = "indentation"
+load = { kind = "radius", radius = "0.5 m" }
+
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "1 m" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 Pa", poisson = 0.0 } }
+
+[[expect]]
+quantity = "depth"
+value = 0.25
+unit = "m"
+tolerance = 1e-12
+"""
+
+
+def test_validate_the_package(capsys):
+    assert main(["validate"]) == 0
+    assert re.search(r"\d+ cases, \d+ numbers, none missed\.", capsys.readouterr().out)
+
+
+def test_validate_own_cases(here, capsys):
+    (here / "right.toml").write_text(CASE, encoding="utf-8")
+    (here / "wrong.toml").write_text(CASE.replace("0.25", "0.26"), encoding="utf-8")
+    assert main(["validate", "right.toml"]) == 0
+    told = capsys.readouterr().out
+    assert "right (analytical): Hertz" in told
+    assert "H. Hertz" in told
+    assert "1 cases, 1 numbers, none missed." in told
+    assert main(["validate", "."]) == 1
+    assert "2 cases, 2 numbers, 1 missed." in capsys.readouterr().out
+    assert main(["validate", ".", "--quiet"]) == 1
+    told = capsys.readouterr().out
+    assert "wrong (analytical)" in told
+    assert "right" not in told
+
+
+def test_validate_as_json_and_markdown(here, capsys):
+    (here / "right.toml").write_text(CASE, encoding="utf-8")
+    assert main(["validate", "right.toml", "--json"]) == 0
+    (entry,) = json.loads(capsys.readouterr().out)
+    assert entry["passed"] is True
+    (number,) = entry["numbers"]
+    assert (number["quantity"], number["expected"], number["unit"]) == ("depth", 0.25, "m")
+    assert number["digits"] > 12.0
+    assert main(["validate", "right.toml", "--markdown"]) == 0
+    assert capsys.readouterr().out.startswith("# Validation\n")
+
+
+# ----------------------------------------------------------------------------------------------------- others
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["-h"], [], *([command, "--help"] for command in COMMANDS)])
+def test_help(arguments, capsys):
+    assert main(arguments) == 0
+    told = capsys.readouterr()
+    assert told.err == ""
+    assert "Usage: winkler" in told.out
+    assert "Example" in told.out
+    if len(arguments) < 2 and "--help" not in arguments[1:]:
+        for command in COMMANDS:
+            assert command in told.out
+        assert "--install-completion" in told.out
+
+
+def test_version(capsys):
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"winkler {wk.__version__}\n"
+
+
+def test_help_and_wrong_words_load_nothing_heavy():
+    """The command line answers at once because it imports what a command needs only when that command is called."""
+    code = (
+        "import sys; from winkler.cli import main; main(['--help']); main(['run', '--help']); main(['rnu']); "
+        "print('LOADED', *sys.modules)"
+    )
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(answer.stdout.split("LOADED")[1].split())
+    heavy = {"matplotlib", "xarray", "pint", "h5py", "scipy.optimize", "winkler.study.catalogue"}
+    assert heavy & loaded == set()
+
+
+def test_the_module_is_the_command(here):
+    answer = subprocess.run(
+        [sys.executable, "-m", "winkler.cli", "--version"], capture_output=True, text=True, check=True
+    )
+    assert answer.stdout == f"winkler {wk.__version__}\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "suggested"),
+    [("winkler show sph", "sphere"), ("winkler new --profile rounded_c", "rounded_cone"), ("winkler dr", "draw")],
+)
+def test_completion_of_the_shell(words, suggested):
+    code = "import sys; from winkler.cli import main; sys.exit(main([]))"
+    answer = subprocess.run(
+        [sys.executable, "-c", code],
+        env={
+            "_WINKLER_COMPLETE": "complete_bash",
+            "COMP_WORDS": words,
+            "COMP_CWORD": str(len(words.split()) - 1),
+            "PATH": "",
+        },
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert suggested in answer.stdout.split()
