@@ -48,12 +48,12 @@ def tip(steel_on_steel):
     return Indentation(Foundation(shape, steel_on_steel), Radius(0.6e-6)).solve()
 
 
-def bench_pressure(benchmark, below, hertz, steel_on_steel):
+def bench_pressure(benchmark, hertz, steel_on_steel):
     r = np.linspace(0.0, 2.0, 1000) * CONTACT_RADIUS
     fields = benchmark.pedantic(lambda: restore(hertz, r), setup=forget, rounds=100, warmup_rounds=3)
     exact = hertz_pressure(r, CONTACT_RADIUS, curvature_radius=CURVATURE_RADIUS, modulus=steel_on_steel.modulus)
     np.testing.assert_allclose(fields.pressure, exact, rtol=1e-8, atol=1e-8 * exact[0])
-    below(50e-3, "pressure, displacement and gap at 1,000 radii, Hertz")
+    benchmark.extra_info.update(what="pressure, displacement and gap at 1,000 radii, Hertz")
 
 
 def bench_stress_map_hertz(benchmark, hertz, steel_on_steel):

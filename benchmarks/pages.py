@@ -29,9 +29,10 @@ def spoken(seconds: float) -> str:
 
 def machine() -> str:
     """Return what the numbers depend on, without naming anybody's computer."""
+    load = f", load average {os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else ""
     return (
         f"{os.cpu_count()} cores ({platform.machine()}), {platform.system()}, Python {platform.python_version()}, "
-        f"numpy {version('numpy')}, scipy {version('scipy')}"
+        f"numpy {version('numpy')}, scipy {version('scipy')}{load}"
     )
 
 

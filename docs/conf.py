@@ -1,6 +1,7 @@
 """How the manual is built: ``sphinx-build -W -b html docs OUT``.
 
-The page of the interface is written while building, from ``winkler.__all__``: it cannot forget a name.
+Two pages are written while building: the interface from ``winkler.__all__``, which so forgets no name, and the
+validation from the cases of the package, which so shows no number of yesterday.
 """
 
 from __future__ import annotations
@@ -12,9 +13,11 @@ from typing import Any
 
 from matplotlib import pyplot
 from matplotlib.figure import Figure
+from sphinx.util import logging
 from sphinx_gallery.scrapers import figure_rst
 
 import winkler
+from winkler.study.ledger import case_files, ledger, markdown
 
 pyplot.switch_backend("Agg")
 
@@ -33,7 +36,7 @@ extensions = [
 
 html_theme = "furo"
 html_title = "winkler"
-exclude_patterns = ["_build", "**/sg_execution_times.rst"]
+exclude_patterns = ["_build", "sg_execution_times.rst", "**/sg_execution_times.rst"]
 
 myst_enable_extensions = ["dollarmath", "deflist"]
 myst_heading_anchors = 3
@@ -127,9 +130,16 @@ def front_door() -> str:
     return "\n".join(text)
 
 
-def _write_front_door(app: Any, docname: str, source: list[str]) -> None:
+def _fill(app: Any, docname: str, source: list[str]) -> None:
+    """Write the pages that are made while building."""
     if docname == "api":
         source[0] = source[0].replace("FRONT_DOOR", front_door())
+    if docname == "validation":
+        entries = list(ledger(case_files(())))
+        missed = [entry.name for entry in entries if not entry.passed]
+        if missed:
+            logging.getLogger(__name__).warning("validation: these cases miss their numbers: %s", ", ".join(missed))
+        source[0] = markdown(entries)
 
 
 def _keep_initials(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:
@@ -144,7 +154,7 @@ def _keep_sentences(app: Any, what: str, name: str, item: Any, options: Any, lin
 
 
 def setup(app: Any) -> None:
-    """Hook the page of the interface into the build."""
-    app.connect("source-read", _write_front_door)
+    """Hook the pages that are made while building into the build."""
+    app.connect("source-read", _fill)
     app.connect("autodoc-process-docstring", _keep_sentences, priority=100)
     app.connect("autodoc-process-docstring", _keep_initials, priority=900)

@@ -2,10 +2,10 @@
 The puzzle of the elastic foundation: times four, or times 2.83?
 ================================================================
 
-Multibody and haptics codes often model contact by an *elastic foundation*: a mesh whose every face carries a spring,
-independent of its neighbours. Press a ball into such a bed, double the depth, and the force becomes four times as large.
-Hertz says :math:`2^{3/2} = 2.83`. Users meet this again and again, look for the bug in their mesh or in their stiffness,
-and find none.
+Multibody and haptics codes often model contact by an *elastic foundation*: a mesh whose every face carries a
+spring, independent of its neighbours. Press a ball into such a bed, double the depth, and the force becomes four
+times as large. Hertz says :math:`2^{3/2} = 2.83`. Users meet this again and again, look for the bug in their mesh
+or in their stiffness, and find none.
 
 There is none. The springs are not to blame either, only their arrangement: they belong on a **line**, under the profile
 :math:`g(x)`, and not on an **area** under the profile :math:`f(r)`.
@@ -83,9 +83,9 @@ assert np.isclose(twice / once, 2.0**1.5, rtol=1e-12)
 # %%
 # No stiffness repairs it
 # -----------------------
-# One may choose :math:`K` so that both agree at *one* depth :math:`d_0`, from :math:`\pi K R d_0^2 = \frac43 E^*\sqrt{R}
-# d_0^{3/2}`. Away from it the force is off by :math:`\sqrt{d/d_0}`, and the pressure is wrong everywhere: a parabola
-# over a circle that is 1.41 times too wide.
+# One may choose :math:`K` so that both agree at *one* depth :math:`d_0`, from :math:`\pi K R d_0^2 = \frac43
+# E^*\sqrt{R} d_0^{3/2}`. Away from it the force is off by :math:`\sqrt{d/d_0}`, and the pressure is wrong
+# everywhere: a parabola over a circle that is 1.41 times too wide.
 
 FITTED = 0.4e-3
 stiffness = 4.0 * modulus / (3.0 * np.pi * np.sqrt(RADIUS * FITTED))
@@ -122,9 +122,9 @@ plt.show()
 # %%
 # Other shapes
 # ------------
-# For :math:`f = c\,r^n` the springs on an area give :math:`F \sim d^{1+2/n}`, the solid :math:`F \sim d^{1+1/n}`. For a
-# cone the mesh is off by a factor of two on every doubling; a flat punch, :math:`n\to\infty`, is the only shape for which
-# the exponents agree.
+# For :math:`f = c\,r^n` the springs on an area give :math:`F \sim d^{1+2/n}`, the solid :math:`F \sim d^{1+1/n}`.
+# For a cone the mesh is off by a factor of two on every doubling; a flat punch, :math:`n\to\infty`, is the only
+# shape for which the exponents agree.
 
 exponents = np.linspace(1.0, 8.0, 71)
 doubling = []
@@ -153,8 +153,9 @@ plt.show()
 # ---------------------------
 # - *Bodies of revolution* (balls, cones, rounded tips, a measured profile): replace the mesh by the line. Take g from a
 #   table that winkler computes once, or the finished law F(d) itself.
-# - *Keep the mesh* only for what it is, a thin soft layer on a hard core. There the bed of springs on an area is the right
-#   limit, with :math:`K = (1-\nu)E/((1+\nu)(1-2\nu)h)` for a compressible layer much thinner than the contact is wide.
+# - *Keep the mesh* only for what it is, a thin soft layer on a hard core. There the bed of springs on an area is
+#   the right limit, with :math:`K = (1-\nu)E/((1+\nu)(1-2\nu)h)` for a compressible layer much thinner than the
+#   contact is wide.
 # - Never compare a stiffness fitted in one with the other: :math:`K` is in Pa/m, :math:`E^*` in Pa.
 
 x = np.linspace(0.0, 6e-3, 7)

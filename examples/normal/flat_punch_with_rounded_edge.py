@@ -2,9 +2,9 @@ r"""
 A flat punch, and what a rounded edge does to it
 ================================================
 
-Under a sharp edge the pressure of a flat punch is infinite, :math:`p = E^*d/(\pi\sqrt{a^2-r^2})`. No edge is sharp: a
-rounding of a hundredth of the radius hardly shows in the force-depth curve, but it decides whether the material under the
-edge yields, cracks or lives.
+Under a sharp edge the pressure of a flat punch is infinite, :math:`p = E^*d/(\pi\sqrt{a^2-r^2})`. No edge is sharp:
+a rounding of a hundredth of the radius hardly shows in the force-depth curve, but it decides whether the material
+under the edge yields, cracks or lives.
 """
 
 import matplotlib.pyplot as plt
@@ -73,8 +73,8 @@ plt.show()
 # %%
 # How much rounding is enough?
 # ----------------------------
-# The load at which the aluminium begins to yield, under the edge, over the radius of the rounding. For a sharp edge it is
-# zero, and winkler refuses the question instead of answering it.
+# The load at which the aluminium begins to yield, under the edge, over the radius of the rounding. For a sharp edge
+# it is zero, and winkler refuses the question instead of answering it.
 
 try:
     wk.YieldOnset(wk.Foundation(wk.FlatPunch(radius=FLAT), medium)).solve()

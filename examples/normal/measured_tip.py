@@ -2,8 +2,8 @@
 A measured tip: from points with scatter to force and stress
 ============================================================
 
-The tip of your probe is what your microscope says it is, and not a ball of 120 nm. winkler takes the points as they come:
-a scan across the apex, with scatter, with an arbitrary zero.
+The tip of your probe is what your microscope says it is, and not a ball of 120 nm. winkler takes the points as they
+come: a scan across the apex, with scatter, with an arbitrary zero.
 
 The points of this example are made, not measured: a ball of 120 nm with a tangent cone of 35 degrees, a scatter of
 0.2 nm in height, an apex 3.7 nm beside the zero of the scan. So the true answer is known, and one can see what scatter
@@ -18,14 +18,15 @@ import numpy as np
 import winkler as wk
 from winkler.reference.rounded import sphero_conical_depth, sphero_conical_force
 
-HERE = Path(__file__).resolve().parent
+# The manual runs this script in its own folder, without __file__.
+HERE = Path(__file__).resolve().parent if "__file__" in globals() else Path.cwd()
 TRUE = {"curvature_radius": 120e-9, "half_angle": np.radians(35.0)}
 
 # %%
 # Read it
 # -------
-# The header of the file names columns and units, ``x [nm], height [nm]``. Negative x tell that the scan crosses the apex;
-# it is found, and both flanks are folded onto one another. Which curve stands for the points is decided by
+# The header of the file names columns and units, ``x [nm], height [nm]``. Negative x tell that the scan crosses the
+# apex; it is found, and both flanks are folded onto one another. Which curve stands for the points is decided by
 # cross-validation: as many pieces of a cubic spline as predict left-out points best. The notes say what was chosen.
 
 tip = wk.read_profile(HERE.parent / "data" / "measured_tip.csv")
@@ -35,9 +36,10 @@ for note in tip.notes:
 # %%
 # The curve and its transform
 # ---------------------------
-# An elastic solid does not care for single points. The equivalent profile :math:`g(x)` is an integral over the slope, and
-# the force an integral over g; each of them smooths once more. What shows the scatter longest is the slope of g, of which
-# the pressure is made (right): the fine kink where the ball goes over into the cone is lost in it.
+# An elastic solid does not care for single points. The equivalent profile :math:`g(x)` is an integral over the
+# slope, and the force an integral over g; each of them smooths once more. What shows the scatter longest is the
+# slope of g, of which the pressure is made (right): the fine kink where the ball goes over into the cone is lost in
+# it.
 
 r = np.linspace(0.0, tip.reach, 400)
 ideal = wk.SpheroConical(**TRUE)

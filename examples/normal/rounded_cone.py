@@ -18,8 +18,8 @@ from winkler.validity import worst
 # %%
 # The tip
 # -------
-# A conical probe for polymers: tip radius 250 nm, half-angle 60 degrees (measured from the axis). The ball ends where its
-# slope is that of the cone, at :math:`b = R\cos\theta`.
+# A conical probe for polymers: tip radius 250 nm, half-angle 60 degrees (measured from the axis). The ball ends
+# where its slope is that of the cone, at :math:`b = R\cos\theta`.
 
 TIP = {"curvature_radius": 250e-9, "half_angle": np.radians(60.0)}
 tip = wk.SpheroConical(**TIP)
@@ -35,10 +35,10 @@ draw(wk.Indentation(bed, wk.Radius(2.0 * tip.blend_radius)).solve())
 # %%
 # From ball to cone
 # -----------------
-# The slope of the force-depth curve in logarithms, :math:`n = \mathrm d\ln F/\mathrm d\ln d`, is the exponent that a fit
-# of a power law would find. It needs no differences, because the stiffness is known: :math:`n = k\,d/F`. It passes from
-# 3/2 to 2, and needs two decades of depth for it. Just before the blend it dips to 1.47: the true ball is a little softer
-# than the paraboloid that Hertz put in its place.
+# The slope of the force-depth curve in logarithms, :math:`n = \mathrm d\ln F/\mathrm d\ln d`, is the exponent that
+# a fit of a power law would find. It needs no differences, because the stiffness is known: :math:`n = k\,d/F`. It
+# passes from 3/2 to 2, and needs two decades of depth for it. Just before the blend it dips to 1.47: the true ball
+# is a little softer than the paraboloid that Hertz put in its place.
 
 depth = np.geomspace(1e-10, 1e-5, 251)
 curve = wk.Indentation(bed, wk.Depth(depth)).solve()

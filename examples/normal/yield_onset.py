@@ -2,10 +2,10 @@ r"""
 When does it yield?
 ===================
 
-A ball may be loaded until the greatest von Mises stress reaches the strength of the weaker body. The place is not at the
-surface but half a contact radius below it, which is why bearings fail from the inside. For a ball and :math:`\nu = 0.3`
-textbooks give :math:`p_0 = 1.60\,Y` (Johnson 1985, after Davies 1949); for other shapes there is no formula, but the
-same question.
+A ball may be loaded until the greatest von Mises stress reaches the strength of the weaker body. The place is not
+at the surface but half a contact radius below it, which is why bearings fail from the inside. For a ball and
+:math:`\nu = 0.3` textbooks give :math:`p_0 = 1.60\,Y` (Johnson 1985, after Davies 1949); for other shapes there is
+no formula, but the same question.
 """
 
 import matplotlib.pyplot as plt
@@ -32,8 +32,8 @@ draw(onset)
 # %%
 # Against the textbook
 # --------------------
-# The greatest shear stress below a ball is :math:`0.310020502\,p_0` at :math:`z = 0.4808644853\,a` for :math:`\nu=0.3`, and
-# on the axis von Mises' stress is twice the shear stress. So :math:`p_0 = 1.61280\,Y`, and
+# The greatest shear stress below a ball is :math:`0.310020502\,p_0` at :math:`z = 0.4808644853\,a` for
+# :math:`\nu=0.3`, and on the axis von Mises' stress is twice the shear stress. So :math:`p_0 = 1.61280\,Y`, and
 #
 # .. math:: F_Y = \frac{\pi^3R^2}{6E^{*2}}\,p_0^3 .
 #
