@@ -20,6 +20,10 @@ INTEGRANDS = {
     "an inverse root": (lambda t: t**-0.5, 2.0),
     "all that cancels": (lambda t: np.cos(math.pi * t), 0.0),
     "zero": (np.zeros_like, 0.0),
+    "a hundred waves": (
+        lambda t: np.sin(200.5 * math.pi * t) ** 2,
+        0.5 - math.sin(401.0 * math.pi) / (802.0 * math.pi),
+    ),
 }
 
 
@@ -65,7 +69,7 @@ def test_none_at_all():
     ],
 )
 def test_what_does_not_settle_is_refused(function):
-    with pytest.raises(NotConverged, match=r"The integral for the test still moves by .* at 641 points"):
+    with pytest.raises(NotConverged, match=r"The integral for the test still moves by .* at 3072 points"):
         settled(lambda node, index: np.tile(function(node), (index.size, 1)), 2, "test")
 
 

@@ -47,8 +47,9 @@ def test_derivatives_of_a_calibrated_tip():
     x = np.sqrt([float(area(TIP, mp.mpf(h)) / mp.pi) for h in DEPTHS])
     step = 1e-5 * x
     for function, derivative in ((profile.gap, profile.gap_slope), (profile.gap_integral, profile.gap)):
-        differences = (function(x - 2 * step) - 8 * function(x - step) + 8 * function(x + step)
-                       - function(x + 2 * step)) / (12 * step)
+        differences = (
+            function(x - 2 * step) - 8 * function(x - step) + 8 * function(x + step) - function(x + 2 * step)
+        ) / (12 * step)
         np.testing.assert_allclose(derivative(x), differences, rtol=3e-9)
     # f' and f'' from the inverse function, r(h) = sqrt(A/pi), at 40 digits
     with mp.workdps(40):
@@ -106,15 +107,21 @@ def test_says_that_it_stands_for_a_pyramid():
 
 @pytest.mark.parametrize("bad", [(), (0.0,), (0.0, 0.0), (math.nan,), (24.5, math.inf)])
 def test_bad_coefficients(bad):
-    with pytest.raises(wk.InvalidInput, match=r"^AreaFunction: coefficients are .*; give finite numbers C0, C1, \.\.\. "
-                                              r"of which at least one is not zero\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"^AreaFunction: coefficients are .*; give finite numbers C0, C1, \.\.\. "
+        r"of which at least one is not zero\.$",
+    ):
         wk.AreaFunction(bad)
 
 
 @pytest.mark.parametrize("bad", [(-24.5,), (24.5, -1e-7), (24.5, 1e-7, -1e-12)])
 def test_an_area_that_shrinks_from_the_apex_on(bad):
-    with pytest.raises(wk.InvalidInput, match=r"the area does not grow from the apex on; the last coefficient that is "
-                                              r"not zero must be positive\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"the area does not grow from the apex on; the last coefficient that is "
+        r"not zero must be positive\.$",
+    ):
         wk.AreaFunction(bad)
 
 

@@ -139,12 +139,19 @@ def test_a_pyramid_says_that_it_is_approximate(name):
 @pytest.mark.parametrize("bad", [0.0, -0.1, 0.5 * math.pi, 70.3, 1e9, math.nan, math.inf, "1.2", None, True])
 @pytest.mark.parametrize(
     "make",
-    [wk.Cone, lambda t: wk.TruncatedCone(t, 1e-6), lambda t: wk.RoundedCone(1e-6, t),
-     lambda t: wk.SpheroConical(1e-6, t)],
+    [
+        wk.Cone,
+        lambda t: wk.TruncatedCone(t, 1e-6),
+        lambda t: wk.RoundedCone(1e-6, t),
+        lambda t: wk.SpheroConical(1e-6, t),
+    ],
 )
 def test_bad_angles(make, bad):
-    with pytest.raises(wk.InvalidInput, match=r"half_angle is .* rad; measured from the axis it must lie between 0 and "
-                                              r"pi/2.*\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"half_angle is .* rad; measured from the axis it must lie between 0 and "
+        r"pi/2.*\.$",
+    ):
         make(bad)
 
 

@@ -45,8 +45,11 @@ def test_capped_cylinder_keeps_what_its_cap_says():
 
 
 def test_a_cap_must_reach_the_rim():
-    with pytest.raises(wk.InvalidInput, match=r"^CappedCylinder: the cap is known up to 0.001 m but the cylinder has "
-                                              r"the radius 0.002 m; give a cap that reaches the rim\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"^CappedCylinder: the cap is known up to 0.001 m but the cylinder has "
+        r"the radius 0.002 m; give a cap that reaches the rim\.$",
+    ):
         wk.CappedCylinder(2e-3, wk.Sphere(1e-3))
     with pytest.raises(wk.InvalidInput, match="the cap is known up to 0.001 m"):
         wk.CappedCylinder(2e-3, wk.FlatPunch(1e-3))
@@ -60,13 +63,18 @@ def test_a_cap_that_is_vertical_at_the_rim():
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
 def test_bad_radius(bad):
-    with pytest.raises(wk.InvalidInput, match=r"^FlatPunch: radius is .*; it must be a positive, finite number in m\.$"):
+    with pytest.raises(
+        wk.InvalidInput, match=r"^FlatPunch: radius is .*; it must be a positive, finite number in m\.$"
+    ):
         wk.FlatPunch(bad)
     with pytest.raises(wk.InvalidInput, match=r"^CappedCylinder: radius is .*; it must be a positive"):
         wk.CappedCylinder(bad, wk.Paraboloid(1.0))
 
 
 def test_a_cylinder_on_its_side_is_refused_kindly():
-    with pytest.raises(wk.OutsideValidity, match=r"line contact.*not a body of revolution.*infinite.*plane-strain code, "
-                                                 r"or CappedCylinder"):
+    with pytest.raises(
+        wk.OutsideValidity,
+        match=r"line contact.*not a body of revolution.*infinite.*plane-strain code, "
+        r"or CappedCylinder",
+    ):
         wk.Cylinder(1e-3)

@@ -123,6 +123,14 @@ def test_shapes_that_do_not_match():
     refused(0.0, 0.0, "give two one-dimensional arrays of equal length")
 
 
+@pytest.mark.parametrize("bad", ["abc", ["a"] * 8, None, [1.0, [2.0, 3.0]]])
+def test_points_that_are_no_numbers(bad):
+    with pytest.raises(wk.InvalidInput, match="^Measured: "):
+        wk.Measured(bad, F)
+    with pytest.raises(wk.InvalidInput, match="^Measured: "):
+        wk.Measured(R, bad)
+
+
 def test_too_few_points():
     refused([], [], "0 different radii were given; a profile needs at least 6")
     refused(R[:5], F[:5], "5 different radii were given; a profile needs at least 6")

@@ -37,8 +37,7 @@ def test_power_law(exponent):
 
 @pytest.mark.parametrize(
     ("exponent", "stretch"),
-    [(1.0, math.pi / 2.0), (2.0, 2.0), (3.0, 0.75 * math.pi), (4.0, 8.0 / 3.0), (5.0, 2.9452431127404311),
-     (6.0, 3.2)],
+    [(1.0, math.pi / 2.0), (2.0, 2.0), (3.0, 0.75 * math.pi), (4.0, 8.0 / 3.0), (5.0, 2.9452431127404311), (6.0, 3.2)],
 )
 def test_stretch_of_the_theory_sheet(exponent, stretch):
     assert wk.PowerLaw(1.0, exponent).stretch == pytest.approx(stretch, rel=1e-14)
@@ -65,8 +64,11 @@ def test_power_laws_meet_the_named_shapes():
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf, "1 mm", None, True])
 def test_bad_numbers(bad):
-    with pytest.raises(wk.InvalidInput, match=r"^Paraboloid: curvature_radius is .*; it must be a positive, finite "
-                                              r"number in m\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"^Paraboloid: curvature_radius is .*; it must be a positive, finite "
+        r"number in m\.$",
+    ):
         wk.Paraboloid(bad)
     with pytest.raises(wk.InvalidInput, match=r"^PowerLaw: coefficient is .* number in m\^\(1-n\)\.$"):
         wk.PowerLaw(bad, 2.0)

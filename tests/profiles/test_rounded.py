@@ -74,6 +74,9 @@ def test_theory_sheet_numbers():
 def test_bad_lengths(cls, words, bad):
     for word in words:
         numbers = dict.fromkeys(words, 1.0) | {word: bad}
-        with pytest.raises(wk.InvalidInput, match=rf"^{cls.__name__}: {word} is .*; it must be a positive, finite "
-                                                  r"number in m\.$"):
+        with pytest.raises(
+            wk.InvalidInput,
+            match=rf"^{cls.__name__}: {word} is .*; it must be a positive, finite "
+            r"number in m\.$",
+        ):
             cls(**numbers)

@@ -63,7 +63,7 @@ def test_a_shape_the_spline_can_hold(count, noise):
     [(wk.Sphere(1.2), 400, 1e-3), (wk.Hyperboloid(0.2, 1.2), 2000, 1e-4), (wk.RoundedCone(0.3, 1.2), 2000, 1e-3)],
 )
 def test_a_shape_the_spline_must_follow(twin, count, noise):
-    """Bias and scatter together stay within 5 standard deviations of the least-squares scatter."""
+    """Bias and scatter together stay within 6 standard deviations of the least-squares scatter."""
     ratios = []
     for seed in range(6):
         profile = noisy(twin, count, noise, seed)
@@ -71,7 +71,7 @@ def test_a_shape_the_spline_must_follow(twin, count, noise):
             depth, force = judged(twin, radius)
             got = wk.Indentation(wk.Foundation(profile, UNIT), wk.Depth(depth)).solve().force
             ratios.append((got - force) / expected_scatter_of_force(profile, radius, noise))
-    assert np.max(np.abs(ratios)) < 5.0
+    assert np.max(np.abs(ratios)) < 6.0
 
 
 def test_more_points_help():

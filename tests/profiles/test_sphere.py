@@ -75,8 +75,11 @@ def test_the_equator_and_beyond():
 
 @pytest.mark.parametrize("bad", [0.0, -1e-3, math.nan, math.inf])
 def test_bad_numbers(bad):
-    with pytest.raises(wk.InvalidInput, match=r"^Sphere: curvature_radius is .*; it must be a positive, finite number "
-                                              r"in m\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"^Sphere: curvature_radius is .*; it must be a positive, finite number "
+        r"in m\.$",
+    ):
         wk.Sphere(bad)
     with pytest.raises(wk.InvalidInput, match="^Ellipsoid: radial_semi_axis is"):
         wk.Ellipsoid(bad, 1.0)
@@ -88,6 +91,9 @@ def test_bad_numbers(bad):
 
 @pytest.mark.parametrize("bad", [0.0, -0.3, 0.5 * math.pi, math.nan, math.inf, "1.2"])
 def test_bad_angles(bad):
-    with pytest.raises(wk.InvalidInput, match=r"^Hyperboloid: half_angle is .* rad; measured from the axis it must lie "
-                                              r"between 0 and pi/2.*\.$"):
+    with pytest.raises(
+        wk.InvalidInput,
+        match=r"^Hyperboloid: half_angle is .* rad; measured from the axis it must lie "
+        r"between 0 and pi/2.*\.$",
+    ):
         wk.Hyperboloid(1.0, bad)

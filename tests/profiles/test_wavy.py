@@ -35,9 +35,7 @@ def test_against_mpmath_struve():
     assert np.all(np.abs(wave.gap(x) - gap) <= 1e-12 * np.minimum(scale, np.abs(gap) + 1e-12 * scale))
     total = np.array([float(mp.pi / 2 * H * mp.mpf(v) * mp.struveh(1, t)) for v, t in zip(x, arguments, strict=True)])
     np.testing.assert_allclose(wave.gap_integral(x), total, rtol=1e-11)
-    steep = [
-        float(mp.pi / 2 * H * k * (mp.struveh(0, t) + t * (2 / mp.pi - mp.struveh(1, t)))) for t in arguments
-    ]
+    steep = [float(mp.pi / 2 * H * k * (mp.struveh(0, t) + t * (2 / mp.pi - mp.struveh(1, t)))) for t in arguments]
     allowed = 1e-12 * float(mp.pi / 2 * H * k) * np.maximum(1.0, np.array(arguments, dtype=float))
     assert np.all(np.abs(wave.gap_slope(x) - steep) <= np.minimum(allowed, 1.0))
     np.testing.assert_allclose(wave.gap_slope(x[:6]), steep[:6], rtol=1e-12)

@@ -175,7 +175,7 @@ def test_too_many_curves_are_cut_and_say_so():
         "x",
         pressed(),
         sweep=(
-            Axis("problem.load.force", tuple(np.linspace(1.0, 9.0, 40))),
+            Axis("problem.load.force", tuple(np.linspace(1.0, 9.0, 31))),
             Axis("problem.bed.profile.curvature_radius", tuple(np.linspace(1e-3, 9e-3, 30))),
         ),
     )

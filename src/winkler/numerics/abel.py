@@ -14,8 +14,8 @@ T5      :math:`2\int_x^a r\,p(r)\,(r^2-x^2)^{-1/2}\,dr`                   `line_
 Each integral is split at the points where the integrand is not smooth and mapped so that what is left is
 analytic: :math:`r = x\sin\theta` removes the kernel's singularity, :math:`y=\sqrt{x^2-b^2}` the square root that
 a kink at b leaves in g.  Gauss-Legendre rules then converge geometrically; they are doubled until the result
-settles (`numerics.settling`): analytic pieces are good to about 1e-13, and nothing worse than 1e-9 is handed out.  At a small distance e above a
-kink b the rounding of x alone costs b/e units in the last place of what the kink adds.
+settles (`numerics.settling`): analytic pieces are good to about 1e-13, and nothing worse than 1e-9 is handed out.
+At a small distance e above a kink b the rounding of x alone costs b/e units in the last place of what the kink adds.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def _angular_piece(function: Curve, low: float, high: float, x: Array, what: str
         result: Array = np.multiply(function(r), width[index, None])
         return result
 
-    return settled(integrand, x.size, what, _noise(x, low))
+    return settled(integrand, x.size, what, _noise(np.minimum(x, high), low))
 
 
 def _on(x: Array, result: Array, inner: Array) -> Array:
@@ -169,7 +169,17 @@ def _surface_piece(function: Curve, low: float, top: float, r: Array) -> Array:
         result: Array = np.multiply(function(x), (y / x) * width[index, None])
         return result
 
-    return settled(integrand, r.size, "surface transform", _noise(r, low))
+    return settled(integrand, r.size, "surface transform", _noise_below(function, low, top, r))
+
+
+def _noise_below(function: Curve, low: float, top: float, r: Array) -> Array | None:
+    """Return the rounding of places, and that of a function which is a small difference close to its end."""
+    noise = _noise(np.minimum(r, top), low)
+    if noise is None or top == math.inf:
+        return noise
+    whole, here = np.abs(function(np.array([0.0, 0.5 * (low + top)])))
+    lost = np.finfo(float).eps * whole
+    return np.asarray(noise + (lost / here if here > lost else 1.0))
 
 
 def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array) -> Array:

@@ -2,11 +2,13 @@
 
 `settled` evaluates many integrals at once; those that have settled drop out.  Gauss-Legendre rules come first
 (analytic integrands converge geometrically), then the double-exponential rule, which does not mind algebraic or
-logarithmic singularities at the ends of the interval.
+logarithmic singularities at the ends of the interval, then Gauss-Legendre rules on many panels, for many waves.  A
+result has settled when two rules of the same family agree.
 """
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 
 import numpy as np
@@ -31,17 +33,29 @@ LADDER: tuple[tuple[str, int], ...] = (
     ("gauss", 24),
     ("gauss", 48),
     ("gauss", 96),
+    ("gauss", 192),
     ("double exponential", 161),
     ("double exponential", 321),
     ("double exponential", 641),
+    ("gauss", 768),
+    ("gauss", 3072),
 )
+PANEL = 48
+"""Points on each panel of a Gauss-Legendre rule of more than twice as many."""
 
 
 def _rule(name: str, count: int) -> tuple[Array, Array]:
     if name == "gauss":
-        return gauss_legendre(count)
+        return gauss_legendre(count) if count <= 2 * PANEL else _panelled(count // PANEL)
     nodes, _, weights = tanh_sinh(count)
     return nodes, weights
+
+
+@functools.lru_cache(maxsize=8)
+def _panelled(panels: int) -> tuple[Array, Array]:
+    nodes, weights = gauss_legendre(PANEL)
+    start = np.arange(panels)[:, None]
+    return ((start + nodes) / panels).ravel(), np.tile(weights / panels, panels)
 
 
 def settled(integrand: Integrand, count: int, what: str, noise: Array | None = None) -> Array:
@@ -70,30 +84,28 @@ def settled(integrand: Integrand, count: int, what: str, noise: Array | None = N
     """
     floor = np.zeros(count) if noise is None else 4.0 * noise
     result = np.zeros(count)
-    open_index = np.arange(count)
-    last = np.full(count, np.nan)
-    change, size = last, last
+    moved = np.full(count, np.inf)
+    last = {name: np.full(count, np.nan) for name, _ in LADDER}
+    waiting = np.arange(count)
     for name, points in LADDER:
         nodes, weights = _rule(name, points)
-        current = np.empty(open_index.size)
-        size = np.empty(open_index.size)
         step = max(1, CHUNK // points)
-        for start in range(0, open_index.size, step):
-            part = slice(start, start + step)
-            values = integrand(nodes, open_index[part])
-            current[part] = values @ weights
-            size[part] = np.abs(values) @ weights
-        result[open_index] = current
-        change = np.abs(current - last)
-        stays = ~(change <= np.maximum(TOLERANCE, floor[open_index]) * size)
-        if not stays.any():
+        for start in range(0, waiting.size, step):
+            part = waiting[start : start + step]
+            values = integrand(nodes, part)
+            current, size = values @ weights, np.abs(values) @ weights
+            change = np.abs(current - last[name][part]) / np.where(size > 0.0, size, 1.0)
+            last[name][part] = current
+            better = change <= moved[part]
+            result[part] = np.where(better, current, result[part])
+            moved[part] = np.where(better, change, moved[part])
+        waiting = waiting[~(moved[waiting] <= np.maximum(TOLERANCE, floor[waiting]))]
+        if not waiting.size:
             return result
-        open_index, last, change, size = open_index[stays], current[stays], change[stays], size[stays]
-    relative = change / np.where(size > 0.0, size, 1.0)
-    worst = float(np.max(relative))
-    if not np.all(relative <= np.maximum(LAST_TOLERANCE, floor[open_index])):
+    if np.any(moved[waiting] > np.maximum(LAST_TOLERANCE, floor[waiting])):
         raise NotConverged(
-            f"The integral for the {what} still moves by {worst:.1e} of its size at {LADDER[-1][1]} points; "
-            "the shape is not smooth between its stated kinks: state them, or give the shape as measured points."
+            f"The integral for the {what} still moves by {np.max(moved[waiting]):.1e} of its size at {LADDER[-1][1]} "
+            "points; the shape is not smooth between its stated kinks: state them, or give the shape as measured "
+            "points."
         )
     return result

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -124,8 +124,8 @@ def _tint(solution: Restorable, ground: Array) -> Array:
 
 def _revolved(r: Array, z: Array, turns: Array, normal_sign: float, colour: Callable[[int], Array]) -> Facets:
     """Return the facets of a curve (r, z) turned about the axis through `turns`."""
-    ring, sector = np.meshgrid(np.arange(r.size - 1), np.arange(turns.size - 1), indexing="ij")
-    ring, sector = ring.ravel(), sector.ravel()
+    grid = np.meshgrid(np.arange(r.size - 1), np.arange(turns.size - 1), indexing="ij")
+    ring, sector = (part.ravel() for part in grid)
     corners = np.empty((ring.size, 4, 3))
     for place, (i, j) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
         radius, turn = r[ring + i], turns[sector + j]
@@ -211,7 +211,7 @@ def _finish(axes: Axes, extent: float, stretch: float) -> None:
     axes.autoscale_view()
     bottom = float(axes.dataLim.y0)
     width, height = _round(0.5 * extent), _round(0.32 * extent / stretch)
-    line = {"color": style.INK, "linewidth": 1.1, "zorder": 6, "clip_on": False, "solid_capstyle": "butt"}
+    line: Any = {"color": style.INK, "linewidth": 1.1, "zorder": 6, "clip_on": False, "solid_capstyle": "butt"}
     tall = height * stretch / extent * math.cos(ELEVATION)
     top = bottom - 0.07
     level = top - 0.5 * tall

@@ -6,16 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.errors import WinklerError
 from winkler.fields import Restorable, SurfaceFields, restore
-from winkler.foundation.bed import Bed
-from winkler.loading import Depth
+from winkler.foundation.bed import Pressed
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.extent import is_singular, marks_of, solid_until
+from winkler.plot.extent import is_singular, marks_of
 from winkler.plot.series import Curve, Series, places, scale_of, series, told
-from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.profiles.profile import Profile
+from winkler.problems.indentation import IndentationSolution
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,7 +21,6 @@ __all__ = [
     "draw_curve",
     "draw_line_load",
     "draw_pressure",
-    "draw_profile",
     "draw_surface",
     "draw_surface_pressure",
     "force_depth",
@@ -35,6 +31,8 @@ __all__ = [
 
 MARKED = 40
 """Curves of at most so many points show each of them."""
+POINTS = 121
+"""Points of F(d)."""
 CEILING = 3.0
 """Where a pressure is infinite, its axis ends at so many mean pressures."""
 
@@ -82,30 +80,26 @@ def load_curves(solution: IndentationSolution) -> dict[str, Curve]:
     return {name: Curve(depth, sorted_series(name)) for name in ("force", "radius", "stiffness")}
 
 
-def force_depth(bed: Bed, depth: float, *, count: int = 81) -> Curve:
-    """Return F(d) from first touch to `depth`, NaN where the contact is no disc.
+def force_depth(pressed: Pressed) -> Curve:
+    """Return F(d) from first touch to a contact, NaN where the contact cannot be one disc on the way.
 
     Parameters
     ----------
-    bed : Bed
-    depth : float
-        [m], positive.
-    count : int
-        How many points.
+    pressed : Pressed
+        Where the curve ends.
+
+    Notes
+    -----
+    The curve is followed by the contact radius, d = g(a): a disc needs every spring inside compressed, so that g(a)
+    is not below any g(x) inside.  A contact that is pinned at its rim goes on with constant stiffness.
     """
-    depths = depth * np.linspace(0.0, 1.0, count) ** 1.5
-    try:
-        forces = np.asarray(Indentation(bed, Depth(depths)).solve().force, dtype=float)
-    except WinklerError:
-        forces = np.array([_force_or_nan(bed, float(one)) for one in depths])
-    return Curve(series("IndentationSolution", "depth", depths), series("IndentationSolution", "force", forces))
-
-
-def _force_or_nan(bed: Bed, depth: float) -> float:
-    try:
-        return float(Indentation(bed, Depth(depth)).solve().force)
-    except WinklerError:
-        return float("nan")
+    bed, a = pressed.bed, pressed.radius * np.linspace(0.0, 1.0, POINTS)
+    depth = np.asarray(bed.gap(a), dtype=float)
+    force = bed.stiffness(a) * depth - bed.gap_load(a)
+    force = np.where(depth >= np.maximum.accumulate(depth), force, np.nan)
+    end = bed.stiffness(a[-1:]) * pressed.depth - bed.gap_load(a[-1:])
+    depth, force = np.append(depth, pressed.depth), np.append(force, end)
+    return Curve(series("IndentationSolution", "depth", depth), series("IndentationSolution", "force", force))
 
 
 def draw_curve(axes: Axes, curve: Curve, colour: str = style.BLUE, **options: Any) -> None:
@@ -175,10 +169,11 @@ def draw_pressure(axes: Axes, solution: Restorable, extent: float, mean: float |
         Mean pressure [Pa], drawn as a line.
     """
     fields = surface(solution, extent)
-    _pressure(axes, fields, solution.pressed.radius, mean, singular=is_singular(solution.pressed))
+    _pressure(axes, fields, solution.pressed, mean)
 
 
-def _pressure(axes: Axes, fields: SurfaceFields, radius: float, mean: float | None, *, singular: bool) -> None:
+def _pressure(axes: Axes, fields: SurfaceFields, pressed: Pressed, mean: float | None) -> None:
+    radius, singular = pressed.radius, is_singular(pressed)
     r, p = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "pressure", fields.pressure)
     finite = p.content[np.isfinite(p.content)]
     top = 1.12 * float(np.max(finite, initial=0.0))
@@ -198,7 +193,8 @@ def _pressure(axes: Axes, fields: SurfaceFields, radius: float, mean: float | No
     if radius == 0.0:
         style.note(axes, "no contact", where="upper centre")
     if singular:
-        style.note(axes, "infinite where\nthe curve leaves")
+        where = "upper centre" if pressed.edge > 0.0 else "upper right"
+        style.note(axes, "infinite where\nthe curve leaves", where=where)
     axes.set_xlabel(r.label(across))
     axes.set_ylabel(p.label(scale))
 
@@ -220,45 +216,6 @@ def draw_surface_pressure(axes: Axes, fields: SurfaceFields) -> None:
     axes.set_ylim(0.0, None)
 
 
-def draw_profile(axes: Axes, profile: Profile, extent: float) -> None:
-    """Draw f(r) and g(x) of a shape, and the points of a measured one.
-
-    Parameters
-    ----------
-    axes : Axes
-        Empty.
-    profile : Profile
-    extent : float
-        Drawn up to this distance [m].
-    """
-    end = min(extent, solid_until(profile))
-    r = np.concatenate([[0.0], places(end, tuple(b for b, _ in profile.kinks)), [end]])
-    f, g = (np.asarray(part, dtype=float) for part in (profile.height(r), profile.gap(r)))
-    g = np.where(np.isfinite(g), g, np.nan)
-    top = 1.25 * max(float(np.max(f)), min(float(np.nanmax(g)), 2.2 * float(np.max(f)))) or 0.3 * extent
-    wall = profile.rim <= end
-    f_r, g_x, f, g = (
-        np.append(r, r[-1]),
-        np.append(r, r[-1]),
-        np.append(f, top if wall else f[-1]),
-        np.append(g, g[-1]),
-    )
-    across, upright = scale_of("m", [extent]), scale_of("m", [top])
-    axes.plot(f_r / across.factor, f / upright.factor, color=style.INK, label="shape $f(r)$")
-    axes.plot(
-        g_x / across.factor,
-        g / upright.factor,
-        color=style.BLUE,
-        linestyle=style.DASHES[1],
-        label="equivalent profile $g(x)$",
-    )
-    axes.set_xlim(0.0, (1.25 if wall else 1.0) * extent / across.factor)
-    axes.set_ylim(-0.02 * top / upright.factor, top / upright.factor)
-    axes.set_xlabel(f"$r$, $x$ [{across.unit}]")
-    axes.set_ylabel(f"height [{upright.unit}]")
-    style.framed_legend(axes, loc="upper left")
-
-
 def draw_surface(axes: Axes, fields: SurfaceFields) -> None:
     """Draw the displacement of the surface and the distance of the surfaces, over r.
 
@@ -271,7 +228,8 @@ def draw_surface(axes: Axes, fields: SurfaceFields) -> None:
     r, sunk = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "displacement", fields.displacement)
     gap = series("SurfaceFields", "gap", np.where(np.isfinite(fields.gap), fields.gap, np.nan))
     known: Array = gap.content[np.isfinite(gap.content)]
-    scale = scale_of("m", sunk.content, np.minimum(known, 2.0 * np.max(sunk.content, initial=0.0)))
+    top = 1.6 * float(np.max(sunk.content, initial=0.0)) or 1.1 * float(np.max(known, initial=0.0)) or 1.0
+    scale = scale_of("m", [top])
     order = np.argsort(r.content, kind="stable")
     few = "o" if order.size <= MARKED else ""
     axes.plot(r.shown()[order], sunk.shown(scale)[order], color=style.BLUE, marker=few, label="displacement $u_z$")
@@ -283,7 +241,7 @@ def draw_surface(axes: Axes, fields: SurfaceFields) -> None:
         linestyle=style.DASHES[1],
         label="separation $h$",
     )
-    axes.set_ylim(0.0, max(1.6 * float(np.max(sunk.content, initial=0.0)) / scale.factor, 1e-300))
+    axes.set_ylim(0.0, top / scale.factor)
     axes.set_xlabel(r.label())
     axes.set_ylabel(f"along the axis [{scale.unit}]")
     style.framed_legend(axes, loc="upper right")

@@ -22,7 +22,6 @@ from winkler.plot.curves import (
     draw_curve,
     draw_line_load,
     draw_pressure,
-    draw_profile,
     draw_surface,
     draw_surface_pressure,
     force_depth,
@@ -30,6 +29,7 @@ from winkler.plot.curves import (
 )
 from winkler.plot.extent import around, checked_extent, typical
 from winkler.plot.method import headline
+from winkler.plot.outline import draw_profile
 from winkler.plot.punches import draw_pressures, draw_steps
 from winkler.plot.series import told
 from winkler.plot.springs import at_first_touch, draw_springs
@@ -110,7 +110,7 @@ def _profile(item: Shape, *, extent: float | None = None) -> Picture:
 
 @draw.register(Foundation)
 @draw.register(PlaneFoundation)
-def _bed(item: Foundation | PlaneFoundation, *, extent: float | None = None) -> Picture:
+def _bed(item: Any, *, extent: float | None = None) -> Picture:
     end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
     shape = item.profile if isinstance(item, Foundation) else item.plane_profile
     with style.styled():
@@ -167,7 +167,7 @@ def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Picture:
         figure, (left, right) = _sheet(2, width=5.0, height=3.3)
         draw_stress(left, contact, around(contact.pressed, extent), item.radius)
         left.set_title("stress where yielding begins")
-        curve = force_depth(item.problem.bed, item.depth)
+        curve = force_depth(contact.pressed)
         draw_curve(right, curve, marker="", label="elastic")
         across, upright = curve.along.scale.factor, curve.of.scale.factor
         right.plot([item.depth / across], [item.force / upright], "o", color=style.RED, label="yielding begins")

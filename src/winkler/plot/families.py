@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.series import Scale, Series, common_scale
+from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
 
     from winkler.plot.picture import Picture
 
@@ -48,7 +49,10 @@ def draw_family(
     logarithmic : bool
         Whether axes whose values span decades are made logarithmic.
     """
-    across, upright = common_scale(*along), common_scale(*of)
+    steep = logarithmic and spans_decades(np.concatenate([one.content.ravel() for one in along]))
+    steeper = steep and spans_decades(np.concatenate([one.content.ravel() for one in of]))
+    across = _scale(along, steep)
+    upright = _scale(of, steeper)
     many = len(of) > TELLABLE
     for place, (x, y) in enumerate(zip(along, of, strict=True)):
         colour = style.shades()(0.15 + 0.85 * place / (len(of) - 1)) if many else style.CYCLE[place]
@@ -63,31 +67,33 @@ def draw_family(
             label=labels[place] if not many or place in (0, len(of) // 2, len(of) - 1) else None,
         )
     axes.margins(x=0.04, y=0.06)
-    if logarithmic:
-        _stretch(axes, along, of)
-    _describe(axes, along[0], across, of[0], upright)
+    for axis, decades in ((axes.xaxis, steep), (axes.yaxis, steeper)):
+        if decades:
+            _stretch(axes, axis)
+    axes.set_xlabel(along[0].label(across))
+    axes.set_ylabel(of[0].label(upright))
 
 
-def _stretch(axes: Axes, along: Sequence[Series], of: Sequence[Series]) -> None:
+def _scale(many: Sequence[Series], steep: bool) -> Scale:
+    """Return one scale for all: by the greatest number, or on a logarithmic axis by the middle one."""
+    if steep:
+        return middle_scale(many[0].word.unit, np.concatenate([one.content.ravel() for one in many]))
+    return common_scale(*many)
+
+
+def _stretch(axes: Axes, axis: Axis) -> None:
+    """Make one axis logarithmic, with plain numbers at its ticks."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-    if not spans_decades(np.concatenate([one.content.ravel() for one in along])):
-        return
-    steep = spans_decades(np.concatenate([one.content.ravel() for one in of]))
-    axes.set_xscale("log")
-    if steep:
+    if axis is axes.xaxis:
+        axes.set_xscale("log")
+    else:
         axes.set_yscale("log")
-    for axis in (axes.xaxis, axes.yaxis) if steep else (axes.xaxis,):
-        low, high = axis.get_view_interval()
-        decades = np.log10(high / low)
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if decades < 2.5 else (1.0,), numticks=12))
-        axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
-        axis.set_minor_formatter(NullFormatter())
-
-
-def _describe(axes: Axes, x: Series, across: Scale, y: Series, upright: Scale) -> None:
-    axes.set_xlabel(x.label(across))
-    axes.set_ylabel(y.label(upright))
+    low, high = axis.get_view_interval()
+    few = np.log10(high / low) < 2.5
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if few else (1.0,), numticks=12))
+    axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def draw_bars(axes: Axes, names: Sequence[str], of: Series) -> None:

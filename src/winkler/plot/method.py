@@ -79,7 +79,7 @@ def force(solution: IndentationSolution, extent: float | None = None) -> Picture
         )
 
     def paint(axes: Any, _: float) -> None:
-        curve = force_depth(solution.problem.bed, depth)
+        curve = force_depth(solution.pressed)
         draw_curve(axes, curve, marker="")
         point = series("IndentationSolution", "force", np.array([float(solution.force)]))
         axes.plot([depth / curve.along.scale.factor], point.shown(curve.of.scale), "o", color=style.RED, clip_on=False)

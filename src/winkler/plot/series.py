@@ -6,6 +6,7 @@ symbols and units come from the glossary.
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from typing import Any, NamedTuple
@@ -16,7 +17,19 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
-__all__ = ["Curve", "Scale", "Series", "common_scale", "places", "pretty_unit", "scale_of", "series", "spoken", "told"]
+__all__ = [
+    "Curve",
+    "Scale",
+    "Series",
+    "common_scale",
+    "middle_scale",
+    "places",
+    "pretty_unit",
+    "scale_of",
+    "series",
+    "spoken",
+    "told",
+]
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
@@ -79,6 +92,7 @@ def scale_of(unit: str | None, *contents: ArrayLike) -> Scale:
         return Scale(1.0, "")
     if unit == "rad":
         return Scale(math.pi / 180.0, "°")
+    unit = re.sub(r"\^1(?![\d.])", "", unit)
     head, slash, tail = unit.partition("/")
     if head not in PREFIXED:
         return Scale(1.0, pretty_unit(unit))
@@ -88,9 +102,22 @@ def scale_of(unit: str | None, *contents: ArrayLike) -> Scale:
     return Scale(float(f"1e{power}"), pretty_unit(f"{PREFIXES[power]}{head}{slash}{tail}"))
 
 
+def middle_scale(unit: str | None, content: ArrayLike) -> Scale:
+    """Return the prefix that fits the median of the numbers: for tables and logarithmic axes.
+
+    Examples
+    --------
+    >>> middle_scale("N", [1.0, 10.0, 100.0, 1e3])
+    Scale(factor=1.0, unit='N')
+    """
+    sizes = _finite(content)
+    sizes = sizes[sizes > 0.0]
+    return scale_of(unit, float(np.median(sizes)) if sizes.size else 0.0)
+
+
 def _finite(content: ArrayLike) -> Array:
-    numbers = np.abs(np.asarray(content, dtype=float)).ravel()
-    return numbers[np.isfinite(numbers)]
+    numbers: Array = np.abs(np.asarray(content, dtype=float)).ravel()
+    return np.asarray(numbers[np.isfinite(numbers)])
 
 
 def told(number: float, unit: str | None, digits: int = 4) -> str:
@@ -188,7 +215,7 @@ def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start
     """
     bounds = [start, *sorted({mark for mark in marks if start < mark < end}), end]
     pieces = []
-    for low, high in zip(bounds[:-1], bounds[1:], strict=True):
+    for low, high in itertools.pairwise(bounds):
         share = max(24, round(count * (high - low) / (end - start)))
         turn = (np.arange(share) + 0.5) / share
         pieces.append(low + (high - low) * np.sin(0.5 * np.pi * turn) ** 2)

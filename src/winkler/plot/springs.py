@@ -9,7 +9,7 @@ import numpy as np
 from winkler.foundation.bed import Bed, Pressed
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.extent import marks_of, solid_until
+from winkler.plot.extent import solid_until
 from winkler.plot.series import Scale, Series, places, scale_of, series
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -118,9 +118,9 @@ def draw_field(axes: Axes, fields: SubsurfaceFields) -> None:
     )
     told_by = series("SubsurfaceFields", "von_mises", c)
     assert axes.figure is not None
-    bar = axes.figure.colorbar(shown, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)), label=told_by.label(scale))
-    bar.outline.set_visible(False)  # type: ignore[operator]
-    bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])  # type: ignore[arg-type]
+    bar: Any = axes.figure.colorbar(shown, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)), label=told_by.label(scale))
+    bar.outline.set_visible(False)
+    bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])
     axes.set_aspect("equal")
     axes.set_ylim(max(float(np.max(z)), 0.0) / across.factor, min(float(np.min(z)), 0.0) / across.factor)
     axes.set_xlabel(series("SubsurfaceFields", "r", r).label(across))
@@ -138,8 +138,8 @@ def _levels(top: float) -> Array:
     """Return round levels from zero to just above `top`."""
     from matplotlib.ticker import MaxNLocator
 
-    levels = MaxNLocator(LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, top)
-    return np.asarray(levels[levels >= 0.0], dtype=float)
+    levels = np.asarray(MaxNLocator(LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, top), dtype=float)
+    return np.asarray(levels[levels >= 0.0])
 
 
 def draw_along(axes: Axes, fields: SubsurfaceFields) -> None:

@@ -46,7 +46,7 @@ CYCLE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, INK)
 DASHES: tuple[Any, ...] = ("-", (0, (5, 2)), (0, (1.2, 1.2)), (0, (6, 2, 1.2, 2)))
 """Line styles, so that curves can be told apart in print without colour."""
 
-SETTINGS: dict[str, Any] = {
+SETTINGS: Any = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],
     "font.size": 9.0,
@@ -109,13 +109,17 @@ def styled() -> Iterator[None]:
 
 def figure(columns: int = 1, rows: int = 1, *, width: float = 4.4, height: float = SHORT_SIDE) -> Picture:
     """Return an empty figure for so many panels; call it, and draw, inside `styled`."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
     from winkler.plot.picture import Picture
 
-    return Picture(figsize=(width * columns, height * rows), dpi=144, layout="constrained")
+    empty = Picture(figsize=(width * columns, height * rows), dpi=144, layout="constrained")
+    FigureCanvasAgg(empty)  # so that it can be drawn and measured without a window
+    return empty
 
 
 def shades() -> Colormap:
-    """Return the colour map of stresses and pressures: perceptually even, safe for colour-blind readers, light to dark."""
+    """Return the colour map of stresses and pressures: perceptually even, safe for colour-blind readers."""
     from matplotlib import colormaps
 
     return colormaps["viridis_r"]

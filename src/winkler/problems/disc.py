@@ -49,11 +49,15 @@ def _turns(bed: Bed, end: float) -> list[float]:
     slope = bed.gap_slope(x)
     changes = np.flatnonzero(np.sign(slope[1:]) * np.sign(slope[:-1]) < 0)
     if changes.size > MOST_TURNS:
-        raise OutsideValidity(
-            f"g(x) turns more than {MOST_TURNS} times within {end:.3g} m; so many waves cannot be one contact: ask for "
-            "a smaller load, or treat the body as rough."
-        )
+        raise OutsideValidity(_too_many(end))
     return [_root(lambda t: float(bed.gap_slope(np.array([t]))[0]), x[i], x[i + 1]) for i in changes]
+
+
+def _too_many(end: float) -> str:
+    return (
+        f"g(x) turns more than {MOST_TURNS} times within {end:.3g} m; so many waves cannot be one contact: ask for a "
+        "smaller load, or treat the body as rough."
+    )
 
 
 def _gap(bed: Bed, x: float) -> float:
@@ -169,7 +173,10 @@ def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
     falling = [b for b, strength in bed.kinks if strength < 0.0 and b < radius]
     if not (falling or np.any(slope < 0.0)):
         return
-    count = 400 + 8 * int(np.count_nonzero(np.diff(np.sign(slope))))
+    turns = int(np.count_nonzero(np.diff(np.sign(slope))))
+    if turns > MOST_TURNS:
+        raise OutsideValidity(_too_many(radius))
+    count = 400 + 4 * turns
     r = (np.arange(count) + 0.5) / count * radius
     # beside a kink where the slope drops the pressure falls logarithmically: a gap narrower than this is of no account
     beside = [b * (1.0 + side * 10.0**-k) for b in falling for side in (-1.0, 1.0) for k in range(2, 9)]

@@ -162,7 +162,7 @@ class IndentationSolution:
         """
         pressed = self.pressed
         x = np.abs(np.asarray(x, dtype=float))
-        inside = x <= pressed.radius
+        inside = (x <= pressed.radius) & (pressed.radius > 0.0)
         bed = self.problem.bed
         place = np.where(inside, x, 0.0)
         return np.where(inside, bed.normal_stiffness(place) * pressed.value(place), 0.0)

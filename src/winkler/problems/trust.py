@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -78,18 +79,28 @@ def _size_note(bed: Bed, radius: float) -> Note:
     return Note(standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON)
 
 
+@functools.lru_cache(maxsize=64)
+def _onset_force(bed: Bed) -> float | str:
+    """Return the load at which yielding begins [N], or why none is known."""
+    from winkler.problems.yielding import YieldOnset
+
+    try:
+        return YieldOnset(bed).solve().force
+    except OutsideValidity as error:
+        return str(error)
+
+
 def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
-    from winkler.problems.yielding import YieldOnset, can_yield
+    from winkler.problems.yielding import can_yield
 
     if not can_yield(bed):
         return ()
-    try:
-        onset = YieldOnset(bed).solve()
-    except OutsideValidity as error:
-        return (Note(Standing.APPROXIMATE, f"No onset of yield is known: {error}", "von Mises' criterion"),)
-    if force < onset.force:
-        standing, verdict = Standing.EXACT, f"yielding begins at {onset.force:.4g} N; the contact stays elastic"
+    onset = _onset_force(bed)
+    if isinstance(onset, str):
+        return (Note(Standing.APPROXIMATE, f"No onset of yield is known: {onset}", "von Mises' criterion"),)
+    if force < onset:
+        standing, verdict = Standing.EXACT, f"yielding begins at {onset:.4g} N; the contact stays elastic"
     else:
         standing = Standing.OUTSIDE
-        verdict = f"yielding began at {onset.force:.4g} N; beyond it the result is not elastic"
+        verdict = f"yielding began at {onset:.4g} N; beyond it the result is not elastic"
     return (Note(standing, f"By von Mises' criterion {verdict}.", "largest von Mises stress of the restored field"),)

@@ -25,15 +25,13 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose
 from winkler.validity import Note, Standing
-from winkler.values import value
+from winkler.values import frozen_array, value
 
 __all__ = ["Measured"]
 
 TOLERANCE = 1e-11
 """Error of g' on its panels, relative to the steepest slope."""
 FEWEST = 6
-MOST_KNOTS = 48
-"""At so many knots at most quadrature is split; beyond, their jumps are too small to matter."""
 
 
 @value
@@ -61,6 +59,11 @@ class Measured(Shape):
     heights: Array
 
     def __post_init__(self) -> None:
+        for word in ("radii", "heights"):
+            try:
+                object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word), dtype=float)))
+            except (TypeError, ValueError):
+                raise InvalidInput(f"Measured: {word} are not numbers; give an array in m.") from None
         if np.ndim(self.radii) != 1 or np.shape(self.radii) != np.shape(self.heights):
             raise InvalidInput(
                 f"Measured: radii have the shape {np.shape(self.radii)} and heights {np.shape(self.heights)}; give two "
@@ -92,12 +95,8 @@ class Measured(Shape):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """The knots at which f''' jumps most: smooth to the eye, but quadrature goes from one to the next."""
-        jumps = np.abs(np.diff(self.curve.derivatives[3])) * self.reach**2
-        steepest = float(np.max(np.abs(self.slope(np.linspace(0.0, self.reach, 257)))))
-        strongest = np.sort(np.argsort(-jumps)[:MOST_KNOTS])
-        inner = self.curve.knots[1:-1]
-        return tuple((float(inner[j]), 0.0) for j in strongest if jumps[j] > 1e-4 * steepest)
+        """The knots, where f''' jumps: smooth to the eye, but quadrature must go from one to the next, all of them."""
+        return tuple((float(knot), 0.0) for knot in self.curve.knots[1:-1])
 
     @property
     def rising(self) -> bool:
@@ -191,7 +190,9 @@ def _panels(profile: Measured) -> tuple[Panels, Panels, Panels]:
     """Return g, g' and the integral of g on adaptive panels."""
     curve = _curve(profile)
     steepest = float(np.max(np.abs(curve.evaluate(np.linspace(0.0, curve.knots[-1], 1001), 1))))
-    slope = fit_panels(lambda x: _gap_slope(curve, x), curve.knots, TOLERANCE * steepest)
+    # where f''' jumps much, as at a sampled corner, rounding leaves less than that
+    rounding = 2.0 * np.finfo(float).eps * curve.knots[-1] ** 2 * float(np.sum(np.abs(np.diff(curve.derivatives[3]))))
+    slope = fit_panels(lambda x: _gap_slope(curve, x), curve.knots, max(TOLERANCE * steepest, rounding))
     gap = slope.integral
     return gap, slope, gap.integral
 

@@ -10,20 +10,13 @@ import math
 
 import numpy as np
 
+from winkler.numerics.struve import struve
 from winkler.numerics.types import Array
 from winkler.profiles.check import positive
 from winkler.profiles.profile import Shape
 from winkler.values import value
 
 __all__ = ["Wavy"]
-
-
-def struve(order: int, t: Array) -> Array:
-    """Return Struve's function of the given order; scipy.special is loaded when it is first asked for."""
-    from scipy.special import struve as of
-
-    result: Array = of(order, t)
-    return result
 
 
 @value

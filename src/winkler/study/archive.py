@@ -34,6 +34,9 @@ NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 ACROSS = "load"
 """Dimension of the loads that one point asks for at once."""
 
+LARGE = 1000
+"""Arrays with more numbers are compressed, without loss."""
+
 EXTRA = ("von_mises", "max_shear")
 """What is kept of the stresses beside their components."""
 
@@ -48,7 +51,9 @@ def write(outcome: Outcome, folder: Path) -> None:
     folder
         Must exist; files of the same names are replaced.
     """
-    dataset(outcome).to_netcdf(folder / NETCDF, engine="h5netcdf")
+    data = dataset(outcome)
+    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
+    data.to_netcdf(folder / NETCDF, engine="h5netcdf", encoding=large)
     columns = outcome.table()
     _write_rows(
         folder / CSV,

@@ -12,6 +12,7 @@ import numpy as np
 
 from winkler.errors import WinklerError
 from winkler.loading import Depth
+from winkler.numerics.types import Array
 from winkler.plot.families import bar_picture, family_picture
 from winkler.plot.method import PICTURES
 from winkler.plot.series import Series, spoken
@@ -19,6 +20,7 @@ from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.study import keys
 from winkler.study.inputs import content_label, setting_told
 from winkler.study.outcome import Outcome, Solved
+from winkler.study.study import Axis, Study
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture
@@ -124,48 +126,70 @@ def _shown(name: str, title: str, sentence: str, picture: Picture) -> Shown:
 def answers_over(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer over what was varied; none if nothing was."""
     study = outcome.study
-    loads = max(len(numbers) for point in outcome.solved for numbers in point.answers.values())
-    if loads > 1 and "depth" in outcome.answers:
-        yield from _over_depth(outcome)
+    columns = {column.name: column.content for column in outcome.table()}
+    if len(next(iter(columns.values()))) > len(outcome.points):
+        yield from _over_depth(outcome) if "depth" in columns else ()
         return
     if len(outcome.points) < 2:
         return
     numeric = [axis for axis in study.sweep if all(isinstance(item, int | float) for item in axis.values)]
+    answers = {name: columns[name].reshape(outcome.shape) for name in _told_apart(outcome, columns)}
     if not numeric:
-        yield from _bars(outcome)
+        yield from _bars(outcome, answers)
         return
     along = max(numeric, key=lambda axis: len(axis.values))
-    place = study.sweep.index(along)
-    others = [axis for axis in study.sweep if axis is not along]
-    if study.together:
-        curves: list[tuple[str, Any]] = [("", slice(None))]
-    else:
-        curves = []
-        for index in np.ndindex(*(len(axis.values) for axis in others)):
-            told = (setting_told(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
-            curves.append((", ".join(told), (*index[:place], slice(None), *index[place:])))
+    curves = _curves(study, along)
     cut = f" The first {MOST_CURVES} of {len(curves)} curves are shown." if len(curves) > MOST_CURVES else ""
     curves = curves[:MOST_CURVES]
     entry = keys.word_at(study, along.key)
     if ".constants." in along.key:
         entry = entry._replace(symbol="")  # a name that the reader chose, not a symbol of the glossary
     x = Series(along.key.rpartition(".")[2], entry, np.array(along.values, dtype=float))
-    for name in _told_apart(outcome):
-        of = [Series(name, outcome.word(name), outcome.answer(name)[..., 0][where]) for _, where in curves]
+    sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "Everything else was kept."
+    for name, content in answers.items():
+        of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
         picture = family_picture([x for _ in curves], of, [label for label, _ in curves])
-        title = f"{spoken(name)} over {spoken(x.name)}"
-        sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "Everything else was kept."
-        yield _shown(f"answer_{name}", title[:1].upper() + title[1:], sentence, picture)
+        yield _shown(f"answer_{name}", _capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
 
 
-def _bars(outcome: Outcome) -> Iterator[Shown]:
+def _curves(study: Study, along: Axis) -> list[tuple[str, Any]]:
+    """Return ``(label, where)`` of every curve over one axis of the sweep: where it stands in an array of answers."""
+    if study.together:
+        return [("", slice(None))]
+    place = study.sweep.index(along)
+    others = [axis for axis in study.sweep if axis is not along]
+    curves: list[tuple[str, Any]] = []
+    for index in np.ndindex(*(len(axis.values) for axis in others)):
+        told = (setting_told(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
+        curves.append((", ".join(told), (*index[:place], slice(None), *index[place:])))
+    return curves
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _told_apart(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
+    """Return the answers that are worth a figure: numbers that vary and are not what was given."""
+    given = [columns[axis.key] for axis in outcome.study.sweep]
+    found = []
+    for name in outcome.answers:
+        known = np.isfinite(columns[name])
+        content = columns[name][known]
+        same = any(one.dtype.kind == "f" and np.array_equal(one[known], content) for one in given)
+        if not same and content.size and np.ptp(content) > 0.0:
+            found.append(name)
+    return found or list(outcome.answers)
+
+
+def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     points = outcome.points[:MOST_BARS]
     labels = [", ".join(content_label(item) for item in point.settings) for point in points]
     cut = f" The first {MOST_BARS} of {len(outcome.points)} are shown." if len(outcome.points) > MOST_BARS else ""
-    for name in _told_apart(outcome):
-        of = Series(name, outcome.word(name), outcome.answer(name)[..., 0].ravel()[:MOST_BARS])
+    for name, content in answers.items():
+        of = Series(name, outcome.word(name), content.ravel()[:MOST_BARS])
         sentence = f"One bar for each that was varied.{cut}"
-        yield _shown(f"answer_{name}", spoken(name).capitalize(), sentence, bar_picture(labels, of))
+        yield _shown(f"answer_{name}", _capital(spoken(name)), sentence, bar_picture(labels, of))
 
 
 def _over_depth(outcome: Outcome) -> Iterator[Shown]:
@@ -181,30 +205,14 @@ def _over_depth(outcome: Outcome) -> Iterator[Shown]:
         ", ".join(setting_told(study, axis, item) for axis, item in zip(study.sweep, point.settings, strict=True))
         for point in points
     ]
-    along = [Series("depth", outcome.word("depth"), point.answers["depth"]) for point in points]
+    answered = [point.answers for point in points]
+    along = [Series("depth", outcome.word("depth"), answers["depth"]) for answers in answered]
     for name in outcome.answers:
-        if name != "depth" and all(name in point.answers for point in points):
-            of = [Series(name, outcome.word(name), point.answers[name]) for point in points]
-            title = f"{spoken(name)} over depth"
+        if name != "depth" and all(name in answers for answers in answered):
+            of = [Series(name, outcome.word(name), answers[name]) for answers in answered]
             sentence = f"All loads that were asked at once.{cut}"
             picture = family_picture(along, of, labels)
-            yield _shown(f"answer_{name}", title[:1].upper() + title[1:], sentence, picture)
-
-
-def _told_apart(outcome: Outcome) -> list[str]:
-    """Return the answers that are worth a panel: numbers that vary and are not what was given."""
-    given = [np.array([point.settings[place] for point in outcome.solved]) for place in range(len(outcome.study.sweep))]
-    found = []
-    for name in outcome.answers:
-        content = np.array([point.answers[name][0] for point in outcome.solved if name in point.answers])
-        same = any(g.dtype.kind == "f" and g.shape == content.shape and np.array_equal(g, content) for g in given)
-        if (
-            not same
-            and content.size
-            and np.ptp(content[np.isfinite(content)] if np.isfinite(content).any() else [0.0]) > 0.0
-        ):
-            found.append(name)
-    return found or list(outcome.answers)
+            yield _shown(f"answer_{name}", _capital(f"{spoken(name)} over depth"), sentence, picture)
 
 
 # ------------------------------------------------------------------------------------------------------- files

@@ -1,0 +1,123 @@
+"""Names, symbols, units and prefixes of what is drawn."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from winkler.plot.series import (
+    Scale,
+    common_scale,
+    middle_scale,
+    places,
+    pretty_unit,
+    scale_of,
+    series,
+    told,
+)
+from winkler.vocabulary import GLOSSARY, OWNED
+
+
+@pytest.mark.parametrize(
+    ("unit", "greatest", "shown"),
+    [
+        ("m", 187e-6, "µm"),
+        ("m", 1e-3, "mm"),
+        ("m", 0.9999e-3, "µm"),
+        ("m", 2e-10, "pm"),
+        ("m", 5e3, "m"),
+        ("N", 1e4, "kN"),
+        ("N", 3e-8, "nN"),
+        ("Pa", 1.4e9, "GPa"),
+        ("Pa", 0.0, "Pa"),
+        ("N/m", 4.3e7, "MN/m"),
+        ("J", 1e-4, "µJ"),
+        ("m^2", 1e-6, "m²"),
+        ("1/m", 1e3, "1/m"),
+        ("", 1e-9, ""),
+        (None, 1.0, ""),
+    ],
+)
+def test_the_prefix_fits_the_greatest(unit, greatest, shown):
+    scale = scale_of(unit, [0.0, -greatest, 0.1 * greatest])
+    assert scale.unit == shown
+    if shown not in ("m²", "1/m", "") and greatest > 0.0 and unit != "m":
+        assert 1.0 <= greatest / scale.factor < 1000.0
+
+
+def test_a_factor_is_the_power_of_ten_itself():
+    assert scale_of("m", 5e-6).factor == 1e-6
+    assert scale_of("m", 1e-6 * (1 - 1e-12)).unit == "µm"
+
+
+def test_angles_are_shown_in_degrees():
+    scale = scale_of("rad", math.radians(70.3))
+    assert scale.unit == "°"
+    assert_allclose(math.radians(70.3) / scale.factor, 70.3, rtol=1e-15)
+
+
+def test_infinite_and_missing_numbers_do_not_choose_the_prefix():
+    assert scale_of("Pa", [np.inf, np.nan, 2e6]).unit == "MPa"
+    assert scale_of("Pa", [np.inf]).unit == "Pa"
+
+
+def test_tables_take_the_middle():
+    assert middle_scale("N", [0.0, 1.0, 10.0, 5e3, np.nan]) == Scale(1.0, "N")
+    assert middle_scale("N", [0.0]) == Scale(1.0, "N")
+
+
+@pytest.mark.parametrize(
+    ("number", "unit", "text"),
+    [
+        (1.8662e-4, "m", "186.6 µm"),
+        (0.3, "", "0.3"),
+        (-2e-9, "m", "−2 nm"),
+        (math.radians(60.0), "rad", "60°"),
+        (1e6, "m^-3", "1·10⁶ m⁻³"),
+        (0.0, "N", "0 N"),
+        (math.inf, "Pa", "inf Pa"),
+    ],
+)
+def test_told(number, unit, text):
+    assert told(number, unit) == text
+
+
+def test_superscripts():
+    assert pretty_unit("m^(1-n)") == "m^(1-n)"
+    assert pretty_unit("m^2 Pa^-1") == "m² Pa⁻¹"
+
+
+def test_a_label_has_name_symbol_and_unit():
+    force = series("IndentationSolution", "force", [0.0, 2e4])
+    assert force.label() == "force $F_N$ [kN]"
+    assert_allclose(force.shown(), [0.0, 20.0], rtol=1e-15)
+    assert force.label(Scale(1.0, "N")) == "force $F_N$ [N]"
+    assert series("Elastic", "poisson", 0.3).label() == r"Poisson's ratio $\nu$"
+    assert series("SurfaceFields", "gap", 1.0).word.symbol == "h"
+
+
+@pytest.mark.parametrize("key", [*GLOSSARY, *OWNED], ids=str)
+def test_every_symbol_of_the_glossary_can_be_drawn(key):
+    from matplotlib.mathtext import MathTextParser
+
+    entry = GLOSSARY[key] if isinstance(key, str) else OWNED[key]
+    if entry.symbol:
+        MathTextParser("path").parse(f"${entry.symbol}$")
+
+
+def test_a_common_scale_fits_the_greatest_of_all():
+    small, great = series("Foundation", "gap", [1e-9]), series("Foundation", "gap", [1e-6])
+    assert common_scale(small, great).unit == "µm"
+
+
+def test_places_come_near_the_marks_but_never_meet_them():
+    r = places(3.0, (1.0, 2.0, 5.0))
+    assert np.all(np.diff(r) > 0.0)
+    assert r[0] > 0.0
+    assert r[-1] < 3.0
+    for mark in (1.0, 2.0):
+        assert 0.0 < np.min(np.abs(r - mark)) < 1e-3
+    assert 200 < r.size < 300
