@@ -26,7 +26,10 @@ def test_a_function_that_diverges_at_the_upper_end():
     """x artanh(x) = d: the sphere, up to where doubles end."""
     target = np.array([1e-20, 1e-3, 0.5, 3.0, 10.0, 15.0, 18.0, 40.0])
     got = invert(
-        lambda x: (x * np.arctanh(x), np.arctanh(x) + x / ((1.0 - x) * (1.0 + x))), target, lower=0.0, upper=1.0,
+        lambda x: (x * np.arctanh(x), np.arctanh(x) + x / ((1.0 - x) * (1.0 + x))),
+        target,
+        lower=0.0,
+        upper=1.0,
         guess=0.1,
     )
     mp.mp.dps = 40
@@ -53,6 +56,7 @@ def test_a_function_that_starts_above_zero(power):
 
 def test_a_bend_between_two_powers():
     """A square that goes over into a 200th power: Newton alone would overshoot."""
+
     def function(x):
         return x**2 + x**200.0, 2.0 * x + 200.0 * x**199.0
 
@@ -63,16 +67,18 @@ def test_a_bend_between_two_powers():
 
 def test_a_step_is_found_between_neighbours():
     """A jump has no root; the place of the jump is the answer."""
-    got = invert(lambda x: (np.where(x < 0.3, 1.0, 2.0) * x, np.ones_like(x)), np.array([0.45]), lower=0.0, upper=9.0,
-                 guess=1.0)
+    got = invert(
+        lambda x: (np.where(x < 0.3, 1.0, 2.0) * x, np.ones_like(x)), np.array([0.45]), lower=0.0, upper=9.0, guess=1.0
+    )
     assert got[0] == pytest.approx(0.3, rel=1e-14)
 
 
 def test_slopes_that_are_infinite_zero_or_wrong_do_not_mislead():
     """Only the values decide: with useless slopes it bisects."""
     for slope in (math.inf, 0.0, -1.0, math.nan):
-        got = invert(lambda x, s=slope: (x**3, np.full_like(x, s)), np.array([8.0, 1e-9]), lower=0.0, upper=math.inf,
-                     guess=1.0)
+        got = invert(
+            lambda x, s=slope: (x**3, np.full_like(x, s)), np.array([8.0, 1e-9]), lower=0.0, upper=math.inf, guess=1.0
+        )
         np.testing.assert_allclose(got, [2.0, 1e-3], rtol=1e-12)
 
 
@@ -88,5 +94,10 @@ def test_one_answer_does_not_depend_on_the_others():
 
 def test_a_target_that_is_never_met():
     with pytest.raises(NotConverged, match="No contact radius meets the load"):
-        invert(lambda x: (np.tanh(x), np.cosh(np.minimum(x, 300.0)) ** -2.0), np.array([2.0]), lower=0.0,
-               upper=math.inf, guess=1.0)
+        invert(
+            lambda x: (np.tanh(x), np.cosh(np.minimum(x, 300.0)) ** -2.0),
+            np.array([2.0]),
+            lower=0.0,
+            upper=math.inf,
+            guess=1.0,
+        )

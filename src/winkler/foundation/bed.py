@@ -20,6 +20,10 @@ class Bed(Protocol):
     Lengths [m], x >= 0 (everything is even in x); arrays in, arrays of the same shape out.
     """
 
+    def __hash__(self) -> int:
+        """Beds are values: equal content, equal hash."""
+        ...
+
     @property
     def medium(self) -> Medium:
         """What translates between springs and body."""

@@ -1,8 +1,8 @@
 r"""Springs: a bed sampled at places, for problems in which every spring remembers.
 
 Between 0 and the reach stand n cells; each spring stands for its cell on both sides of the axis.  The load of a cell
-that the contact edge cuts counts only up to the edge, so that the force converges with the second power of the cell
-width instead of the first.
+that the contact edge cuts counts only up to the edge: the force then converges with the second power of the cell width
+without jumping about as the edge moves through a cell; under a cone it is exact.
 """
 
 from __future__ import annotations

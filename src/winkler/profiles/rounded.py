@@ -80,6 +80,11 @@ class RoundedPunch(PowerPieces):
         t = self._ratio(x)
         return np.asarray(self.flat_radius / self.edge_radius * x * _excess(t)[0])
 
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        t = self._ratio(x)
+        return np.asarray(self.flat_radius / self.edge_radius * (t + _excess(t)[0]))
+
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         t = self._ratio(x)
