@@ -16,9 +16,11 @@ __all__ = ["Depth", "Force", "Load", "Radius"]
 
 def _check(word: str, unit: str, given: Quantity) -> None:
     try:
-        numbers = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"{word}: {given!r} is not a number; give a number or an array in {unit}.") from None
+        numbers = np.asarray(given)
+    except ValueError:  # rows of different lengths
+        numbers = np.asarray(given, dtype=object)
+    if numbers.dtype.kind not in "fiu":
+        raise InvalidInput(f"{word}: {given!r} is not a number; give a number or an array in {unit}.")
     if numbers.size == 0:
         raise InvalidInput(f"{word}: the array is empty; give at least one value in {unit}.")
     bad = np.flatnonzero(~np.isfinite(numbers))

@@ -16,10 +16,10 @@ from winkler.media.medium import Medium
 
 
 class Sample(NamedTuple):
-    """A medium at any scale of lengths and moduli, and the same with its bodies exchanged."""
+    """A medium at any scale of lengths and moduli, and the same with its bodies exchanged where they can be."""
 
     make: Callable[[float, float], Medium]
-    swapped: Callable[[float, float], Medium]
+    swapped: Callable[[float, float], Medium] | None = None
 
     def __repr__(self) -> str:
         return f"Sample({self.make(1.0, 1.0)!r})"

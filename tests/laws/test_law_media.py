@@ -33,6 +33,8 @@ def isotropic(body: wk.Elastic) -> wk.TransverselyIsotropic:
 @given(data=st.data())
 def test_exchanging_the_bodies_changes_nothing(kind, data):
     sample = data.draw(MEDIA[kind])
+    if sample.swapped is None:
+        return  # its bodies are of different kinds
     np.testing.assert_allclose(moduli(sample.swapped(1.0, 1.0)), moduli(sample.make(1.0, 1.0)), rtol=1e-13)
 
 

@@ -84,7 +84,7 @@ class PlaneFoundation:
         """f'(r) [-], by T2 applied to x g'(x) / r."""
         r = np.asarray(r, dtype=float)
         moment = abel.surface(lambda x: x * self.gap_slope(x), [b for b, _ in self.kinks], r)
-        at_axis = 2.0 / np.pi * self.gap_slope(np.zeros(1))
+        at_axis = 2.0 / np.pi * float(self.gap_slope(np.zeros(1))[0])
         return np.where(r > 0.0, moment / np.where(r > 0.0, r, 1.0), at_axis)
 
     def gap(self, x: Array) -> Array:

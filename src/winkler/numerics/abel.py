@@ -39,6 +39,12 @@ def root_difference(x: Array, b: float | Array) -> Array:
     return np.sqrt(np.maximum(x - b, 0.0) * (x + b))
 
 
+def _lifted(x: Array) -> Array:
+    """Return places, those so close to the axis that their squares vanish put onto it."""
+    x = np.asarray(x, dtype=float)
+    return np.where(x > 1e-150, x, 0.0)
+
+
 def _noise(x: Array, low: float) -> Array | None:
     """Return how far rounding of places near x spoils a function of the distance from `low`, relative to it."""
     if low == 0.0:
@@ -145,7 +151,7 @@ def surface(function: Curve, edges: Sequence[float], r: Array, end: float = math
     With g it gives the profile f(r) back; with the springs' displacement, zero beyond `end`, the displacement of
     the surface.  `edges` are the places where `function` starts a new square root, as g does above a kink.
     """
-    r = np.asarray(r, dtype=float)
+    r = _lifted(r)
     inner = r[r > 0.0]
     total = np.zeros_like(inner)
     for low, high in _pieces(edges, min(end, float(np.max(inner, initial=0.0)))):
@@ -271,9 +277,9 @@ def _tail_piece(slope: Curve, low: float, top: float, strength: float, r: Array,
         regular = -np.asarray(slope(x))
         if strength != 0.0:  # taken off at the same rounded x, so that the errors cancel
             regular = regular - strength / root_difference(x, low)
-        return (strength + y * regular) / x * reach[index, None]
+        return np.asarray((strength + y * regular) / x * reach[index, None])
 
-    return settled(integrand, r.size, "pressure")
+    return settled(integrand, r.size, "pressure", _noise(np.full(r.shape, top), low))
 
 
 def line_load(pressure: Curve, edges: Sequence[float], end: float, x: Array) -> Array:
@@ -313,7 +319,7 @@ def _line_load_piece(pressure: Curve, low: float, top: float, end: float, x: Arr
 
 def integral(function: Curve, edges: Sequence[float], end: Array) -> Array:
     """Return the integral of `function` from 0 to every `end`; just above an edge it may start a square root."""
-    end = np.asarray(end, dtype=float)
+    end = _lifted(end)
     ends = end[end > 0.0]
     total = np.zeros_like(ends)
     for low, high in _pieces(edges, float(np.max(ends, initial=0.0))):

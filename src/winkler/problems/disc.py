@@ -153,7 +153,9 @@ def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> Non
     if radius == 0.0:
         return
     _refuse_tension(bed, depth, radius)
-    r = _where_it_may_overlap(bed, depth, radius, end)
+    # far outside heights may overflow: what is infinitely high does not overlap
+    with np.errstate(over="ignore", invalid="ignore"):
+        r = _where_it_may_overlap(bed, depth, radius, end)
     if not r.size:
         return
     separation = bed.height(r) - depth + bed.medium.displacement(Pressed(bed, depth, radius), r)

@@ -48,7 +48,7 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
             Note(
                 Standing.EXACT,
                 "The equivalent profile is not known to rise everywhere; that the contact is one disc was checked "
-                "(no tension inside, no overlap outside up to three contact radii).",
+                "(no tension inside, no overlap outside).",
                 "a-posteriori check of pressure and separation",
             )
         )
