@@ -114,7 +114,8 @@ class Measured(Shape):
             return (Note(Standing.ASYMPTOTIC, text, "cross-validation found no scatter to smooth"),)
         text = (
             f"The {self.radii.size} points were smoothed by a cubic spline of {curve.pieces} pieces{apex}; they "
-            f"scatter about it by {curve.residual:.3g} m (root mean square)."
+            f"scatter about it by {curve.residual:.3g} m (root mean square). Pressure and stress follow the curvature "
+            "of that curve and are less certain than depth and force."
         )
         return (Note(Standing.APPROXIMATE, text, "number of pieces by generalised cross-validation"),)
 

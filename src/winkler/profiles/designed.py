@@ -1,0 +1,155 @@
+r"""Bodies that were computed to order: a slope as Chebyshev series on panels, with the tolerance they were made to.
+
+What `winkler.problems.design` answers.  On every panel the slope f' is a polynomial of the radius; height and
+curvature are its integral and derivative, and the transform of a homogeneous half-space is a quadrature over the
+panels, kept on panels of its own.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics import abel
+from winkler.numerics.chebyshev import Panels, fit_panels
+from winkler.numerics.types import Array
+from winkler.profiles.profile import Shape
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["Designed"]
+
+GAP_TOLERANCE = 1e-10
+"""Error of g' on its panels, relative to the steepest slope."""
+CROWDED = 1e-6, 1e-8
+"""Panels narrower than this, of the reach, hold a singular point, where g' has this error from rounding."""
+SMALLEST_JUMP = 1e-7
+"""A jump of the slope between panels, relative to the steepest slope, from which on it counts as a kink."""
+
+
+@value
+class Designed(Shape):
+    """A body of revolution whose slope is a polynomial of the radius on each of many panels.
+
+    Made by `design_profile` and `design_for_pressure`; `height(r)` at any radii is what a lathe needs.
+
+    Parameters
+    ----------
+    edges : ndarray, (n + 1,)
+        Radii [m] between which the panels lie, ascending from 0.
+    slopes : ndarray, (n, m)
+        Chebyshev coefficients of f' [-] on each panel, in its own variable from -1 to 1.
+    tolerance : float
+        How far, relative to the greatest value, the body misses what was prescribed.
+
+    Raises
+    ------
+    InvalidInput
+        If the arrays do not fit one another.
+    """
+
+    edges: Array
+    slopes: Array
+    tolerance: float
+
+    def __post_init__(self) -> None:
+        if np.ndim(self.edges) != 1 or np.ndim(self.slopes) != 2 or len(self.edges) != len(self.slopes) + 1:
+            raise InvalidInput(
+                f"Designed: edges have the shape {np.shape(self.edges)} and slopes {np.shape(self.slopes)}; give one "
+                "more edge than rows of coefficients."
+            )
+        if self.edges[0] != 0.0 or np.any(np.diff(self.edges) <= 0.0) or not np.all(np.isfinite(self.slopes)):
+            raise InvalidInput("Designed: edges must ascend from 0, and every coefficient must be finite.")
+
+    @property
+    def reach(self) -> float:
+        """The outermost radius [m]."""
+        return float(self.edges[-1])
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """Where the slope itself jumps."""
+        return tuple((b, jump) for b, jump in self.joints if jump != 0.0)
+
+    @property
+    def joints(self) -> tuple[tuple[float, float], ...]:
+        """``(radius, jump of the slope)`` where panels meet; quadrature goes from one to the next."""
+        return _joints(self)
+
+    @property
+    def rising(self) -> bool:
+        """Whether g on a homogeneous half-space rises everywhere."""
+        slope = _gap(self)[1]
+        samples = slope(np.linspace(0.0, self.reach, 4097)[:-1])
+        return bool(np.min(samples) >= -1e-8 * np.max(samples))
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """How well the body meets what was prescribed."""
+        text = (
+            f"The body was computed to order and misses what was prescribed by {self.tolerance:.2g} of its greatest "
+            "value."
+        )
+        standing = Standing.ASYMPTOTIC if self.tolerance < 1e-4 else Standing.APPROXIMATE
+        return (Note(standing, text, "misfit of the convex curve through the prescribed points"),)
+
+    @property
+    def gap_tolerance(self) -> float:
+        """Absolute error [-] to which g' can be known."""
+        steepest = float(np.max(np.abs(self.slope(np.linspace(0.0, self.reach, 1001)))))
+        crowded = float(np.min(np.diff(self.edges))) < CROWDED[0] * self.reach
+        return steepest * (CROWDED[1] if crowded else GAP_TOLERANCE)
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        return _derived(self)[0](np.asarray(r, dtype=float))
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        return Panels(self.edges, self.slopes)(np.asarray(r, dtype=float))
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]."""
+        return _derived(self)[1](np.asarray(r, dtype=float))
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        return _gap(self)[0](np.asarray(x, dtype=float))
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        return _gap(self)[1](np.asarray(x, dtype=float))
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        return _gap(self)[2](np.asarray(x, dtype=float))
+
+
+@functools.lru_cache(maxsize=64)
+def _derived(profile: Designed) -> tuple[Panels, Panels]:
+    """Return height and curvature."""
+    slope = Panels(profile.edges, profile.slopes)
+    return slope.integral, slope.derivative
+
+
+@functools.lru_cache(maxsize=64)
+def _joints(profile: Designed) -> tuple[tuple[float, float], ...]:
+    signs = np.where(np.arange(profile.slopes.shape[1]) % 2 == 0, 1.0, -1.0)
+    jumps = profile.slopes[1:] @ signs - profile.slopes[:-1].sum(axis=1)
+    steepest = float(np.max(np.abs(profile.slopes).sum(axis=1)))
+    jumps = np.where(np.abs(jumps) > SMALLEST_JUMP * steepest, jumps, 0.0)
+    return tuple((float(b), float(jump)) for b, jump in zip(profile.edges[1:-1], jumps, strict=True))
+
+
+@functools.lru_cache(maxsize=64)
+def _gap(profile: Designed) -> tuple[Panels, Panels, Panels]:
+    """Return g, g' and the integral of g on a homogeneous half-space."""
+
+    def gap_slope(x: Array) -> Array:
+        return abel.gap_slope(profile.slope, profile.curvature, profile.joints, x)
+
+    slope = fit_panels(gap_slope, profile.edges, profile.gap_tolerance)
+    gap = slope.integral
+    return gap, slope, gap.integral
