@@ -97,14 +97,28 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     radius[pinned] = _end(bed)
     free = (depth > 0.0) & ~pinned
     if free.any():
-        radius[free] = invert(
+        found = invert(
             lambda a: (bed.gap(a), bed.gap_slope(a)),
             depth[free],
             lower=flat_radius(bed),
             upper=_end(bed),
             guess=_guess(bed),
         )
+        radius[free] = _not_beyond(bed, found, bed.gap(found) > (1.0 + 1e-6) * depth[free])
     return depth.copy(), radius
+
+
+def _not_beyond(bed: Bed, radius: Array, beyond: Array) -> Array:
+    """Return the radii, with the next smaller number where rounding has put one far beyond its load.
+
+    Just above a flat g climbs like a square root: the number next to the flat's radius may lie orders of magnitude too
+    high, the flat's own costs the force nothing.
+    """
+    if not beyond.any():
+        return radius
+    flat = flat_radius(bed)
+    smaller = np.where(radius <= (1.0 + 1e-14) * flat, flat, np.nextafter(radius, 0.0))
+    return np.where(beyond, smaller, radius)
 
 
 def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
@@ -139,7 +153,8 @@ def _radius_at_force(bed: Bed, force: Array) -> Array:
         return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
 
     if free.any():
-        radius[free] = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed))
+        found = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed))
+        radius[free] = _not_beyond(bed, found, force_and_slope(found)[0] > (1.0 + 1e-6) * force[free])
     return radius
 
 

@@ -1,0 +1,179 @@
+"""Onset of yield against Johnson's numbers, scaling, and where the question has no answer."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+import winkler as wk
+
+E, Y, R = 210e9, 1.2e9, 10e-3
+
+
+def bed(profile, poisson=0.3, strength=Y, second=None):
+    first = wk.Elastic(E, poisson, strength=strength)
+    return wk.Foundation(profile, wk.HalfSpace.between(first, second or wk.Rigid()))
+
+
+def axis_peak(poisson):
+    """Largest von Mises stress on the axis of a Hertz contact over p0, and its depth over a (Huber)."""
+    nu = mp.mpf(poisson)
+
+    def stress(z):
+        axial = -1 / (1 + z**2)
+        radial = -(1 + nu) * (1 - z * mp.atan(1 / z)) + 1 / (2 * (1 + z**2))
+        return abs(axial - radial)
+
+    place = mp.findroot(lambda z: mp.diff(stress, z), mp.mpf("0.45"))
+    return float(stress(place)), float(place)
+
+
+@pytest.mark.parametrize("poisson", [0.1, 0.25, 0.3, 0.4, 0.5])
+def test_hertz(poisson):
+    """p0 = Y / (largest von Mises stress per p0), on the axis."""
+    onset = wk.YieldOnset(bed(wk.Paraboloid(R), poisson)).solve()
+    peak, depth = axis_peak(poisson)
+    modulus = E / (1.0 - poisson**2)
+    p0 = 2.0 * modulus * onset.radius / (math.pi * R)
+    assert p0 == pytest.approx(Y / peak, rel=1e-8)
+    assert onset.force == pytest.approx(math.pi**3 * R**2 / (6.0 * modulus**2) * (Y / peak) ** 3, rel=1e-8)
+    assert onset.depth == pytest.approx(onset.radius**2 / R, rel=1e-12)
+    assert onset.r == pytest.approx(0.0, abs=1e-4 * onset.radius)
+    assert onset.z == pytest.approx(depth * onset.radius, rel=1e-3)
+
+
+def test_johnson():
+    """nu = 0.3: max tau = 0.310 p0 at 0.48 a, so p0 = 1.60 Y and F = 21.2 R^2 Y^3/E*^2."""
+    onset = wk.YieldOnset(bed(wk.Paraboloid(R))).solve()
+    modulus = E / 0.91
+    p0 = 2.0 * modulus * onset.radius / (math.pi * R)
+    assert p0 / Y == pytest.approx(1.60, abs=0.02)
+    assert p0 / Y == pytest.approx(0.5 / 0.310020502, rel=1e-7)
+    assert onset.z / onset.radius == pytest.approx(0.4808644853, rel=1e-4)
+    assert onset.force == pytest.approx(21.2 * R**2 * Y**3 / modulus**2, rel=0.05)
+    assert any("von Mises" in note.statement for note in onset.validity)
+
+
+def test_the_stress_there_is_the_strength():
+    """Found independently: restore the fields at the load of the onset."""
+    for profile in (wk.Sphere(1e-3), wk.RoundedCone(1e-4, 1.45), wk.RoundedPunch(1e-3, 1e-2), wk.PowerLaw(1e4, 3.0)):
+        onset = wk.YieldOnset(bed(profile)).solve()
+        contact = wk.Indentation(bed(profile), wk.Force(onset.force)).solve()
+        peak = wk.peak_stress(contact)
+        assert peak.von_mises == pytest.approx(Y, rel=1e-6)
+        grid = wk.restore(
+            contact, *np.meshgrid(np.linspace(0.0, 1.3, 40), np.linspace(0.02, 1.5, 40)) * np.array(contact.radius)
+        )
+        assert grid.von_mises.max() <= Y * (1.0 + 1e-9)
+        assert grid.von_mises.max() > 0.9 * Y
+
+
+def test_the_weaker_body_yields_and_its_side_is_told():
+    """Equal bodies but for the strength: the second one, at z < 0; then the first."""
+    weak, strong = wk.Elastic(E, 0.3, strength=Y), wk.Elastic(E, 0.3, strength=2.0 * Y)
+    below = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(weak, strong))).solve()
+    above = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(strong, weak))).solve()
+    assert below.z > 0.0 > above.z
+    assert below.force == pytest.approx(above.force, rel=1e-9)
+    only = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(wk.Elastic(E, 0.3), weak))).solve()
+    assert only.z < 0.0
+    assert only.force == pytest.approx(above.force, rel=1e-9)
+
+
+@pytest.mark.parametrize("factor", [1e-3, 10.0])
+def test_scaling(factor):
+    """Lengths times s: F times s^2; moduli and strength times m: F times m."""
+    base = wk.YieldOnset(bed(wk.Paraboloid(R))).solve()
+    longer = wk.YieldOnset(bed(wk.Paraboloid(factor * R))).solve()
+    assert longer.force == pytest.approx(factor**2 * base.force, rel=1e-8)
+    stiffer = wk.HalfSpace.between(wk.Elastic(factor * E, 0.3, strength=factor * Y))
+    assert wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), stiffer)).solve().force == pytest.approx(
+        factor * base.force, rel=1e-8
+    )
+
+
+@pytest.mark.parametrize(
+    ("profile", "why"),
+    [
+        (wk.Cone(1.3), "the apex is pointed"),
+        (wk.PowerLaw(1.0, 0.7), "the apex is pointed"),
+        (wk.TruncatedCone(1.3, 1e-3), "the slope of the profile jumps"),
+        (wk.CappedParaboloid(R, 2.0 * R, 1e-4), "the slope of the profile jumps"),
+        (wk.FlatPunch(1e-3), "the rim is sharp"),
+    ],
+)
+def test_sharp_bodies_yield_at_once(profile, why):
+    with pytest.raises(
+        wk.OutsideValidity,
+        match=rf"^YieldOnset: {why}, so the stress is infinite there and yielding "
+        r"begins at the first touch; give a rounded profile\.$",
+    ):
+        wk.YieldOnset(bed(profile)).solve()
+    contact = wk.Indentation(bed(profile), wk.Depth(1e-6)).solve()
+    assert all(note.statement for note in contact.validity)
+
+
+def test_a_profile_that_ends_before():
+    r = np.linspace(0.0, 1e-5, 30)
+    short = bed(wk.Measured(r, r**2 / (2.0 * R)))
+    with pytest.raises(
+        wk.OutsideValidity,
+        match=r"within the profile's reach \(1e-05 m\) the largest von Mises stress "
+        r"stays below 1.2e\+09 Pa; the body does not yield before",
+    ):
+        wk.YieldOnset(short).solve()
+    notes = wk.Indentation(short, wk.Depth(1e-9)).solve().validity
+    assert any("does not yield before the profile ends" in note.statement for note in notes)
+
+
+def test_a_rim_yields_when_it_is_reached():
+    """Until the cap is in full contact all is elastic; at the rim the stress is then infinite."""
+    cap, b = wk.Paraboloid(1.0), 1e-3
+    pinned = bed(wk.CappedCylinder(b, cap))
+    onset = wk.YieldOnset(pinned).solve()
+    full = wk.Indentation(bed(cap), wk.Radius(b)).solve()
+    assert (onset.radius, onset.r, onset.z) == (b, b, 0.0)
+    assert onset.force == pytest.approx(full.force, rel=1e-12)
+    before = wk.Indentation(pinned, wk.Force(0.9 * full.force)).solve()
+    after = wk.Indentation(pinned, wk.Force(1.1 * full.force)).solve()
+    assert any("stays elastic" in note.statement for note in before.validity)
+    assert any("beyond it the result is not elastic" in note.statement for note in after.validity)
+
+
+def test_an_onset_where_the_contact_is_no_disc_is_refused():
+    wavy = wk.Paraboloid(1.0) + wk.Wavy(4e-3, 0.2)
+    allowed = wk.HalfSpace.between(wk.Elastic(1.0, 0.3))
+    onsets = set()
+    for radius in (0.05, 0.1735, 0.3):
+        pressed = wk.Indentation(wk.Foundation(wavy, allowed), wk.Radius(radius))
+        try:
+            stress = wk.peak_stress(pressed.solve()).von_mises
+        except wk.OutsideValidity:
+            continue
+        onsets.add(stress)
+    assert onsets
+    # strengths between those of the last small and the first large disc belong to rings
+    strengths = np.linspace(min(onsets), max(onsets), 8)
+    outcomes = []
+    for strength in strengths:
+        medium = wk.HalfSpace.between(wk.Elastic(1.0, 0.3, strength=float(strength)))
+        try:
+            onset = wk.YieldOnset(wk.Foundation(wavy, medium)).solve()
+        except wk.OutsideValidity:
+            outcomes.append(False)
+            continue
+        outcomes.append(True)
+        contact = wk.Indentation(wk.Foundation(wavy, medium), wk.Radius(onset.radius)).solve()
+        assert wk.peak_stress(contact).von_mises == pytest.approx(strength, rel=1e-6)
+    assert any(outcomes)
+
+
+def test_what_must_be_given():
+    with pytest.raises(wk.InvalidInput, match=r"no body has a strength; give Elastic\(young, poisson, strength=...\)"):
+        wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(wk.Elastic(E, 0.3))))
+    transverse = wk.TransverselyIsotropicHalfSpace.between(wk.TransverselyIsotropic(10.0, 4.0, 3.5, 12.0, 3.0))
+    with pytest.raises(wk.InvalidInput, match="the medium is a TransverselyIsotropicHalfSpace; .* for HalfSpace only"):
+        wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), transverse))

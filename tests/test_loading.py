@@ -1,0 +1,63 @@
+"""Loads: numbers and arrays, and one clear sentence for everything else."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import winkler as wk
+
+LOADS = [(wk.Force, "force", "N"), (wk.Depth, "depth", "m"), (wk.Radius, "radius", "m")]
+
+
+@pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
+def test_numbers_and_arrays(cls, word, unit):
+    assert getattr(cls(2), word) == 2.0
+    assert getattr(cls(np.float64(2.0)), word) == 2.0
+    array = getattr(cls(np.ones((2, 3))), word)
+    assert array.shape == (2, 3)
+    assert not array.flags.writeable
+    assert cls(0.0) == cls(0.0)
+    assert cls(1.0) != cls(2.0)
+
+
+@pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
+@pytest.mark.parametrize("bad", ["10", "ten", None, {}, [1.0, "x"], [[1.0], [2.0, 3.0]]])
+def test_what_is_no_number(cls, word, unit, bad):
+    with pytest.raises(wk.InvalidInput, match=rf"^{word}: .* is not a number; give a number or an array in {unit}\.$"):
+        cls(bad)
+
+
+@pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
+def test_what_is_not_finite(cls, word, unit):
+    for bad in (math.nan, math.inf, -math.inf):
+        with pytest.raises(
+            wk.InvalidInput, match=rf"^{word}: -?(nan|inf) is not finite; give finite values in {unit}\.$"
+        ):
+            cls(bad)
+    with pytest.raises(wk.InvalidInput, match=rf"^{word}: nan at index 1, 3 is not finite"):
+        cls(np.array([1.0, math.nan, 2.0, math.inf]))
+
+
+@pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
+@pytest.mark.parametrize("empty", [[], np.zeros((0, 3)), ()])
+def test_nothing(cls, word, unit, empty):
+    with pytest.raises(wk.InvalidInput, match=rf"^{word}: the array is empty; give at least one value in {unit}\.$"):
+        cls(empty)
+
+
+def test_a_contact_radius_is_not_negative():
+    with pytest.raises(wk.InvalidInput, match=r"^radius: -0.1 m is negative; a contact radius is zero or positive\.$"):
+        wk.Radius(np.array([0.2, -0.1]))
+    assert wk.Depth(-1.0).depth == -1.0
+    assert wk.Force(-1.0).force == -1.0
+
+
+def test_lists_are_loads_too():
+    bed = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
+    contact = wk.Indentation(bed, wk.Force([1.0, 2.0])).solve()
+    assert contact.depth.shape == (2,)
+    assert contact.at(1).force == 2.0
+    assert wk.Indentation(bed, wk.Depth([[0.1], [0.2]])).solve().force.shape == (2, 1)
