@@ -8,8 +8,15 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.loading import ShearForce, Shift
 
-LOADS = [(wk.Force, "force", "N"), (wk.Depth, "depth", "m"), (wk.Radius, "radius", "m")]
+LOADS = [
+    (wk.Force, "force", "N"),
+    (wk.Depth, "depth", "m"),
+    (wk.Radius, "radius", "m"),
+    (Shift, "shift", "m"),
+    (ShearForce, "shear_force", "N"),
+]
 
 
 @pytest.mark.parametrize(("cls", "word", "unit"), LOADS)

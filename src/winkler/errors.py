@@ -5,7 +5,8 @@
     WinklerError
     |-- InvalidInput      (also a ValueError)   what was given cannot be used
     |-- OutsideValidity   (also a ValueError)   the input is sound, the theory does not reach it
-    `-- NotConverged      (also an ArithmeticError)   a solver gave up; it never returns half an answer
+    |-- NotConverged      (also an ArithmeticError)   a solver gave up; it never returns half an answer
+    `-- Interrupted       the reader stopped a batch; what was done is kept
 
 Each message says what was given, what is allowed, and what to do.  `suggest` finds the nearest known word.
 """
@@ -15,7 +16,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-__all__ = ["InvalidInput", "NotConverged", "OutsideValidity", "WinklerError", "suggest"]
+__all__ = ["Interrupted", "InvalidInput", "NotConverged", "OutsideValidity", "WinklerError", "suggest"]
 
 
 class WinklerError(Exception):
@@ -40,6 +41,12 @@ class OutsideValidity(WinklerError, ValueError):
     """The input is sound, but the theory that would answer it does not hold there."""
 
     exit_code = 4
+
+
+class Interrupted(WinklerError):
+    """A batch was stopped by its reader; what had been done is kept."""
+
+    exit_code = 130
 
 
 def suggest(word: str, known: Iterable[str]) -> str:

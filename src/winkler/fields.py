@@ -186,7 +186,7 @@ def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
     pressure = medium.pressure(pressed, r)
     displacement = medium.displacement(pressed, r)
     separation = _height(pressed, r) - pressed.depth + displacement
-    return SurfaceFields(r, pressure, displacement, np.where(r <= pressed.radius, 0.0, separation))
+    return SurfaceFields(r, pressure, displacement, np.where(r <= pressed.touching, 0.0, separation))
 
 
 def _height(pressed: Pressed, r: Array) -> Array:
@@ -202,5 +202,5 @@ def _below(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) 
     for below, chosen in ((True, first), (False, ~first)):
         if chosen.any() and pressed.radius > 0.0:
             medium = pressed.bed.medium
-            parts[:, chosen] = medium.interior(pressed, r[chosen], np.abs(z[chosen]), below=below)
+            parts[:, chosen] = medium.interior(pressed.blunted, r[chosen], np.abs(z[chosen]), below=below)
     return SubsurfaceFields(r, z, *parts)

@@ -1,4 +1,4 @@
-"""Loads: what is prescribed, one of force, depth or contact radius.
+"""Loads: what is prescribed, one of force, depth or contact radius; sideways, a shift or a shear force.
 
 A load's value may be an array; the answer then has its shape.  Taken apart by ``match``.
 """
@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Quantity
 from winkler.values import value
 
-__all__ = ["Depth", "Force", "Load", "Radius"]
+__all__ = ["Depth", "Force", "Load", "Radius", "ShearForce", "Shift"]
 
 
 def _check(word: str, unit: str, given: Quantity) -> None:
@@ -77,6 +77,38 @@ class Radius:
         _check("radius", "m", self.radius)
         if np.any(np.asarray(self.radius) < 0.0):
             raise InvalidInput(f"radius: {np.min(self.radius):g} m is negative; a contact radius is zero or positive.")
+
+
+@value
+class Shift:
+    """A prescribed sideways displacement of the bodies against each other.
+
+    Parameters
+    ----------
+    shift : float or ndarray
+        u_x [m].
+    """
+
+    shift: Quantity
+
+    def __post_init__(self) -> None:
+        _check("shift", "m", self.shift)
+
+
+@value
+class ShearForce:
+    """A prescribed sideways force.
+
+    Parameters
+    ----------
+    shear_force : float or ndarray
+        F_x [N].
+    """
+
+    shear_force: Quantity
+
+    def __post_init__(self) -> None:
+        _check("shear_force", "N", self.shear_force)
 
 
 Load = Force | Depth | Radius

@@ -10,6 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.foundation.bed import Pressed
+from winkler.values import value
 
 UNIT = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
 X = np.array([0.0, 0.05, 0.2, 0.5])
@@ -132,10 +133,53 @@ def test_notes_reach_and_rim_come_from_the_plane_profile():
 
 
 @pytest.mark.parametrize("medium", [None, 1.0, wk.Elastic(1.0, 0.3)])
-def test_a_medium_that_is_not_homogeneous(medium):
-    with pytest.raises(
-        wk.InvalidInput,
-        match=r"^PlaneFoundation: the medium is a \w+; a plane profile can be given "
-        "directly only on a homogeneous half-space",
-    ):
+def test_what_is_no_medium(medium):
+    with pytest.raises(wk.InvalidInput, match=r"^PlaneFoundation: the medium is a \w+; give HalfSpace"):
         wk.PlaneFoundation(wk.Paraboloid(1.0), medium)
+
+
+# ------------------------------------------------------------------------------------- plane profiles on other media
+
+GRADED = wk.GradedHalfSpace(wk.PowerLawGraded(1.0, 1.0, -0.6, 0.3))
+COATED = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3), 0.5)], on=wk.Elastic(1.0, 0.3))
+
+
+def test_a_plane_parabola_on_a_graded_half_space():
+    """g = x^2 / ((1 + k) R) belongs to the paraboloid of radius R, whatever the depth."""
+    k, big = GRADED.exponent, 0.7
+    plane = wk.PlaneFoundation(wk.Paraboloid(0.5 * (1.0 + k) * big), GRADED)
+    body = wk.Foundation(wk.Paraboloid(big), GRADED)
+    mine, theirs = (wk.Indentation(bed, wk.Force(0.3)).solve() for bed in (plane, body))
+    assert (mine.depth, mine.radius, mine.energy) == pytest.approx((theirs.depth, theirs.radius, theirs.energy), 1e-10)
+    r = np.array([0.0, 0.1, 0.5, 2.0])
+    np.testing.assert_allclose(plane.height(r), r**2 / (2.0 * big), rtol=1e-10)
+    np.testing.assert_allclose(plane.slope(r), r / big, rtol=1e-9, atol=1e-11)
+
+
+def test_a_plane_parabola_on_a_coating():
+    """The force by a rule for Int k' g; the restored surface follows the body that belongs to g."""
+    bed = wk.PlaneFoundation(wk.Paraboloid(0.5), COATED)
+    contact = wk.Indentation(bed, wk.Radius(0.8)).solve()
+    s, w = np.polynomial.legendre.leggauss(60)
+    x = 0.4 * (s + 1.0)
+    force = 0.8 * float(w @ (COATED.normal_stiffness(x) * (0.64 - x**2)))
+    assert contact.force == pytest.approx(force, rel=1e-11)
+    r = np.array([0.0, 0.2, 0.5, 0.79])
+    np.testing.assert_allclose(wk.restore(contact, r).displacement, 0.64 - bed.height(r), rtol=0, atol=1e-9)
+
+
+@value
+class Equivalent(wk.Shape):
+    """The equivalent profile of a ball on the coating, given as if it were a plane profile."""
+
+    def height(self, r):
+        return COATED.gap(wk.Paraboloid(1.0), r)
+
+    def slope(self, r):
+        return COATED.gap_slope(wk.Paraboloid(1.0), r)
+
+
+def test_the_body_behind_the_springs_of_a_ball_on_a_coating():
+    bed = wk.PlaneFoundation(Equivalent(), COATED)
+    r = np.array([0.1, 0.4, 0.9])
+    np.testing.assert_allclose(bed.height(r), 0.5 * r**2, rtol=1e-8)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import itertools
+import math
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
@@ -108,10 +109,16 @@ def along(bed: wk.Foundation, end: float, *, angular: bool = False):
 
     With `angular` the nodes are end sin(t), which takes inverse square roots from the end.
     """
+    exponent = getattr(bed.medium, "exponent", 0.0)
+    panels = math.ceil(12 / (1.0 + min(0.0, exponent)))  # roots are steeper where a medium hardens towards its surface
     kinks = [(b, strength) for b, strength in bed.kinks if b < end]
     felt = [b for b, strength in kinks if strength != 0.0 or len(kinks) <= 4]
     cuts, towards = np.array([0.0, *(b for b, _ in kinks), end]), np.array([0.0, *felt, end])
     if not angular:
-        return graded(cuts, towards)
-    t, weight = graded(np.arcsin(cuts / end), np.arcsin(towards[:-1] / end))
+        return graded(cuts, towards, panels)
+    t, weight = graded(np.arcsin(cuts / end), np.arcsin(towards[:-1] / end), panels)
+    if exponent != 0.0:  # cos^k is left at the end, and no double lies closer to it than this
+        last = 0.5 * (np.arcsin(cuts[-2] / end) + 0.5 * np.pi)
+        near, more = graded([last, 0.5 * np.pi], [0.5 * np.pi], panels=7)
+        t, weight = np.concatenate([t[t < last], near]), np.concatenate([weight[t < last], more])
     return end * np.sin(t), end * np.cos(t) * weight

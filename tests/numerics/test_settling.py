@@ -84,3 +84,16 @@ def test_noise_that_is_announced_is_accepted():
     np.testing.assert_allclose(settled(noisy, 2, "test", np.array([1e-6, 1e-6])), 1.0, atol=1e-5)
     with pytest.raises(NotConverged):
         settled(noisy, 2, "test", np.array([1e-6, 1e-12]))
+
+
+def test_what_is_added_to_something_large_may_be_less_exact():
+    """An integral that will be added to another one is measured against that."""
+
+    def rough(node, index):
+        return np.tile(1e-12 * np.where(node < 1.0 / math.pi, 1.0, 0.0), (index.size, 1))
+
+    with pytest.raises(NotConverged):
+        settled(rough, 2, "test")
+    np.testing.assert_allclose(settled(rough, 2, "test", against=1.0), 1e-12 / math.pi, atol=1e-12)
+    with pytest.raises(NotConverged):
+        settled(rough, 2, "test", against=np.array([1.0, 1e-12]))

@@ -75,7 +75,7 @@ def test_a_rim():
 
 
 def test_a_wavy_body_says_that_it_was_checked():
-    note = find(validity(wk.Paraboloid(1e-2) + wk.Wavy(1e-10, 1e-3), wk.Depth(1e-7)), "not known to rise everywhere")
+    note = find(validity(wk.Paraboloid(1e-2) + wk.Wavy(1e-10, 1e-3), wk.Depth(1e-7)), "is one disc was checked")
     assert "no tension inside, no overlap outside" in note.statement
 
 

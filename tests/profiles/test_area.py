@@ -101,6 +101,26 @@ def test_the_reach_ends_where_the_area_stops_growing():
         wk.Indentation(bed, wk.Radius(3.1e-6)).solve()
 
 
+def test_an_area_that_shrinks_further_up():
+    """Known up to its first maximum, like the equator of a sphere; what is asked beyond is refused."""
+    profile = wk.AreaFunction((24.5, -1.0, 0.05))
+    top = profile.reach
+    heights = np.linspace(1e-7, 0.05, 500_000)
+    sections = 24.5 * heights**2 - heights + 0.05 * np.sqrt(heights)
+    first = np.flatnonzero(np.diff(sections) < 0.0)[0]
+    assert top == pytest.approx(math.sqrt(sections[first] / math.pi), rel=1e-6)
+    x = np.array([0.3, 0.9, 0.999]) * top
+    for place in x:
+        h = float(profile.height(np.array([place]))[0])
+        assert float(judged_gap((24.5, -1.0, 0.05), h)[1]) == pytest.approx(
+            float(profile.gap(np.array([place]))[0]), rel=1e-10
+        )
+    assert profile.gap(np.array([top]))[0] == math.inf
+    bed = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(1.0, 0.0)))
+    with pytest.raises(wk.OutsideValidity, match="beyond the reach"):
+        wk.Indentation(bed, wk.Radius(1.01 * top)).solve()
+
+
 def test_says_that_it_stands_for_a_pyramid():
     assert any("same cross-sections" in note.statement for note in wk.AreaFunction((24.5,)).notes)
 

@@ -45,6 +45,25 @@ def test_truncated_cone_at_its_kink():
     assert tip.kinks == ((2e-6, pytest.approx(1.0 / math.tan(1.0))),)
 
 
+@pytest.mark.parametrize("distance", [1e-14, 1e-12, 1e-9, 1e-6])
+def test_just_above_a_flat_all_digits_are_kept(distance):
+    """g = m x arccos(b/x) and its integral, at the very double that x is."""
+    b = 1.0
+    x = b * (1.0 + distance)
+    for profile, gap, total in (
+        (wk.TruncatedCone(math.pi / 4.0, b), lambda t: t * mp.acos(b / t), None),
+        (wk.TruncatedParaboloid(1.0, b), lambda t: t * mp.sqrt(t**2 - 1), lambda t: mp.sqrt(t**2 - 1) ** 3 / 3),
+        (wk.RoundedPunch(b, 1.0), lambda t: t * (mp.sqrt(t**2 - 1) - mp.acos(b / t)), None),
+    ):
+        with mp.workdps(60):
+            scale = 1 / mp.tan(mp.mpf(math.pi / 4.0)) if isinstance(profile, wk.TruncatedCone) else mp.mpf(1)
+            expected = float(scale * gap(mp.mpf(x)))
+            integral = float(total(mp.mpf(x))) if total else None
+        assert profile.gap(np.array([x]))[0] == pytest.approx(expected, rel=1e-14, abs=0.0)
+        if integral is not None:
+            assert profile.gap_integral(np.array([x]))[0] == pytest.approx(integral, rel=1e-13, abs=0.0)
+
+
 @pytest.mark.parametrize("degrees", DEGREES)
 def test_rounded_cone(degrees):
     theta, big = math.radians(degrees), 3e-8

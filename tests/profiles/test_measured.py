@@ -205,3 +205,16 @@ def test_no_tip_falls_from_its_apex(count):
     profile = wk.Measured(r, wk.Hyperboloid(0.1, 1.2).height(r))
     assert profile.slope(np.zeros(1))[0] >= 0.0
     assert profile.gap(np.array([1e-6]))[0] >= 0.0
+
+
+def test_a_measured_flat_end_is_restored():
+    """Flat, then rising: the spline rings a little at the corner, which must not keep the pressure from its value."""
+    r = np.linspace(0.0, 0.6, 200)
+    bed = wk.Foundation(wk.Measured(r, np.maximum(r - 0.3, 0.0) ** 2), UNIT)
+    twin = wk.Foundation(wk.RoundedPunch(0.3, 0.5), UNIT)
+    contact, expected = (wk.Indentation(b, wk.Force(0.01)).solve() for b in (bed, twin))
+    assert contact.depth == pytest.approx(expected.depth, rel=1e-4)
+    x = np.array([0.0, 0.1, 0.25, 0.33])
+    fields, judged = wk.restore(contact, x), wk.restore(expected, x)
+    np.testing.assert_allclose(fields.pressure, judged.pressure, rtol=5e-3)
+    np.testing.assert_allclose(fields.displacement, judged.displacement, rtol=1e-4)

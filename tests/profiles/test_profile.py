@@ -87,3 +87,43 @@ def test_truncated_powers_of_any_order():
     assert [b for b, _ in shape.kinks] == [0.1, 0.3, 0.7]
     np.testing.assert_allclose([jump for _, jump in shape.kinks], [0.5, 3.0 * 0.3**3, -(0.7**2)], rtol=1e-15)
     assert not shape.rising
+
+
+KINKED = [
+    wk.TruncatedCone(1.1, 0.5),
+    wk.RoundedCone(0.7, 1.1),
+    wk.SpheroConical(0.7, 1.1),
+    wk.RoundedPunch(0.4, 0.7),
+    wk.TruncatedParaboloid(0.7, 0.4),
+    wk.CappedParaboloid(0.7, 2.0, 0.4),
+    wk.CappedParaboloid(0.7, 0.2, 0.4),
+    wk.TruncatedCone(1.1, 0.5) + wk.CappedParaboloid(0.7, 2.0, 0.4),
+    wk.Formula("r**2/2 + q*(r - b + sqrt((r - b)**2))/2", q=0.3, b=0.4, corners=(0.4,)),
+]
+
+
+@pytest.mark.parametrize("profile", KINKED)
+def test_the_jump_at_every_kink(profile):
+    """What `kinks` say of f' is what f' does, and g' diverges above as b j/sqrt(x^2 - b^2)."""
+    assert profile.kinks
+    for b, jump in profile.kinks:
+        below, above = profile.slope(b * np.array([1.0 - 1e-9, 1.0 + 1e-9]))
+        assert above - below == pytest.approx(jump, abs=1e-7)
+        x = b * (1.0 + 1e-12)
+        steep = float((profile.gap_slope(np.array([x])) - profile.gap_slope(np.array([b])))[0])
+        assert steep * math.sqrt((x - b) * (x + b)) == pytest.approx(b * jump, rel=1e-4, abs=1e-5)
+
+
+@pytest.mark.parametrize("profile", KINKED)
+def test_blunter_bodies_need_more_force(profile):
+    """With anything added to the height, the force at a given depth is less, whatever is added."""
+    medium = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
+    if not profile.rising:
+        return
+    for more in (wk.Paraboloid(2.0), wk.Cone(1.4), wk.TruncatedCone(1.0, 0.3), wk.PowerLaw(0.3, 0.7)):
+        depths = np.array([0.01, 0.1, 0.4])
+        blunt, sharp = (
+            wk.Indentation(wk.Foundation(p, medium), wk.Depth(depths)).solve().force for p in (profile, profile + more)
+        )
+        assert np.all(blunt >= sharp * (1.0 - 1e-12))
+        assert blunt[-1] > sharp[-1]

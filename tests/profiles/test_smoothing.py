@@ -46,9 +46,10 @@ def judged(twin, radius):
 @pytest.mark.parametrize(("count", "noise"), [(200, 1e-3), (1000, 1e-3), (1000, 1e-2)])
 def test_a_shape_the_spline_can_hold(count, noise):
     """Paraboloid: the error of F(d) is within 3.5 standard deviations of least squares for every seed."""
-    twin, ratios = wk.Paraboloid(1.0), []
+    twin, ratios, pieces = wk.Paraboloid(1.0), [], []
     for seed in SEEDS:
         profile = noisy(twin, count, noise, seed)
+        pieces.append(profile.curve.pieces)
         for radius in (0.3, 0.6, 0.9):
             depth, force = judged(twin, radius)
             got = wk.Indentation(wk.Foundation(profile, UNIT), wk.Depth(depth)).solve().force
@@ -56,6 +57,7 @@ def test_a_shape_the_spline_can_hold(count, noise):
     ratios = np.array(ratios)
     assert np.max(np.abs(ratios)) < 3.5
     assert 0.1 < np.sqrt(np.mean(ratios**2)) < 1.3
+    assert np.median(pieces) == 1.0  # as stiff as the data ask for
 
 
 @pytest.mark.parametrize(

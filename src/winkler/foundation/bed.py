@@ -46,12 +46,17 @@ class Bed(Protocol):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2)."""
+        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2), or what `Medium.kinks` says."""
         ...
 
     @property
     def rising(self) -> bool:
-        """Whether g is known never to fall."""
+        """Whether the body, on a homogeneous half-space, is known to have a g that never falls."""
+        ...
+
+    @property
+    def certain(self) -> bool:
+        """Whether every contact is known to be one disc, so that none need be looked at."""
         ...
 
     @property
@@ -87,6 +92,10 @@ class Bed(Protocol):
         """c_N(x) [Pa]."""
         ...
 
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) [Pa/m], for x > 0."""
+        ...
+
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""
         ...
@@ -108,6 +117,16 @@ class Pressed:
     bed: Bed
     depth: float
     radius: float
+
+    @property
+    def touching(self) -> float:
+        """Up to which radius the surfaces touch [m]."""
+        return self.radius
+
+    @property
+    def blunted(self) -> Pressed:
+        """The same springs, as fields below the surface take them: without what is too fine to be felt there."""
+        return self
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:

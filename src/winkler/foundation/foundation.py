@@ -8,6 +8,7 @@ plane profile g(x); with :math:`g(a) = d`
 
 from __future__ import annotations
 
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
@@ -54,13 +55,18 @@ class Foundation:
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)`` of the inverse square roots in g'."""
-        return tuple((b, b * jump) for b, jump in self.profile.kinks)
+        """``(x, strength)`` where g is not smooth, as the medium says."""
+        return self.medium.kinks(self.profile)
 
     @property
     def rising(self) -> bool:
-        """Whether g is known never to fall."""
+        """Whether the body, on a homogeneous half-space, is known to have a g that never falls."""
         return self.profile.rising
+
+    @property
+    def certain(self) -> bool:
+        """Whether every contact is known to be one disc: on a homogeneous half-space a g that never falls suffices."""
+        return isinstance(self.medium, HomogeneousMedium) and self.profile.rising
 
     @property
     def notes(self) -> tuple[Note, ...]:
@@ -94,6 +100,10 @@ class Foundation:
     def normal_stiffness(self, x: Array) -> Array:
         """c_N(x) [Pa]."""
         return self.medium.normal_stiffness(x)
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) [Pa/m]."""
+        return self.medium.normal_stiffness_slope(x)
 
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""

@@ -1,15 +1,21 @@
 r"""A bed whose equivalent plane profile g(x) is given directly, not by way of a body of revolution.
 
-The body that belongs to it is :math:`f(r) = \frac2\pi\int_0^r g(x)\,(r^2-x^2)^{-1/2}\,\mathrm dx` on a homogeneous
-half-space: what one would have to turn on a lathe to get these springs.
+The body that belongs to it is what one would have to turn on a lathe to get these springs: on a homogeneous half-space
+:math:`f(r) = \frac2\pi\int_0^r g(x)\,(r^2-x^2)^{-1/2}\,\mathrm dx`, in every medium the surface that springs displaced
+by g itself would give (`winkler.media.body_of`).
 """
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.media import body_of
+from winkler.media.body_of import Imprint
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Medium
 from winkler.numerics import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
@@ -27,23 +33,23 @@ class PlaneFoundation:
     ----------
     plane_profile : Profile
         Its height, read as a function of x, is g(x).
-    medium : HalfSpace or TransverselyIsotropicHalfSpace
-        A homogeneous medium, so that the springs have the constant stiffness E* per length.
+    medium : Medium
+        Any; the body and its separation are known for half-spaces, homogeneous, graded or layered.
 
     Raises
     ------
     InvalidInput
-        If the medium is not homogeneous.
+        If the medium is none.
     """
 
     plane_profile: Profile
-    medium: HomogeneousMedium
+    medium: Medium
 
     def __post_init__(self) -> None:
-        if not isinstance(self.medium, HomogeneousMedium):
+        if not callable(getattr(self.medium, "punch_stiffness", None)):
             raise InvalidInput(
-                f"PlaneFoundation: the medium is a {type(self.medium).__name__}; a plane profile can be given directly "
-                "only on a homogeneous half-space: give HalfSpace or TransverselyIsotropicHalfSpace."
+                f"PlaneFoundation: the medium is a {type(self.medium).__name__}; give HalfSpace, "
+                "TransverselyIsotropicHalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace."
             )
 
     @property
@@ -72,20 +78,35 @@ class PlaneFoundation:
         return False
 
     @property
+    def certain(self) -> bool:
+        """Unknown; the solver looks for itself."""
+        return False
+
+    @property
     def notes(self) -> tuple[Note, ...]:
         """What must be said about shape and medium."""
         return (*self.medium.notes, *self.plane_profile.notes)
 
     def height(self, r: Array) -> Array:
-        """f(r) [m], by the inverse transform T2."""
-        return abel.surface(self.gap, [b for b, _ in self.kinks], r)
+        """f(r) [m] of the body that has these springs."""
+        r = np.asarray(r, dtype=float)
+        if isinstance(self.medium, HomogeneousMedium):
+            return abel.surface(self.gap, [b for b, _ in self.kinks], r)
+        return body_of.height(self.medium, self._imprint(r), r)
 
     def slope(self, r: Array) -> Array:
-        """f'(r) [-], by T2 applied to x g'(x) / r."""
+        """f'(r) [-] of that body; on a homogeneous half-space by T2 applied to x g'(x) / r."""
         r = np.asarray(r, dtype=float)
+        if not isinstance(self.medium, HomogeneousMedium):
+            return body_of.slope(self.medium, self._imprint(r), r)
         moment = abel.surface(lambda x: x * self.gap_slope(x), [b for b, _ in self.kinks], r)
         at_axis = 2.0 / np.pi * float(self.gap_slope(np.zeros(1))[0])
         return np.where(r > 0.0, moment / np.where(r > 0.0, r, 1.0), at_axis)
+
+    def _imprint(self, r: Array) -> Imprint:
+        """Return the springs displaced by g up to the next power of two, so that its tables serve more than once."""
+        farthest = float(np.max(r, initial=0.0)) or 1e-6
+        return Imprint(self, min(2.0 ** math.ceil(math.log2(farthest)), max(self.reach, farthest)))
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
@@ -96,17 +117,26 @@ class PlaneFoundation:
         return self.plane_profile.slope(x)
 
     def gap_load(self, radius: Array) -> Array:
-        """2 E* times the integral of g from 0 to `radius` [N]."""
-        return 2.0 * self.medium.modulus * abel.integral(self.gap, [b for b, _ in self.kinks], radius)
+        """The integral of k'(x) g(x) from 0 to `radius` [N]; by parts where k' is not constant."""
+        edges = [b for b, _ in self.kinks]
+        if isinstance(self.medium, HomogeneousMedium):
+            return 2.0 * self.medium.modulus * abel.integral(self.gap, edges, radius)
+        radius = np.asarray(radius, dtype=float)
+        moved = abel.integral(lambda x: self.stiffness(x) * self.gap_slope(x), edges, radius)
+        return np.asarray(self.stiffness(radius) * self.gap(radius) - moved)
 
     def stiffness(self, radius: Array) -> Array:
-        """k(a) = 2 E* a [N/m]."""
+        """k(a) [N/m]."""
         return self.medium.punch_stiffness(radius)
 
     def normal_stiffness(self, x: Array) -> Array:
-        """c_N = E* [Pa]."""
+        """c_N(x) [Pa]."""
         return self.medium.normal_stiffness(x)
 
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) [Pa/m]."""
+        return self.medium.normal_stiffness_slope(x)
+
     def tangential_stiffness(self, x: Array) -> Array:
-        """c_T = G* [Pa]."""
+        """c_T(x) [Pa]."""
         return self.medium.tangential_stiffness(x)

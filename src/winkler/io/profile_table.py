@@ -20,8 +20,8 @@ __all__ = ["read_profile"]
 
 UNEVEN = 0.05
 """Largest difference (root mean square) between the flanks of a scan, against its height."""
-RADIUS = Column("radius", ("radius", "r", "x"), "m")
-HEIGHT = Column("height", ("height", "h", "z", "f"), "m")
+RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")
+HEIGHT = Column("height", ("height", "h", "z", "f"), "m", "nm")
 
 
 def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measured:

@@ -26,7 +26,7 @@ from winkler.numerics.types import Array
 from winkler.units import scale
 from winkler.values import value
 
-__all__ = ["Column", "Table", "read_table"]
+__all__ = ["Column", "Table", "names_columns", "read_table"]
 
 LARGEST = 200_000_000
 """Most bytes of a table."""
@@ -34,7 +34,6 @@ ABOVE = 500
 """Most lines above the numbers."""
 SEPARATORS = ("\t", ";", ",", None)
 COMMENT = "#% \t"
-EXAMPLE = "radius [um], height [nm]"
 MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_AND_UNIT = (
     r"(.+?)\s*[\[(]([^\])]*)[\])]",
@@ -64,12 +63,21 @@ class Column:
     names : tuple of str
         Names in the header by which it is known, in lower case.
     unit : str
-        SI unit in which it is wanted.
+        SI unit in which it is wanted; empty for a plain number, which needs no unit in the header.
+    usual : str, optional
+        A unit that people write, for messages; the SI unit unless given.
     """
 
     word: str
     names: tuple[str, ...]
     unit: str
+    usual: str = ""
+
+    @property
+    def example(self) -> str:
+        """How it may stand in a header."""
+        unit = self.usual or self.unit
+        return f"{self.names[0]} [{unit}]" if unit else self.names[0]
 
 
 @value
@@ -118,10 +126,8 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     InvalidInput
         If the file cannot be read; the message names the line.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise InvalidInput(f"{path!r} is no path of a file; give one such as 'tip.csv'.")
     shown = str(path)
-    lines = _text(Path(path)).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = _text(path, columns).replace("\r\n", "\n").replace("\r", "\n").split("\n")
     header = _header(lines, columns, shown)
     separator = _separator(lines, header)
     numbers, places, absent = array("d"), array("d"), list[int]()
@@ -156,8 +162,41 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     return Table(shown, np.array(numbers).reshape(-1, len(columns)) / factors, np.array(places))
 
 
-def _text(path: Path) -> str:
+def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
+    """Return whether the header of a table names all of these columns.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    columns : sequence of Column
+        What is looked for.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    lines = re.split(r"\r\n|\r|\n", _text(path, columns))[:ABOVE]
+    texts = [line.lstrip(COMMENT).rstrip() for line in lines if _may_name(line.lower(), columns)]
+    rows = [_cells(text, separator) for text in texts if text for separator in SEPARATORS]
+    return any(all(any(_named(cell, column)[0] for cell in cells) for column in columns) for cells in rows)
+
+
+def _may_name(line: str, columns: Sequence[Column]) -> bool:
+    """Return whether a line holds the letters of every column's name; rows of numbers are told quickly."""
+    return all(any(name in line for name in column.names) for column in columns)
+
+
+def _example(columns: Sequence[Column]) -> str:
+    return ", ".join(column.example for column in columns)
+
+
+def _text(given: str | os.PathLike[str], columns: Sequence[Column]) -> str:
     """Return the text of a file, or say why it is none."""
+    if not isinstance(given, str | os.PathLike):
+        raise InvalidInput(f"{given!r} is no path of a file; give one such as 'tip.csv'.")
+    path = Path(given)
     try:
         if path.is_dir():
             raise InvalidInput(f"{path}: this is a folder; give a file in it.")
@@ -181,7 +220,9 @@ def _text(path: Path) -> str:
     except UnicodeDecodeError:
         text = content.decode("latin-1")
     if not text.strip():
-        raise InvalidInput(f"{path}: the file is empty; it needs a header such as '{EXAMPLE}', and numbers below.")
+        raise InvalidInput(
+            f"{path}: the file is empty; it needs a header such as '{_example(columns)}', and numbers below."
+        )
     return text
 
 
@@ -240,6 +281,10 @@ def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Hea
             found = [[p for p, cell in enumerate(cells) if _named(cell, column)[0]] for column in columns]
             if not all(found):
                 continue
+            found = [
+                _fitting(cells, places, column) if len(places) > 1 else places
+                for column, places in zip(columns, found, strict=True)
+            ]
             for column, places in zip(columns, found, strict=True):
                 if len(places) > 1:
                     listed = " and ".join(f"'{cells[place]}'" for place in places)
@@ -252,25 +297,43 @@ def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Hea
     raise InvalidInput(f"{shown}: {_without_header(lines, columns)}.")
 
 
+def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
+    """Return the places whose unit fits, if there is one such: instruments repeat a depth in m and in volts."""
+    fitting = []
+    for place in places:
+        try:
+            scale(_named(cells[place], column)[1], column.unit)
+        except InvalidInput:
+            continue
+        fitting.append(place)
+    return fitting if len(fitting) == 1 else places
+
+
 def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
     """Take units that are not in the header from the row below it, and check that all fit."""
     where = f"{shown}, line {header.line}"
-    bare = [header.cells[place] for place, unit in zip(header.places, header.units, strict=True) if not unit]
+    needs = [bool(column.unit) for column in columns]
+    given = zip(header.places, header.units, needs, strict=True)
+    bare = [header.cells[place] for place, unit, need in given if need and not unit]
     if bare:
         below = _cells(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
         wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
-        if not wanted or any(not unit or _like_number(unit) for unit in wanted):
+        missing = [need and (not unit or _like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
+        if not wanted or any(missing):
             listed = " and ".join(f"'{name}'" for name in bare)
-            raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{EXAMPLE}'.")
+            example = _example(columns)
+            raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{example}'.")
         header = header._replace(line=header.line + 1, units=tuple(wanted))
         where = f"{shown}, line {header.line}"
-    for column, unit in zip(columns, header.units, strict=True):
+    plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
+    for column, unit in zip(columns, plain, strict=True):
         scale(unit, column.unit, what=f"{where}, {column.word}")
-    return header
+    return header._replace(units=plain)
 
 
 def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
     """Return why no header was found."""
+    example = _example(columns)
     above: list[str] = []
     for index, line in enumerate(lines[:ABOVE]):
         text = line.lstrip(COMMENT).rstrip()
@@ -279,14 +342,14 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
             any(cells) and all(_like_number(cell) for cell in cells if cell) for cells in splits
         ):
             if not above:
-                return f"numbers begin in line {index + 1} without a header above them; write one, as '{EXAMPLE}'"
+                return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
             break
         if text:
             above = next((cells for cells in splits if len(cells) > 1), [text])
     missing = [column for column in columns if not any(_named(cell, column)[0] for cell in above)]
     wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
-    return f"the header has no {wanted}, there are {listed}; name the columns, as in '{EXAMPLE}'"
+    return f"the header has no {wanted}, there are {listed}; name the columns, as in '{example}'"
 
 
 def _separator(lines: Sequence[str], header: _Header) -> str | None:

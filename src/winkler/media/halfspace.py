@@ -14,7 +14,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.media import subsurface
-from winkler.media.medium import Displacement
+from winkler.media.medium import Displacement, PunchFacts
 from winkler.media.punch_field import BodyField
 from winkler.numerics import abel
 from winkler.numerics.types import Array
@@ -54,6 +54,10 @@ class HomogeneousMedium:
         """g'(x) [-]."""
         return profile.gap_slope(x)
 
+    def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
+        """``(b, b jump)``: above a jump of f' at b, g' holds b jump / sqrt(x^2 - b^2)."""
+        return tuple((b, b * jump) for b, jump in profile.kinks)
+
     def gap_load(self, profile: Profile, radius: Array) -> Array:
         """2 E* times the integral of g from 0 to `radius` [N]."""
         return 2.0 * self.modulus * profile.gap_integral(radius)
@@ -62,9 +66,21 @@ class HomogeneousMedium:
         """k(a) = 2 E* a [N/m]."""
         return 2.0 * self.modulus * radius
 
+    def punch_pressure(self, r: Array, radius: Array) -> Array:
+        """p1(r; a) = E* / (pi sqrt(a^2 - r^2)) [Pa/m]."""
+        return np.asarray(self.modulus / (np.pi * abel.root_difference(radius, r)))
+
+    def punch_facts(self, radius: float) -> PunchFacts:
+        """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
+        return PunchFacts(pulls=False, least=0.0, most=1.0, telling=True)
+
     def normal_stiffness(self, x: Array) -> Array:
         """c_N = E* [Pa], the same for every spring."""
         return np.full(np.shape(x), self.modulus)
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N' = 0 [Pa/m]."""
+        return np.zeros(np.shape(x))
 
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T = G* [Pa], the same for every spring."""

@@ -2,21 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
 
-__all__ = ["Displacement", "Medium"]
+__all__ = ["Displacement", "Medium", "PunchFacts"]
+
+
+class PunchFacts(NamedTuple):
+    """What is known of all flat punches up to some radius, pressed to unit depth.
+
+    Where none `pulls` and g never falls, no contact needs tension, since its pressure is a sum of flat punches'.
+
+    `telling` is whether springs beyond the edge tell the separation: it is then an integral of g - d with a positive
+    kernel.  In other media the separation at r is that of :math:`g'(x)(1-u_1(r;x))` from the edge to r, u1 the
+    displacement of the surface outside a flat punch of radius x, which lies between `least` and `most`.
+    """
+
+    pulls: bool
+    least: float
+    most: float
+    telling: bool
 
 
 class Displacement(Protocol):
     """The displacement u(x) of the springs: d - g(x) in contact, nothing outside; even in x.
 
     Methods take an array of x >= 0 [m].  `kinks` lists ``(x, strength)`` where u is not smooth: just above x the
-    slope behaves like ``-strength / sqrt(x**2 - x_kink**2)`` (strength zero where it does not diverge).
+    slope behaves like ``-strength / sqrt(x**2 - x_kink**2)``, or as `Medium.kinks` says of the medium (strength zero
+    where it does not diverge).
     """
 
     @property
@@ -58,6 +75,14 @@ class Medium(Protocol):
         """g'(x) [-]."""
         ...
 
+    def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)`` of every place where g of this profile is not smooth, ascending.
+
+        Above a jump of f' at b, g' diverges like strength / sqrt(x^2 - b^2).  Power-law media have another power
+        there, x^-k (x^2 - b^2)^((k-1)/2), and the factor of that is the strength.
+        """
+        ...
+
     def gap_load(self, profile: Profile, radius: Array) -> Array:
         """The integral of k'(x) g(x) from 0 to `radius` [N]."""
         ...
@@ -66,8 +91,20 @@ class Medium(Protocol):
         """k(a) [N/m], the stiffness of a flat cylindrical punch."""
         ...
 
+    def punch_pressure(self, r: Array, radius: Array) -> Array:
+        """p1(r; a) [Pa/m], the pressure of a flat punch at unit depth; r and radii of one shape, r < a."""
+        ...
+
+    def punch_facts(self, radius: float) -> PunchFacts:
+        """What is known of all flat punches up to this radius [m]."""
+        ...
+
     def normal_stiffness(self, x: Array) -> Array:
         """c_N(x) = k'(x)/2 [Pa], the stiffness of the springs per length."""
+        ...
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) [Pa/m], for x > 0: what decides whether an adhesive edge is stable."""
         ...
 
     def tangential_stiffness(self, x: Array) -> Array:

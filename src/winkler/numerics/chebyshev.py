@@ -10,7 +10,7 @@ from winkler.errors import NotConverged
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 
-__all__ = ["Panels", "fit_panels"]
+__all__ = ["Panels", "fit_panels", "stationary"]
 
 DEGREE = 16
 MOST_PANELS = 4096
@@ -37,12 +37,14 @@ class Panels:
         index = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.edges) - 2)
         low, high = self.edges[index], self.edges[index + 1]
         t = (2.0 * x - low - high) / (high - low)
-        rows = np.moveaxis(self.coefficients[index], -1, 0)
+        # row by row: one table of all coefficients at all places would not fit into the cache
+        rows = np.ascontiguousarray(self.coefficients.T)
+        double = 2.0 * t
         last = np.zeros_like(t)
         current = np.zeros_like(t)
         for row in rows[:0:-1]:
-            last, current = current, row + 2.0 * t * current - last
-        result: Array = rows[0] + t * current - last
+            last, current = current, row[index] + double * current - last
+        result: Array = rows[0][index] + t * current - last
         return result
 
     @property
@@ -71,6 +73,17 @@ def _matrix(degree: int) -> tuple[Array, Array]:
     return nodes, np.linalg.inv(np.polynomial.chebyshev.chebvander(nodes, degree))
 
 
+def fit_nodes(edges: Array) -> Array:
+    """Return the places ``(panels, n)`` at which `panels_from` wants to know a function."""
+    nodes, _ = _matrix(DEGREE)
+    return np.asarray(0.5 * (edges[:-1] + edges[1:])[:, None] + 0.5 * np.diff(edges)[:, None] * nodes)
+
+
+def panels_from(edges: Array, values: Array) -> Panels:
+    """Return the function that has these values ``(panels, n)`` at `fit_nodes`."""
+    return Panels(edges, np.asarray(values @ _matrix(DEGREE)[1].T))
+
+
 def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
     """Return `function` as panels, halved until each resolves it.
 
@@ -93,9 +106,12 @@ def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
     low, high = np.asarray(edges[:-1], dtype=float), np.asarray(edges[1:], dtype=float)
     while low.size:
         points = 0.5 * (low + high)[:, None] + 0.5 * (high - low)[:, None] * nodes
-        coefficients = np.asarray(function(points)) @ matrix.T
+        values = np.asarray(function(points))
+        coefficients = values @ matrix.T
         tail = np.abs(coefficients[:, -3:]).sum(axis=1)
-        good = (tail <= tolerance) | (high - low <= 1e-9 * (edges[-1] - edges[0]))
+        # no curve is smoother than the rounding of its values, which differs from machine to machine
+        rounding = 4.0 * np.finfo(float).eps * np.max(np.abs(values), axis=1)
+        good = (tail <= np.maximum(tolerance, rounding)) | (high - low <= 1e-9 * (edges[-1] - edges[0]))
         done.extend(zip(low[good], coefficients[good], strict=True))
         middle = 0.5 * (low[~good] + high[~good])
         low, high = np.concatenate([low[~good], middle]), np.concatenate([middle, high[~good]])
@@ -106,3 +122,17 @@ def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
             )
     done.sort(key=lambda panel: panel[0])
     return Panels(np.array([start for start, _ in done] + [float(edges[-1])]), np.array([panel for _, panel in done]))
+
+
+def stationary(panels: Panels) -> Array:
+    """Return the places inside the panels where the derivative vanishes, all of them, ascending."""
+    places = []
+    for low, high, row in zip(panels.edges[:-1], panels.edges[1:], panels.derivative.coefficients, strict=True):
+        if abs(row[0]) > np.abs(row[1:]).sum():
+            continue
+        large = np.flatnonzero(np.abs(row) > np.finfo(float).eps * np.max(np.abs(row)))
+        if large.size and large[-1] > 0:
+            roots = np.polynomial.chebyshev.chebroots(row[: large[-1] + 1])
+            near = roots.real[(np.abs(roots.imag) < 1e-6) & (np.abs(roots.real) < 1.0)]
+            places.append(0.5 * (low + high) + 0.5 * (high - low) * np.sort(near))
+    return np.concatenate(places) if places else np.zeros(0)

@@ -58,7 +58,9 @@ def _panelled(panels: int) -> tuple[Array, Array]:
     return ((start + nodes) / panels).ravel(), np.tile(weights / panels, panels)
 
 
-def settled(integrand: Integrand, count: int, what: str, noise: Array | None = None) -> Array:
+def settled(
+    integrand: Integrand, count: int, what: str, noise: Array | None = None, against: Array | float = 0.0
+) -> Array:
     """Integrate over the unit interval until the result settles.
 
     Parameters
@@ -72,6 +74,8 @@ def settled(integrand: Integrand, count: int, what: str, noise: Array | None = N
     noise : ndarray, (count,), optional
         How far rounding of the argument spoils each integrand, relative to its modulus; a change of that size counts
         as settled.
+    against : ndarray, (count,), or float, optional
+        What the results will be added to: an integral smaller than that is measured against it.
 
     Returns
     -------
@@ -83,6 +87,7 @@ def settled(integrand: Integrand, count: int, what: str, noise: Array | None = N
         If a result still moves by more than 1e-9 of the integral of its modulus at the finest rule.
     """
     floor = np.zeros(count) if noise is None else 4.0 * noise
+    least = np.broadcast_to(against, (count,))
     result = np.zeros(count)
     moved = np.full(count, np.inf)
     last = {name: np.full(count, np.nan) for name, _ in LADDER}
@@ -93,7 +98,7 @@ def settled(integrand: Integrand, count: int, what: str, noise: Array | None = N
         for start in range(0, waiting.size, step):
             part = waiting[start : start + step]
             values = integrand(nodes, part)
-            current, size = values @ weights, np.abs(values) @ weights
+            current, size = values @ weights, np.maximum(np.abs(values) @ weights, least[part])
             change = np.abs(current - last[name][part]) / np.where(size > 0.0, size, 1.0)
             last[name][part] = current
             better = change <= moved[part]

@@ -1,7 +1,7 @@
 r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
 
-Beds whose g is known to rise are inverted at once for all loads; the others go through `winkler.problems.disc`, which
-accepts a radius only after checking that the contact is one disc.
+Where the body is known to let g rise, all loads are met at once; on media where that does not make every contact one
+disc, `winkler.problems.disc` looks at them afterwards.  All others go through it one by one.
 """
 
 from __future__ import annotations
@@ -26,11 +26,12 @@ def _end(bed: Bed) -> float:
 
 def flat_radius(bed: Bed) -> float:
     """Return the radius up to which g vanishes: the contact opens with it."""
-    places = [b for b, _ in bed.kinks if b < _end(bed)]
-    if not places:
-        return 0.0
-    touching = [b for b, g in zip(places, bed.gap(np.array(places)), strict=True) if g == 0.0]
-    return max(touching, default=0.0)
+    flat = 0.0
+    for b, _ in bed.kinks:
+        if b >= _end(bed) or float(bed.gap(np.array([b]))[0]) != 0.0:
+            break
+        flat = b
+    return flat
 
 
 def at_end(bed: Bed) -> tuple[float, float]:
@@ -64,14 +65,15 @@ def _refuse_beyond(bed: Bed, bad: Array, given: Array, word: str, unit: str, mos
 def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts with given radii `(m,)`."""
     end = _end(bed)
-    depth_end, _ = at_end(bed)
-    bad = radius > end if np.isfinite(depth_end) else radius >= end
+    bad = radius >= end
+    if bad.any() and np.isfinite(at_end(bed)[0]):
+        bad = radius > end
     if bad.any():
         wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
         raise OutsideValidity(
             f"radius {radius[bad][0]:.6g} m{_indices(bad)} is beyond {wall} ({end:.6g} m); give a smaller one."
         )
-    flat = flat_radius(bed) if depth_end > 0.0 else end
+    flat = end if bed.rim < np.inf and float(bed.gap(np.array([end]))[0]) == 0.0 else flat_radius(bed)
     bad = (radius > 0.0) & (radius <= flat)
     if bad.any():
         raise OutsideValidity(
@@ -79,19 +81,26 @@ def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
             "and touches there at once; give a force or a depth."
         )
     depth = bed.gap(radius)
-    if not bed.rising:
-        for d, a in zip(depth, radius, strict=True):
-            disc.refuse_unless_disc(bed, float(d), float(a), end)
+    disc.refuse_unless_discs(bed, depth, radius, end)
     return depth, radius.copy()
 
 
 def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
+    if bed.rising:
+        radius = _radii_at_depth(bed, depth)
+        if disc.rises(bed, float(np.max(radius, initial=0.0))):
+            disc.refuse_unless_discs(bed, depth, radius, _end(bed))
+            return depth.copy(), radius
     radius = np.zeros(depth.shape)
-    if not bed.rising:
-        _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed)))
-        return depth.copy(), radius
-    depth_end, _ = at_end(bed)
+    _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed)))
+    return depth.copy(), radius
+
+
+def _radii_at_depth(bed: Bed, depth: Array) -> Array:
+    """Return the radii at which a rising g meets all depths."""
+    radius = np.zeros(depth.shape)
+    depth_end = np.inf if _met_before(bed, bed.gap, depth) else at_end(bed)[0]
     pinned = depth > depth_end if bed.rim <= bed.reach else np.zeros(depth.shape, dtype=bool)
     _refuse_beyond(bed, (depth > depth_end) & ~pinned, depth, "depth", "m", depth_end)
     radius[pinned] = _end(bed)
@@ -105,7 +114,20 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
             guess=_guess(bed),
         )
         radius[free] = _not_beyond(bed, found, bed.gap(found) > (1.0 + 1e-6) * depth[free])
-    return depth.copy(), radius
+    return radius
+
+
+def _met_before(bed: Bed, value: Callable[[Array], Array], asked: Array) -> bool:
+    """Return whether all loads are met well before the profile ends; there it may cost much to know its g."""
+    end, most = _end(bed), float(np.max(asked, initial=0.0))
+    place = _guess(bed)
+    while place < 0.5 * end:
+        if float(value(np.array([place]))[0]) >= most:
+            return True
+        if not np.isfinite(end):
+            return False
+        place *= 2.0
+    return False
 
 
 def _not_beyond(bed: Bed, radius: Array, beyond: Array) -> Array:
@@ -129,28 +151,40 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
             "pressed together: give a force of zero or more."
         )
-    radius = _radius_at_force(bed, force)
+    radius, looked_at = _radius_at_force(bed, force)
     # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
     stiffness = bed.stiffness(radius)
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
+    if not looked_at:
+        disc.refuse_unless_discs(bed, depth, radius, _end(bed))
     return depth, radius
 
 
-def _radius_at_force(bed: Bed, force: Array) -> Array:
+def _radius_at_force(bed: Bed, force: Array) -> tuple[Array, bool]:
+    """Return the radii, and whether the contacts were looked at."""
+    if bed.rising:
+        radius = _radii_at_force(bed, force)
+        if disc.rises(bed, float(np.max(radius, initial=0.0))):
+            return radius, False
     radius = np.zeros(force.shape)
-    if not bed.rising:
-        _one_by_one(radius, force, lambda load: disc.radius_at_force(bed, load, _end(bed), _guess(bed)))
-        return radius
-    force_end = at_end(bed)[1]
-    pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
-    _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
-    radius[pinned] = _end(bed)
-    free = (force > 0.0) & ~pinned
+    _one_by_one(radius, force, lambda load: disc.radius_at_force(bed, load, _end(bed), _guess(bed)))
+    return radius, True
+
+
+def _radii_at_force(bed: Bed, force: Array) -> Array:
+    """Return the radii at which a rising g meets all forces."""
+    radius = np.zeros(force.shape)
 
     def force_and_slope(a: Array) -> tuple[Array, Array]:
         stiffness = bed.stiffness(a)
         return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
+
+    force_end = np.inf if _met_before(bed, lambda a: force_and_slope(a)[0], force) else at_end(bed)[1]
+    pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
+    _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
+    radius[pinned] = _end(bed)
+    free = (force > 0.0) & ~pinned
 
     if free.any():
         found = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed))

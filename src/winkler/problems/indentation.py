@@ -136,15 +136,7 @@ class IndentationSolution:
     @property
     def energy(self) -> Quantity:
         """Elastic energy U [J], the work that was needed to press the bodies together."""
-        bed = self.problem.bed
-        depth, radius = np.ravel(self.depth), np.ravel(self.radius)
-        edges = [b for b, _ in bed.kinks]
-
-        def work_of(d: float, a: float) -> float:
-            stored = abel.integral(lambda x: bed.normal_stiffness(x) * (d - bed.gap(x)) ** 2, edges, np.array(a))
-            return float(stored)
-
-        work = [work_of(d, a) for d, a in zip(depth, radius, strict=True)]
+        work = [_energy(self.problem.bed, d, a) for d, a in zip(*map(np.ravel, (self.depth, self.radius)), strict=True)]
         return self._shaped(np.reshape(work, np.shape(self.depth)))
 
     def line_load(self, x: Array) -> Array:
@@ -215,3 +207,26 @@ class IndentationSolution:
 
     def _shaped(self, answer: Array) -> Quantity:
         return float(answer) if np.ndim(self.depth) == 0 else answer
+
+
+def _energy(bed: Bed, depth: float, radius: float) -> float:
+    """Return the integral of c_N (d - g)^2 over the contact.
+
+    Towards the axis, where c_N may diverge, integrated by parts: half k (d - g)^2 at the end of that piece, and the
+    integral of k (d - g) g'.
+    """
+    if radius == 0.0:
+        return 0.0
+    edges = [b for b, _ in bed.kinks]
+    inner = 0.5 * min([radius, *edges])
+    place = np.array([inner])
+    start = 0.5 * float(bed.stiffness(place)[0]) * (depth - float(bed.gap(place)[0])) ** 2
+
+    def stored(x: Array) -> Array:
+        result = depth - bed.gap(x)
+        near = x < inner
+        result[~near] *= bed.normal_stiffness(x[~near]) * result[~near]
+        result[near] *= bed.stiffness(x[near]) * bed.gap_slope(x[near])
+        return result
+
+    return start + float(abel.integral(stored, [inner, *edges], np.array(radius)))

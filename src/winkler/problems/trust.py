@@ -10,9 +10,10 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
+from winkler.problems.disc import rises
 from winkler.validity import Note, Standing
 
-__all__ = ["indentation_notes"]
+__all__ = ["indentation_notes", "size_note", "slope_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
@@ -32,9 +33,9 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
         return (*notes, Note(Standing.EXACT, "The bodies do not touch under this load.", "no spring is compressed"))
     last = int(np.argmax(depth))
     widest = float(radius[last])
-    notes.append(_slope_note(bed, widest))
+    notes.append(slope_note(bed, widest))
     if math.isfinite(bed.size):
-        notes.append(_size_note(bed, widest))
+        notes.append(size_note(bed, widest))
     if widest >= bed.rim:
         notes.append(
             Note(
@@ -43,19 +44,28 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
                 "Boussinesq's flat punch",
             )
         )
-    elif not bed.rising:
-        notes.append(
-            Note(
-                Standing.EXACT,
-                "The equivalent profile is not known to rise everywhere; that the contact is one disc was checked "
-                "(no tension inside, no overlap outside).",
-                "a-posteriori check of pressure and separation",
-            )
-        )
+    if not bed.certain:
+        notes.append(_disc_note(bed, widest))
     return (*notes, *_yield_notes(bed, float(np.max(force))))
 
 
-def _slope_note(bed: Bed, radius: float) -> Note:
+def _disc_note(bed: Bed, radius: float) -> Note:
+    """Return what was looked at to know that the contact is one disc."""
+    if not rises(bed, radius):
+        looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were looked at"
+    elif bed.medium.punch_facts(radius).pulls:
+        looked = "the equivalent profile rises, but flat punches of this width pull, so the pressure was looked at"
+    else:
+        looked = "the equivalent profile rises wherever it was looked at, and no flat punch up to this radius pulls"
+    return Note(
+        Standing.EXACT,
+        f"That the contact is one disc was checked: {looked}; no tension inside, no overlap outside.",
+        "a-posteriori check of pressure and separation, at sampled places",
+    )
+
+
+def slope_note(bed: Bed, radius: float) -> Note:
+    """Return what the slopes within a contact of this radius mean for the theory."""
     inside = radius * np.linspace(0.0, 1.0, 65)[1:-1]
     slope = float(np.max(np.abs(bed.slope(inside))))
     if slope <= 0.1:
@@ -68,7 +78,8 @@ def _slope_note(bed: Bed, radius: float) -> Note:
     return Note(standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY)
 
 
-def _size_note(bed: Bed, radius: float) -> Note:
+def size_note(bed: Bed, radius: float) -> Note:
+    """Return what the size of the body means for a contact of this radius."""
     ratio = radius / bed.size
     if ratio <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"

@@ -36,7 +36,7 @@ def _singular(bed: Bed) -> str:
         return "the rim is sharp"
     scale = min([b for b, _ in bed.kinks] + [x for x in (bed.reach, bed.size) if x < math.inf], default=1e-3)
     near, far = np.abs(bed.gap_slope(scale * np.array([1e-8, 1e-6])))
-    return "the apex is pointed" if near > 0.5 * far > 0.0 else ""
+    return "the apex is pointed" if near > 0.95 * far > 0.0 else ""
 
 
 @value
@@ -65,8 +65,8 @@ class YieldOnset:
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, HalfSpace):
             raise InvalidInput(
-                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; stresses below the surface are known "
-                "for HalfSpace only."
+                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is looked for in "
+                "homogeneous, isotropic bodies only: give a HalfSpace."
             )
         if min(self.bed.medium.strengths) == math.inf:
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
@@ -99,7 +99,7 @@ class YieldOnset:
         at = np.array([radius])
         depth = float(self.bed.gap(at)[0])
         force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
-        if not self.bed.rising:
+        if not self.bed.certain:
             refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
         return YieldOnsetSolution(self, depth, force, radius, r=place.r, z=place.z if below else -place.z)
 

@@ -180,7 +180,7 @@ class Formula(Shape):
         """g(x) [m]."""
         x = np.asarray(x, dtype=float)
         powers = power_sum(_stretched(self._law), x)[0]
-        return powers if _pure(self._law) else powers + abel.gap(self._slope_of_rest, self.corners, x)
+        return powers if _pure(self._law) else powers + abel.gap(self._slope_of_rest, self.corners, x, powers)
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
@@ -188,7 +188,7 @@ class Formula(Shape):
         powers = power_sum(_stretched(self._law), x)[1]
         if _pure(self._law):
             return powers
-        return powers + abel.gap_slope(self._slope_of_rest, self._curvature_of_rest, self.kinks, x)
+        return powers + abel.gap_slope(self._slope_of_rest, self._curvature_of_rest, self.kinks, x, powers)
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
@@ -196,9 +196,10 @@ class Formula(Shape):
         powers = power_sum(tuple((c / (p + 1.0), p + 1.0) for c, p in _stretched(self._law)), x)[0]
         if _pure(self._law):
             return powers
-        first = x * abel.gap(self._slope_of_rest, self.corners, x)
-        second = abel.gap(lambda r: r * r * self._slope_of_rest(r), self.corners, x)
-        return np.asarray(powers + first - second / np.where(x > 0.0, x, 1.0))
+        inner = np.where(x > 0.0, x, 1.0)
+        first = x * abel.gap(self._slope_of_rest, self.corners, x, powers / inner)
+        second = abel.gap(lambda r: r * r * self._slope_of_rest(r), self.corners, x, powers * inner)
+        return np.asarray(powers + first - second / inner)
 
 
 def _is_number(content: object) -> bool:

@@ -5,9 +5,11 @@ The slope is :math:`f'(r) = \sum_j c_j\, r^{m_j}\, H(r-b_j)`; each term enters g
 .. math:: W_m(x, b) = \int_b^x \frac{r^m}{\sqrt{x^2-r^2}}\,\mathrm dr,\qquad
           W_m = \frac{(m-1)\,x^2\,W_{m-2} + b^{m-1}\sqrt{x^2-b^2}}{m},
 
-all of it positive, so nothing cancels: :math:`g = x\sum c_j W_{m_j}`,
-:math:`g' = \sum c_j[(m_j+1)W_{m_j} + b_j^{m_j+1}/\sqrt{x^2-b_j^2}]` and
-:math:`\int_0^x g = x\,g - \sum c_j W_{m_j+2}`.
+all of it positive, so nothing cancels within a term: :math:`g = x\sum c_j W_{m_j}`,
+:math:`g' = \sum c_j[(m_j+1)W_{m_j} + b_j^{m_j+1}/\sqrt{x^2-b_j^2}]` and :math:`\int_0^x g = \sum c_j V_{m_j}` with
+
+.. math:: V_m(x, b) = \int_b^x r^m\sqrt{x^2-r^2}\,\mathrm dr,\qquad
+          V_m = \frac{(m-1)\,x^2\,V_{m-2} + b^{m-1}(x^2-b^2)^{3/2}}{m+2} .
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ import numpy as np
 from winkler.numerics.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
+from winkler.profiles.sphere import shape_integral
 
 __all__ = ["PowerPieces", "Term"]
 
@@ -32,6 +35,16 @@ def _moment(m: int, x: Array, b: float) -> Array:
     if m == 1:
         return root
     return ((m - 1) * x * x * _moment(m - 2, x, b) + b ** (m - 1) * root) / m
+
+
+def _integral_moment(m: int, x: Array, b: float) -> Array:
+    """Return V_m(x, b), zero where x <= b."""
+    root = root_difference(x, b)
+    if m == 0:
+        return 0.5 * b * b * shape_integral(root / b, 1.0) if b > 0.0 else 0.25 * np.pi * x * x
+    if m == 1:
+        return root**3 / 3.0
+    return ((m - 1) * x * x * _integral_moment(m - 2, x, b) + b ** (m - 1) * root**3) / (m + 2)
 
 
 class PowerPieces(Shape):
@@ -87,4 +100,4 @@ class PowerPieces(Shape):
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x, dtype=float)
-        return x * self.gap(x) - sum((c * _moment(m + 2, x, b) for b, m, c in self.terms), 0.0 * x)
+        return sum((c * _integral_moment(m, x, b) for b, m, c in self.terms), 0.0 * x)

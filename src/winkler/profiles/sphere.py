@@ -15,7 +15,7 @@ from winkler.profiles.check import angle, positive
 from winkler.profiles.profile import Shape
 from winkler.values import value
 
-__all__ = ["Ellipsoid", "Hyperboloid", "Sphere"]
+__all__ = ["Ellipsoid", "Hyperboloid", "Sphere", "shape_integral"]
 
 
 SMALL = 0.2
@@ -33,7 +33,7 @@ def _series(t: Array, sign: float) -> Array:
     return result
 
 
-def _shape_integral(t: Array, sign: float) -> Array:
+def shape_integral(t: Array, sign: float) -> Array:
     """Return (1 + sign t^2) inv(t) - t, up to its sign, where inv is artanh (sign -1) or arctan (sign +1)."""
     t = np.asarray(t, dtype=float)
     if not np.any(t >= SMALL):
@@ -101,7 +101,7 @@ class _Round(Shape):
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         a, b = self._axes
-        return 0.5 * a * b * _shape_integral(x / a, -1.0)
+        return 0.5 * a * b * shape_integral(x / a, -1.0)
 
 
 @value
@@ -219,4 +219,4 @@ class Hyperboloid(Shape):
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         m, a = self._scales
-        return 0.5 * m * a * a * _shape_integral(x / a, 1.0)
+        return 0.5 * m * a * a * shape_integral(x / a, 1.0)

@@ -1,0 +1,109 @@
+"""Coatings and graded bodies: stiffness, force curves, pressure and stresses below, all from nothing.
+
+Run it:  pytest benchmarks -m bench --benchmark-only
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.materials.depth_grading import ExponentialGrading
+from winkler.materials.layered import Layer
+from winkler.media import coated_load, depth_climb, depth_response, flat_punch, punch_facts
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.depth_graded import DepthGradedHalfSpace
+from winkler.numerics import cosine, fredholm, kernel_matrix
+
+pytestmark = pytest.mark.bench
+
+STACK = CoatedHalfSpace(
+    [
+        Layer(wk.Elastic(400e9, 0.2), 1e-6),
+        Layer(wk.Elastic(120e9, 0.32), 0.3e-6),
+        Layer(wk.Elastic(250e9, 0.28), 2e-6),
+    ],
+    on=wk.Elastic(210e9, 0.3),
+)
+BED = wk.Foundation(wk.Paraboloid(100e-6), STACK)
+DEPTHS = np.linspace(0.0, 1e-6, 201)[1:]
+"""Up to a contact three times wider than the coating is thick."""
+SKIN = DepthGradedHalfSpace(ExponentialGrading(70e9, 210e9, depth_scale=3e-6, poisson=0.3))
+STEEP = DepthGradedHalfSpace(ExponentialGrading(2.1e9, 210e9, depth_scale=3e-6, poisson=0.3))
+
+
+def forget() -> None:
+    """Empty every table of flat punches, so that each round begins from nothing."""
+    pages = (cosine, fredholm, kernel_matrix, flat_punch, punch_facts, coated_load, depth_climb, depth_response)
+    for page in pages:
+        for thing in vars(page).values():
+            if hasattr(thing, "cache_clear"):
+                thing.cache_clear()
+
+
+def bench_first_stiffness(benchmark, below):
+    """k of one radius on a stack never seen before."""
+    k = benchmark.pedantic(STACK.punch_stiffness, args=(np.array(2e-6),), setup=forget, rounds=5)
+    assert 2.0 * 210e9 / 0.91 * 2e-6 < float(k) < 2.0 * 400e9 / 0.96 * 2e-6
+    below(0.5, "three-layer coating, k of one radius, from nothing")
+
+
+def _curve(medium) -> wk.IndentationSolution:
+    return wk.Indentation(wk.Foundation(wk.Paraboloid(100e-6), medium), wk.Depth(DEPTHS)).solve()
+
+
+def _is_its_own_derivative(curve) -> None:
+    assert np.all(np.diff(curve.force) > 0.0)
+    middle = slice(100, 120)
+    slope = np.gradient(curve.force, curve.depth, edge_order=2)[middle]
+    np.testing.assert_allclose(slope, curve.stiffness[middle], rtol=1e-4)
+
+
+def bench_force_curve_on_three_layers(benchmark, below):
+    """200 depths."""
+    _is_its_own_derivative(benchmark.pedantic(_curve, args=(STACK,), setup=forget, rounds=5))
+    below(1.0, "three-layer coating, F at 200 depths, from nothing")
+
+
+def bench_first_stiffness_of_a_grading(benchmark, below):
+    """k of one radius on a body graded in depth, to a millionth; E rises a hundredfold."""
+    k = benchmark.pedantic(STEEP.punch_stiffness, args=(np.array(2e-6),), setup=forget, rounds=5)
+    assert 2.0 * 2.1e9 / 0.91 * 2e-6 < float(k) < 2.0 * 210e9 / 0.91 * 2e-6
+    below(1.0, "graded in depth (E ratio 100, tolerance 1e-6), k of one radius, from nothing")
+
+
+@pytest.mark.parametrize(("medium", "ratio"), [(SKIN, 3), (STEEP, 100)], ids=["3", "100"])
+def bench_force_curve_on_a_grading(benchmark, below, medium, ratio):
+    """200 depths on a body graded in depth."""
+    _is_its_own_derivative(benchmark.pedantic(_curve, args=(medium,), setup=forget, rounds=3))
+    below(2.0, f"graded in depth (E ratio {ratio}, tolerance 1e-6), F at 200 depths, from nothing")
+
+
+@pytest.mark.parametrize(("medium", "what"), [(STACK, "three-layer coating"), (SKIN, "graded in depth")])
+def bench_pressure(benchmark, below, medium, what):
+    """Pressure at 200 radii, after the contact has been solved."""
+    contact = wk.Indentation(wk.Foundation(wk.Paraboloid(100e-6), medium), wk.Depth(0.2e-6)).solve()
+    r = np.linspace(0.0, 0.999, 200) * contact.radius
+    pressure = benchmark.pedantic(medium.pressure, args=(contact.pressed, r), rounds=5, warmup_rounds=1)
+    whole = np.sum(np.diff(r**2) * np.pi * 0.5 * (pressure[1:] + pressure[:-1]))
+    assert abs(whole / contact.force - 1.0) < 1e-3
+    below(0.5, f"{what}, pressure at 200 radii")
+
+
+def bench_stresses_inside_a_grading(benchmark, below):
+    """Stresses at 20 x 30 points of a body graded in depth."""
+    contact = wk.Indentation(wk.Foundation(wk.Paraboloid(100e-6), SKIN), wk.Depth(0.2e-6)).solve()
+    r, z = np.meshgrid(np.linspace(0.0, 2.0, 20) * contact.radius, np.linspace(0.0, 5e-6, 30))
+    field = benchmark.pedantic(wk.restore, args=(contact, r, z), setup=forget, rounds=3)
+    assert np.all(np.isfinite(field.von_mises))
+    below(10.0, "graded in depth, stresses at 600 points, from nothing")
+
+
+def bench_stresses_inside_a_coating(benchmark, below):
+    """Stresses at 20 x 30 points in all layers and the substrate."""
+    contact = wk.Indentation(BED, wk.Depth(0.2e-6)).solve()
+    r, z = np.meshgrid(np.linspace(0.0, 2.0, 20) * contact.radius, np.linspace(0.0, 5e-6, 30))
+    field = benchmark.pedantic(wk.restore, args=(contact, r, z), setup=forget, rounds=3)
+    assert np.all(np.isfinite(field.von_mises))
+    below(3.0, "three-layer coating, stresses at 600 points")

@@ -1,0 +1,231 @@
+r"""A bed known from measurements: how stiff the contact is, and how deep, at every contact radius.
+
+Two functions are enough, k(a) and g(a), and both can be measured: k is the slope dF/dd, the contact radius is read
+from a microscope or, on a medium of known modulus, from the stiffness itself, :math:`a = k/(2E^*)`, and g(a) is the
+depth.  Between the points ln g and ln k are splines of ln x: power laws, which most contacts nearly are, come out
+exactly.  With them every other load on the same bed is answered; but what the body looks like, and what the pressure
+is, no force curve tells.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.force_curve import FEWEST, bed_points
+from winkler.foundation.measured_medium import MeasuredMedium
+from winkler.numerics import abel
+from winkler.numerics.power_splines import PowerSplines
+from winkler.numerics.types import Array, ArrayLike
+from winkler.validity import Note, Standing
+from winkler.values import frozen_array, value
+
+__all__ = ["MeasuredBed"]
+
+NEXT_TO_AXIS = 1e-6
+"""Where slopes at the axis are taken, relative to the first radius."""
+BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
+
+
+@value
+class MeasuredBed:
+    """Springs whose stiffness and gap were measured or computed.
+
+    Parameters
+    ----------
+    radii : array_like, (n,)
+        Contact radii a [m], rising; for a contact that is no disc, those of the disc of equal stiffness.
+    stiffnesses : array_like, (n,)
+        k = dF/dd [N/m] at these radii, rising.
+    depths : array_like, (n,)
+        d = g(a) [m] at these radii, rising; zero at the first point only: a flat end of that radius.
+    scatter : float, optional
+        Root mean square misfit [N] of the force curve behind the points; zero if there is none.
+    mindlin_ratio : float, optional
+        c_T/c_N = G*/E* [-], for tangential problems; 2 (1 - nu) / (2 - nu) for a homogeneous body against a rigid
+        one. Zero (the default) if it is not known.
+
+    Raises
+    ------
+    InvalidInput
+        If the arrays do not fit one another, or do not rise.
+    """
+
+    radii: Array
+    stiffnesses: Array
+    depths: Array
+    scatter: float = 0.0
+    mindlin_ratio: float = 0.0
+
+    def __post_init__(self) -> None:
+        for word in ("radii", "stiffnesses", "depths"):
+            try:
+                object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word), dtype=float)))
+            except (TypeError, ValueError):
+                raise InvalidInput(f"MeasuredBed: {word} are not numbers; give an array.") from None
+        columns = {"radii": self.radii, "stiffnesses": self.stiffnesses, "depths": self.depths}
+        shapes = {np.shape(numbers) for numbers in columns.values()}
+        if len(shapes) > 1 or np.ndim(self.radii) != 1 or np.size(self.radii) < FEWEST:
+            raise InvalidInput(
+                "MeasuredBed: radii, stiffnesses and depths have the shapes "
+                f"{', '.join(str(np.shape(numbers)) for numbers in columns.values())}; give three one-dimensional "
+                f"arrays of equal length, at least {FEWEST}."
+            )
+        for word, numbers in columns.items():
+            bad = np.flatnonzero(~np.isfinite(numbers))
+            if bad.size:
+                raise InvalidInput(f"MeasuredBed: {word}[{bad[0]}] is {numbers[bad[0]]}; give finite values.")
+            fall = np.flatnonzero(np.diff(numbers) <= 0.0)
+            if fall.size:
+                raise InvalidInput(
+                    f"MeasuredBed: {word} does not rise from index {fall[0]} ({numbers[fall[0]]:.6g}) to the next "
+                    f"({numbers[fall[0] + 1]:.6g}); radius, stiffness and depth must grow together: smooth the data, "
+                    "or use MeasuredBed.from_curve."
+                )
+        if self.radii[0] < 0.0 or self.stiffnesses[0] < 0.0 or self.depths[0] < 0.0:
+            raise InvalidInput("MeasuredBed: radius, stiffness and depth must not be negative; give values from 0 on.")
+        for word, number in (("scatter", self.scatter), ("mindlin_ratio", self.mindlin_ratio)):
+            if not (isinstance(number, int | float) and 0.0 <= number < math.inf):
+                raise InvalidInput(f"MeasuredBed: {word} is {number!r}; it must be zero or a positive number.")
+
+    @classmethod
+    def from_curve(
+        cls, depth: ArrayLike, force: ArrayLike, modulus: float, *, mindlin_ratio: float = 0.0
+    ) -> MeasuredBed:
+        """Return the bed behind one measured or computed force curve.
+
+        A convex curve is fitted (`winkler.numerics.convex`), k is its slope, and a = k / (2 modulus).
+
+        Parameters
+        ----------
+        depth, force : array_like, (n,)
+            d [m] and F [N] of the loading, from first touch on, in any order, at least six different depths.
+        modulus : float
+            E* [Pa]. It scales radii alone: forces and stiffnesses at given depths do not depend on it.
+        mindlin_ratio : float, optional
+            As for the class.
+
+        Raises
+        ------
+        InvalidInput
+            If the data are too few or not finite, are not counted from first touch, or lie so far from every convex
+            curve that they are no contact.
+        """
+        points = bed_points(depth, force, modulus)
+        return cls(points.radii, points.stiffnesses, points.depths, scatter=points.scatter, mindlin_ratio=mindlin_ratio)
+
+    @property
+    def medium(self) -> MeasuredMedium:
+        """A medium of which nothing but the stiffness is known."""
+        return MeasuredMedium(self)
+
+    @property
+    def reach(self) -> float:
+        """The greatest measured radius [m]."""
+        return float(self.radii[-1])
+
+    @property
+    def rim(self) -> float:
+        """Infinite: a pinned contact does not widen with the load, so none was measured."""
+        return math.inf
+
+    @property
+    def size(self) -> float:
+        """Infinite: the body is not known."""
+        return math.inf
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """The measured points, where one cubic meets the next."""
+        first = 0 if self.depths[0] == 0.0 and self.radii[0] > 0.0 else 1
+        return tuple((float(x), 0.0) for x in self.radii[first:-1] if x > 0.0)
+
+    @property
+    def rising(self) -> bool:
+        """It was checked that the depth rises with the radius."""
+        return True
+
+    @property
+    def certain(self) -> bool:
+        """The points are of real contacts, whatever their shape: there is nothing to check."""
+        return True
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What the points are, and how well they were met."""
+        how = (
+            f"; the force curve behind them is met within {self.scatter:.3g} N (root mean square)"
+            if self.scatter
+            else ""
+        )
+        return (
+            Note(
+                Standing.APPROXIMATE if self.scatter else Standing.ASYMPTOTIC,
+                f"Stiffness and depth were given at {self.radii.size} contact radii{how}; what follows from them is as "
+                "good as they are, for bodies of any shape.",
+                BARBER,
+            ),
+            Note(
+                Standing.ASYMPTOTIC,
+                "Radii are those of discs of equal stiffness, and slopes those of the body of revolution that a "
+                "homogeneous half-space would need; the true body and its pressure are not known.",
+                "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, "
+                "doi:10.1007/978-3-642-53876-6",
+            ),
+        )
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m] of the body of revolution that a homogeneous half-space would need for these springs."""
+        return abel.surface(self.gap, [b for b, _ in self.kinks], r)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-] of that body."""
+        r = np.asarray(r, dtype=float)
+        moment = abel.surface(lambda x: x * self.gap_slope(x), [b for b, _ in self.kinks], r)
+        return np.where(r > 0.0, moment / np.where(r > 0.0, r, 1.0), 0.0)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        return _springs(self).gap(np.asarray(x, dtype=float))[0]
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        return _springs(self).gap(self._off_axis(x))[1]
+
+    def gap_load(self, radius: Array) -> Array:
+        """The integral of k'(x) g(x) from 0 to `radius` [N]."""
+        return _springs(self).load(np.asarray(radius, dtype=float))
+
+    def stiffness(self, radius: Array) -> Array:
+        """k(a) [N/m]."""
+        return _springs(self).stiffness(np.asarray(radius, dtype=float))[0]
+
+    def normal_stiffness(self, x: Array) -> Array:
+        """c_N(x) = k'(x)/2 [Pa]; at x = 0 that close to it, since no points tell the power there exactly."""
+        return np.asarray(0.5 * _springs(self).stiffness(self._off_axis(x))[1])
+
+    def _off_axis(self, x: Array) -> Array:
+        x = np.asarray(x, dtype=float)
+        first = self.radii[0] if self.radii[0] > 0.0 else self.radii[1]
+        return np.where(x > 0.0, x, NEXT_TO_AXIS * first)
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) [Pa/m], for x > 0; of a spline between few points, so not better than they tell."""
+        return np.asarray(0.5 * _springs(self).stiffness_bend(np.asarray(x, dtype=float)))
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) [Pa], the Mindlin ratio times c_N(x)."""
+        if self.mindlin_ratio == 0.0:
+            raise OutsideValidity(
+                "MeasuredBed: a normal force curve does not tell the tangential stiffness; give mindlin_ratio = G*/E*, "
+                "2 (1 - nu) / (2 - nu) for a homogeneous body."
+            )
+        return np.asarray(self.mindlin_ratio * self.normal_stiffness(x))
+
+
+@functools.lru_cache(maxsize=64)
+def _springs(bed: MeasuredBed) -> PowerSplines:
+    return PowerSplines(bed.radii, bed.stiffnesses, bed.depths)

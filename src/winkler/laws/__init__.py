@@ -1,0 +1,1 @@
+"""The laws of the interface: small records without contact mechanics in them."""

@@ -1,0 +1,157 @@
+r"""How surfaces attract each other: what it costs to part them, and over what distance.
+
+Every law knows the work of adhesion :math:`w`, the energy per area that parting takes.  They differ in how far the
+attraction reaches: not at all (`ShortRange`, the limit of Johnson, Kendall and Roberts), with a constant stress
+:math:`\sigma_0` up to the distance :math:`w/\sigma_0` (`Dugdale`, used by Maugis), or so far that it does not deform
+the bodies (`DerjaguinMullerToporov`).
+"""
+
+from __future__ import annotations
+
+import math
+
+from winkler.errors import InvalidInput
+from winkler.values import value
+
+__all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
+
+NOT_GIVEN = float("nan")
+"""Marks a work of adhesion that was left out; told by identity, so that no other nan passes."""
+
+
+def _refuse_unless_positive(owner: str, word: str, number: object, unit: str, *, zero: bool = False) -> None:
+    wrong = isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number)
+    if wrong or number < 0.0 or (number == 0.0 and not zero):  # type: ignore[operator]
+        hint = "" if zero else "; for bodies that do not attract each other ask for Indentation"
+        kind = "zero or a positive" if zero else "a positive"
+        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be {kind}, finite number in {unit}{hint}.")
+
+
+@value
+class ShortRange:
+    """Attraction of vanishing range: the edge of the contact is the tip of a crack (JKR).
+
+    Give `work`, or both others if parting takes more than closing returns.
+
+    Parameters
+    ----------
+    work : float
+        Work of adhesion [J/m^2], positive; with hysteresis the same as `work_opening`.
+    work_closing : float, optional
+        What an advancing edge gains per area [J/m^2], zero or positive, not more than `work_opening`.
+    work_opening : float, optional
+        What a receding edge costs per area [J/m^2], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If a work is negative, none or only one of a pair is given, or they contradict each other.
+
+    References
+    ----------
+    K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301-313, doi:10.1098/rspa.1971.0141
+
+    Examples
+    --------
+    >>> ShortRange(0.1) == ShortRange(work_closing=0.1, work_opening=0.1)
+    True
+    """
+
+    work: float = NOT_GIVEN
+    work_closing: float = NOT_GIVEN
+    work_opening: float = NOT_GIVEN
+
+    def __post_init__(self) -> None:
+        opening = self.work if self.work_opening is NOT_GIVEN else self.work_opening
+        whole = opening if self.work is NOT_GIVEN else self.work
+        closing = self.work_closing
+        if opening is NOT_GIVEN:
+            raise InvalidInput(
+                f"ShortRange: {'no work' if closing is NOT_GIVEN else 'work_closing alone'} was given; give work, or "
+                "work_closing and work_opening."
+            )
+        if closing is NOT_GIVEN:
+            closing = whole
+        for word, number in (("work", whole), ("work_opening", opening), ("work_closing", closing)):
+            _refuse_unless_positive("ShortRange", word, number, "J/m^2", zero=word == "work_closing")
+        if whole != opening:
+            raise InvalidInput(
+                f"ShortRange: work is {whole!r} J/m^2 but work_opening {opening!r}; work stands for what parting "
+                "takes: leave one of them out, or make them equal."
+            )
+        if closing > opening:
+            raise InvalidInput(
+                f"ShortRange: work_closing ({closing!r} J/m^2) exceeds work_opening ({opening!r}), so that every cycle "
+                "would give energy away; closing returns at most what parting takes."
+            )
+        for word, number in (("work", opening), ("work_closing", closing), ("work_opening", opening)):
+            object.__setattr__(self, word, float(number))
+
+
+@value
+class Dugdale:
+    """Attraction by a constant stress up to a distance of work / strength (Maugis).
+
+    Parameters
+    ----------
+    work : float
+        Work of adhesion [J/m^2], positive.
+    strength : float
+        The stress sigma_0 that attracts the surfaces [Pa], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive and finite.
+
+    References
+    ----------
+    D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T
+
+    Examples
+    --------
+    >>> Dugdale(work=0.05, strength=100e6).range
+    5e-10
+    """
+
+    work: float
+    strength: float
+
+    def __post_init__(self) -> None:
+        _refuse_unless_positive("Dugdale", "work", self.work, "J/m^2")
+        _refuse_unless_positive("Dugdale", "strength", self.strength, "Pa")
+
+    @property
+    def range(self) -> float:
+        """How far the attraction reaches, work / strength [m]."""
+        return self.work / self.strength
+
+
+@value
+class DerjaguinMullerToporov:
+    """Attraction of long range that does not deform the bodies: it only adds to the force (DMT).
+
+    Parameters
+    ----------
+    work : float
+        Work of adhesion [J/m^2], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If the work is not positive and finite.
+
+    References
+    ----------
+    B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326,
+    doi:10.1016/0021-9797(75)90018-1
+    """
+
+    work: float
+
+    def __post_init__(self) -> None:
+        _refuse_unless_positive("DerjaguinMullerToporov", "work", self.work, "J/m^2")
+
+
+AdhesionLaw = ShortRange | Dugdale | DerjaguinMullerToporov
+"""What may attract the surfaces."""

@@ -1,0 +1,84 @@
+r"""A solid whose Young's modulus grows or falls with the depth by a power law.
+
+.. math:: E(z) = E_0\,(z/c_0)^k , \qquad -1 < k < 1 .
+
+k = 0 is the homogeneous solid.  For k > 0 the surface is soft and the depth stiff (soil, bone, a ceramic infiltrated
+with glass); k < 0 is a hard skin.  k = 1, Gibson's solid, makes sense for nu = 1/2 alone: its surface then answers a
+pressure exactly as Winkler's springs do.
+"""
+
+from __future__ import annotations
+
+import math
+
+from winkler.errors import InvalidInput
+from winkler.values import value
+
+__all__ = ["PowerLawGraded"]
+
+
+@value
+class PowerLawGraded:
+    """An isotropic, linear elastic solid with E = young (z / depth_scale)^exponent.
+
+    Parameters
+    ----------
+    young : float
+        Young's modulus E_0 [Pa] at the depth `depth_scale`, positive.
+    depth_scale : float
+        c_0 [m], positive.
+    exponent : float
+        k [-], above -1 and below 1; exactly 1 (Gibson's solid) only with poisson = 0.5.
+    poisson : float
+        Poisson's ratio nu [-], above -1 and at most 0.5, the same at every depth.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    References
+    ----------
+    J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods Geomech. 9 (1985) 353-367
+
+    Examples
+    --------
+    >>> ceramic = PowerLawGraded(young=220e9, depth_scale=2e-3, exponent=0.15, poisson=0.25)
+    >>> round(ceramic.young_at(0.02e-3) / 1e9, 3)
+    110.261
+    """
+
+    young: float
+    depth_scale: float
+    exponent: float
+    poisson: float
+
+    def __post_init__(self) -> None:
+        for word, unit in (("young", "Pa"), ("depth_scale", "m")):
+            number = getattr(self, word)
+            if not (_is_number(number) and math.isfinite(number) and number > 0.0):
+                raise InvalidInput(
+                    f"PowerLawGraded: {word} is {number!r}; it must be a positive, finite number in {unit}."
+                )
+        if not (_is_number(self.poisson) and -1.0 < self.poisson <= 0.5):
+            raise InvalidInput(
+                f"PowerLawGraded: poisson is {self.poisson!r}; a Poisson ratio is above -1 and at most 0.5."
+            )
+        if not (_is_number(self.exponent) and -1.0 < self.exponent <= 1.0):
+            raise InvalidInput(
+                f"PowerLawGraded: exponent is {self.exponent!r}; a surface under load has a finite depth only for "
+                "exponents above -1 and below 1."
+            )
+        if self.exponent == 1.0 and self.poisson != 0.5:
+            raise InvalidInput(
+                f"PowerLawGraded: exponent 1 with poisson {self.poisson!r} has no answer, since the surface would give "
+                "way without limit; Gibson's solid needs poisson = 0.5, or give an exponent below 1."
+            )
+
+    def young_at(self, depth: float) -> float:
+        """Return Young's modulus [Pa] at a depth [m]."""
+        return self.young * math.pow(depth / self.depth_scale, self.exponent)
+
+
+def _is_number(content: object) -> bool:
+    return isinstance(content, int | float) and not isinstance(content, bool)

@@ -1,0 +1,292 @@
+r"""A stack of bonded elastic layers, seen from its surface: the compliance that a Hankel transform meets.
+
+A load :math:`\hat p\,J_0(\xi r)` moves the surface by :math:`C(\xi)\,\hat p\,J_0(\xi r)`.  Inside a layer
+displacements and tractions, :math:`u_r = U J_1`, :math:`u_z = W J_0`, :math:`\tau = 2G\xi\,T J_1`,
+:math:`\sigma_z = 2G\xi\,S J_0`, follow in :math:`x = \xi z`
+
+.. math:: U' = W + 2T,\quad W' = -nU + mS,\quad T' = \frac{U}{1-\nu} + nS,\quad S' = -T,\qquad
+          n = \frac{\nu}{1-\nu},\quad m = \frac{1-2\nu}{1-\nu},
+
+without a singularity at :math:`\nu=1/2`.  What lies below an interface is known by its compliance Y, displacements =
+Y tractions; `climb` carries Y to the upper face of a layer.  A thin layer (:math:`|\xi h|\le 1`) is climbed by its
+propagator :math:`e^{-xA}`, closed because :math:`(A^2-1)^2 = 0`; a thick one by splitting its field into a part that
+decays downward and one that decays upward.  No exponential ever grows, nothing cancels in thin layers, and the decay
+of the tractions on the way down comes along, from which the field inside is built.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.layered import Layer
+from winkler.numerics.types import ComplexArray
+from winkler.values import value
+
+__all__ = ["Climb", "NormalResponse", "TangentialResponse", "climb", "half_space", "rise"]
+
+THIN = 1.0
+"""Up to this |xi h| a layer is climbed by its propagator."""
+
+
+FAINT = 44.0
+"""A layer whose top lies this deep, times xi, is not felt: exp(-44) is nothing."""
+
+Four = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]
+
+
+class Climb(NamedTuple):
+    """Compliance at the upper face, and the tractions at the lower face per traction at the upper face."""
+
+    compliance: ComplexArray
+    decay: ComplexArray
+
+
+def _matrix(rows: list[list[ComplexArray | float]]) -> ComplexArray:
+    """Return 2x2 matrices ``(..., 2, 2)`` of entries that broadcast."""
+    entries = np.broadcast_arrays(*(entry for row in rows for entry in row))
+    return np.stack(entries, axis=-1).reshape(*entries[0].shape, 2, 2)
+
+
+def half_space(poisson: float) -> ComplexArray:
+    """Return 2 G Y of a homogeneous half-space."""
+    lateral, normal = 1.0 - 2.0 * poisson, -2.0 * (1.0 - poisson)
+    return np.array([[normal, lateral], [lateral, normal]])
+
+
+def decaying(x: ComplexArray | float, poisson: float) -> tuple[ComplexArray, ComplexArray]:
+    """Return displacements and tractions of both fields that decay downward, at x below their origin, times e^x."""
+    kappa = 3.0 - 4.0 * poisson
+    return (
+        _matrix([[1.0, x], [1.0, x + kappa]]),
+        _matrix([[-1.0, -(1.0 - 2.0 * poisson) - x], [-1.0, -2.0 * (1.0 - poisson) - x]]),
+    )
+
+
+def _growing(x: ComplexArray | float, poisson: float) -> tuple[ComplexArray, ComplexArray]:
+    """Return the same of the fields that decay upward, at x below their origin (x <= 0), times e^-x."""
+    kappa = 3.0 - 4.0 * poisson
+    return (
+        _matrix([[1.0, -x], [-1.0, x - kappa]]),
+        _matrix([[1.0, (1.0 - 2.0 * poisson) - x], [-1.0, -2.0 * (1.0 - poisson) + x]]),
+    )
+
+
+def climb(below: ComplexArray, x: ComplexArray, poisson: float) -> Climb:
+    """Return what a layer makes of the compliance below it.
+
+    Parameters
+    ----------
+    below : ndarray, (m, 2, 2)
+        2 G Y at its lower face, G of the layer.
+    x : ndarray, (m,)
+        xi times the thickness; real part not negative.
+    poisson
+        Of the layer.
+
+    Returns
+    -------
+    Climb
+        2 G Y at its upper face and the decay, ``(m, 2, 2)`` both.
+    """
+    thin = np.abs(x) <= THIN
+    upper, decay = np.empty_like(below), np.empty_like(below)
+    for chosen, way in ((thin, _propagated), (~thin, _split)):
+        if chosen.any():
+            upper[chosen], decay[chosen] = way(below[chosen], x[chosen], poisson)
+    return Climb(upper, decay)
+
+
+def _propagated(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[ComplexArray, ComplexArray]:
+    n, m = poisson / (1.0 - poisson), (1.0 - 2.0 * poisson) / (1.0 - poisson)
+    a = np.array([[0.0, 1.0, 2.0, 0.0], [-n, 0.0, 0.0, m], [1.0 / (1.0 - poisson), 0.0, 0.0, n], [0.0, 0.0, -1.0, 0.0]])
+    square = a @ a - np.eye(4)  # nilpotent
+    even, odd = np.cosh(x), np.sinh(x)
+    series: ComplexArray = np.ones_like(x)
+    for divisor in (180.0, 130.0, 88.0, 54.0, 28.0, 10.0):
+        series = 1.0 + x**2 / divisor * series
+    cubic = np.where(np.abs(x) < 0.4, x**3 / 3.0 * series, x * even - odd)
+    parts = ((even, np.eye(4)), (0.5 * x * odd, square), (-odd, a), (-0.5 * cubic, a @ square))
+
+    def block(row: int, column: int) -> Four:
+        entries = []
+        for i, j in ((row, column), (row, column + 1), (row + 1, column), (row + 1, column + 1)):
+            terms = [factor * float(matrix[i, j]) for factor, matrix in parts if matrix[i, j] != 0.0]
+            entries.append(sum(terms, np.zeros_like(x)))
+        return entries[0], entries[1], entries[2], entries[3]
+
+    compliance = _four(below)
+    displaced = _add(_times(block(0, 0), compliance), block(0, 2))
+    decay = _invert(_add(_times(block(2, 0), compliance), block(2, 2)))
+    return _stacked(_times(displaced, decay)), _stacked(decay)
+
+
+def _split(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[ComplexArray, ComplexArray]:
+    fade, compliance = np.exp(-x), _four(below)
+    down, down_load = (_four(part) for part in decaying(x, poisson))
+    rise_, rise_load = (_four(part) for part in _growing(np.zeros_like(x), poisson))
+    top, top_load = (_four(part) for part in decaying(np.zeros_like(x), poisson))
+    back, back_load = (_four(part) for part in _growing(-x, poisson))
+    left = _add(rise_, _scaled(-1.0, _times(compliance, rise_load)))
+    right = _add(down, _scaled(-1.0, _times(compliance, down_load)))
+    reflected = _scaled(-fade, _times(_invert(left), right))
+    amplitude = _invert(_add(top_load, _scaled(fade, _times(back_load, reflected))))
+    upper = _times(_add(top, _scaled(fade, _times(back, reflected))), amplitude)
+    decay = _times(_add(_scaled(fade, down_load), _times(rise_load, reflected)), amplitude)
+    return _stacked(upper), _stacked(decay)
+
+
+# 2x2 matrices entry by entry: much faster than a product of stacks of small matrices
+
+
+def _four(matrix: ComplexArray) -> Four:
+    parts = np.ascontiguousarray(matrix.reshape(-1, 4).T)
+    return parts[0], parts[1], parts[2], parts[3]
+
+
+def _stacked(four: Four) -> ComplexArray:
+    return np.stack(four, axis=-1).reshape(-1, 2, 2)
+
+
+def _add(one: Four, other: Four) -> Four:
+    return one[0] + other[0], one[1] + other[1], one[2] + other[2], one[3] + other[3]
+
+
+def _scaled(factor: ComplexArray | float, four: Four) -> Four:
+    return factor * four[0], factor * four[1], factor * four[2], factor * four[3]
+
+
+def _times(one: Four, other: Four) -> Four:
+    (a, b, c, d), (e, f, g, h) = one, other
+    return a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h
+
+
+def _invert(four: Four) -> Four:
+    a, b, c, d = four
+    scale = 1.0 / (a * d - b * c)
+    return d * scale, -b * scale, -c * scale, a * scale
+
+
+def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:
+    """Climb through a stack.
+
+    Parameters
+    ----------
+    layers : tuple of Layer
+        From the top.
+    on : Elastic or Rigid
+        What carries them.
+    xi : ndarray, (m,)
+        Wave numbers [1/m].
+
+    Returns
+    -------
+    list of Climb
+        For every layer from the top; the compliance [1/Pa] is that of ``displacements = Y tractions / xi``.
+    """
+    below: ComplexArray = np.zeros((xi.size, 2, 2), dtype=xi.dtype)
+    if isinstance(on, Elastic):
+        below = below + half_space(on.poisson) / (2.0 * on.shear)
+    climbs = []
+    bottom = sum(layer.thickness for layer in layers)
+    for layer in reversed(layers):
+        twice, own = 2.0 * layer.solid.shear, half_space(layer.solid.poisson)
+        bottom -= layer.thickness
+        felt = np.real(xi) * bottom < FAINT
+        upper, decay = np.empty_like(below), np.zeros_like(below)
+        upper[~felt] = own
+        upper[felt], decay[felt] = climb(twice * below[felt], xi[felt] * layer.thickness, layer.solid.poisson)
+        below = upper / twice
+        climbs.append(Climb(below, decay))
+    return climbs[::-1]
+
+
+class _Response:
+    """What both responses share: the lengths over which the stack differs from its uppermost layer."""
+
+    layers: tuple[Layer, ...]
+    on: Solid
+
+    @property
+    def length(self) -> float:
+        """Thickness of the uppermost layer [m]: 1 + M tends to 1 like exp(-2 xi length)."""
+        return self.layers[0].thickness
+
+    @property
+    def smooth(self) -> float:
+        """The same: the kernel has no logarithm [m]."""
+        return self.length
+
+    @property
+    def precision(self) -> float:
+        """Rounding of M, relative to its largest value."""
+        return 3e-14
+
+    @property
+    def span(self) -> float:
+        """Length [m] beyond which the stack is only its base."""
+        shears = [layer.solid.shear for layer in self.layers]
+        if isinstance(self.on, Elastic):
+            shears.append(self.on.shear)
+        return sum(layer.thickness for layer in self.layers) * max(shears) / min(shears)
+
+
+@value
+class NormalResponse(_Response):
+    """How a coated body and its counterpart answer a pressure: 1 + M(xi) = C(xi) E* xi / 2.
+
+    Parameters
+    ----------
+    layers : tuple of Layer
+        From the top.
+    on : Elastic or Rigid
+        What carries them.
+    second : Elastic or Rigid
+        The other body, a homogeneous half-space.
+    """
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid = Rigid()
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the second body."""
+        bodies = [self.layers[0].solid, *([self.second] if isinstance(self.second, Elastic) else [])]
+        return 1.0 / sum((1.0 - body.poisson**2) / body.young for body in bodies)
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        top = self.layers[0].solid
+        compliance = rise(self.layers, self.on, xi)[0].compliance[:, 1, 1]
+        relative = -compliance * top.shear / (1.0 - top.poisson) - 1.0
+        return np.asarray(relative * (self.modulus * (1.0 - top.poisson**2) / top.young))
+
+
+@value
+class TangentialResponse(_Response):
+    """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid = Rigid()
+
+    @property
+    def modulus(self) -> float:
+        """G* [Pa] of the uppermost layer and the second body."""
+        bodies = [self.layers[0].solid, *([self.second] if isinstance(self.second, Elastic) else [])]
+        return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in bodies)
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
+        along = -rise(self.layers, self.on, xi)[0].compliance[:, 0, 0]
+        across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
+        for layer in reversed(self.layers):
+            fall = np.tanh(xi * layer.thickness)
+            own = across * layer.solid.shear
+            across = (own + fall) / ((1.0 + own * fall) * layer.solid.shear)
+        top = self.layers[0].solid
+        own_share = (2.0 - top.poisson) / (4.0 * top.shear)
+        return np.asarray(self.modulus * (0.25 * (along + across) - own_share))

@@ -1,0 +1,188 @@
+r"""Bodies that were computed to order: a slope as Chebyshev series on panels, with the tolerance they were made to.
+
+What `winkler.problems.design` answers.  On every panel the slope f' is a polynomial of the radius; height and
+curvature are its integral and derivative, and the transform of a homogeneous half-space is a quadrature over the
+panels, kept on panels of its own.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics import abel
+from winkler.numerics.chebyshev import Panels, fit_panels
+from winkler.numerics.types import Array
+from winkler.profiles.profile import Shape
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["Designed"]
+
+GAP_TOLERANCE = 1e-10
+"""Error of g' on its panels, relative to the steepest slope."""
+CROWDED = 1e-6, 1e-8
+"""Panels narrower than this, of the reach, hold a singular point, where g' has this error from rounding."""
+FAINT = 1e-7
+"""Part of the greatest g below which rounding is felt: from there to the axis g goes on as a power of x."""
+SMALLEST_JUMP = 1e-7
+"""A jump of the slope between panels, relative to the steepest slope, from which on it counts as a kink."""
+
+
+@value
+class Designed(Shape):
+    """A body of revolution whose slope is a polynomial of the radius on each of many panels.
+
+    Made by `design_profile` and `design_for_pressure`; `height(r)` at any radii is what a lathe needs.
+
+    Parameters
+    ----------
+    edges : ndarray, (n + 1,)
+        Radii [m] between which the panels lie, ascending from 0.
+    slopes : ndarray, (n, m)
+        Chebyshev coefficients of f' [-] on each panel, in its own variable from -1 to 1.
+    tolerance : float
+        How far, relative to the greatest value, the body misses what was prescribed.
+
+    Raises
+    ------
+    InvalidInput
+        If the arrays do not fit one another.
+    """
+
+    edges: Array
+    slopes: Array
+    tolerance: float
+
+    def __post_init__(self) -> None:
+        if np.ndim(self.edges) != 1 or np.ndim(self.slopes) != 2 or len(self.edges) != len(self.slopes) + 1:
+            raise InvalidInput(
+                f"Designed: edges have the shape {np.shape(self.edges)} and slopes {np.shape(self.slopes)}; give one "
+                "more edge than rows of coefficients."
+            )
+        if self.edges[0] != 0.0 or np.any(np.diff(self.edges) <= 0.0) or not np.all(np.isfinite(self.slopes)):
+            raise InvalidInput("Designed: edges must ascend from 0, and every coefficient must be finite.")
+
+    @property
+    def reach(self) -> float:
+        """The outermost radius [m]."""
+        return float(self.edges[-1])
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """The joints where g is not smooth: not those where it is but a power."""
+        start = _gap(self).start
+        return tuple((b, jump) for b, jump in self.joints if b >= start)
+
+    @property
+    def joints(self) -> tuple[tuple[float, float], ...]:
+        """Where panels meet, with the jump of the slope, which is zero unless a kink was asked for."""
+        return _joints(self)
+
+    @property
+    def rising(self) -> bool:
+        """Whether g on a homogeneous half-space rises everywhere."""
+        samples = _gap(self).slope(np.linspace(0.0, self.reach, 4097)[:-1])
+        return bool(np.min(samples) >= -1e-8 * np.max(samples))
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """How well the body meets what was prescribed."""
+        text = (
+            f"The body was computed to order and misses what was prescribed by {self.tolerance:.2g} of its greatest "
+            "value."
+        )
+        standing = Standing.ASYMPTOTIC if self.tolerance < 1e-4 else Standing.APPROXIMATE
+        return (Note(standing, text, "misfit of the convex curve through the prescribed points"),)
+
+    @property
+    def gap_tolerance(self) -> float:
+        """Absolute error [-] to which g' can be known."""
+        steepest = float(np.max(np.abs(self.slope(np.linspace(0.0, self.reach, 1001)))))
+        crowded = float(np.min(np.diff(self.edges))) < CROWDED[0] * self.reach
+        return steepest * (CROWDED[1] if crowded else GAP_TOLERANCE)
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        return _derived(self)[0](np.asarray(r, dtype=float))
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        return Panels(self.edges, self.slopes)(np.asarray(r, dtype=float))
+
+    def curvature(self, r: Array) -> Array:
+        """f''(r) [1/m]."""
+        return _derived(self)[1](np.asarray(r, dtype=float))
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        return _gap(self)(np.asarray(x, dtype=float), 0)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        return _gap(self)(np.asarray(x, dtype=float), 1)
+
+    def gap_integral(self, x: Array) -> Array:
+        """The integral of g from 0 to x [m^2]."""
+        return _gap(self)(np.asarray(x, dtype=float), -1)
+
+
+@functools.lru_cache(maxsize=64)
+def _derived(profile: Designed) -> tuple[Panels, Panels]:
+    """Return height and curvature."""
+    slope = Panels(profile.edges, profile.slopes)
+    return slope.integral, slope.derivative
+
+
+@functools.lru_cache(maxsize=64)
+def _joints(profile: Designed) -> tuple[tuple[float, float], ...]:
+    signs = np.where(np.arange(profile.slopes.shape[1]) % 2 == 0, 1.0, -1.0)
+    jumps = profile.slopes[1:] @ signs - profile.slopes[:-1].sum(axis=1)
+    steepest = float(np.max(np.abs(profile.slopes).sum(axis=1)))
+    jumps = np.where(np.abs(jumps) > SMALLEST_JUMP * steepest, jumps, 0.0)
+    return tuple((float(b), float(jump)) for b, jump in zip(profile.edges[1:-1], jumps, strict=True))
+
+
+class Transformed(NamedTuple):
+    """g on a homogeneous half-space: panels, and below `start` a power, g = value (x / start)^power."""
+
+    slope: Panels
+    gap: Panels
+    whole: Panels
+    start: float
+    value: float
+    power: float
+
+    def __call__(self, x: Array, order: int) -> Array:
+        """Return g (order 0), its slope (1), or its integral from 0 (-1)."""
+        panels = (self.gap, self.slope, self.whole)[order]
+        if self.start == 0.0:
+            return panels(x)
+        t = np.minimum(x / self.start, 1.0)
+        if order == 1:
+            near = self.value * self.power / self.start * np.where(t > 0.0, t, 1.0) ** (self.power - 1.0)
+            near = np.where((t > 0.0) | (self.power == 1.0), near, 0.0)
+        else:
+            near = self.value * t**self.power
+        if order == -1:
+            near = near * t * self.start / (1.0 + self.power)
+        return np.where(x < self.start, near, panels(np.maximum(x, self.start)))
+
+
+@functools.lru_cache(maxsize=64)
+def _gap(profile: Designed) -> Transformed:
+    def gap_slope(x: Array) -> Array:
+        return abel.gap_slope(profile.slope, profile.curvature, profile.joints, x)
+
+    slope = fit_panels(gap_slope, profile.edges, profile.gap_tolerance)
+    gap = slope.integral
+    if not np.any(profile.slopes[0]):
+        return Transformed(slope, gap, gap.integral, 0.0, 0.0, 1.0)  # a flat end
+    x = profile.reach * np.geomspace(1e-6, 1.0, 601)
+    g = gap(x)
+    start = x[np.flatnonzero(g <= FAINT * g[-1])[-1] + 1] if g[0] <= FAINT * g[-1] else x[0]
+    value, rise = float(gap(start[None])[0]), float(slope(start[None])[0])
+    return Transformed(slope, gap, gap.integral, float(start), value, max(rise * float(start) / value, 1.0))
