@@ -1,0 +1,102 @@
+"""What an adhesive contact says about its own validity: range of attraction, slopes, size, overlap outside."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import AdhesionLaw, Dugdale, ShortRange
+from winkler.numerics.types import Array
+from winkler.problems import griffith
+from winkler.problems.edge_states import states_of
+from winkler.problems.trust import size_note, slope_note
+from winkler.validity import Note, Standing
+
+__all__ = ["adhesive_notes"]
+
+JKR = "K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301, doi:10.1098/rspa.1971.0141"
+MAUGIS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
+DMT = "B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326"
+GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333"
+TINY = 1e-9
+SAMPLES = 512
+
+
+def adhesive_notes(bed: Bed, law: AdhesionLaw, depth: Array, radius: Array) -> tuple[Note, ...]:
+    """Return the notes of adhesive contacts `(m,)`; of several, those of the widest one.
+
+    Parameters
+    ----------
+    bed : Bed
+    law : AdhesionLaw
+    depth, radius : ndarray, (m,)
+        [m].
+    """
+    last = int(np.argmax(radius))
+    widest = float(radius[last])
+    notes = [*bed.notes, _law_note(bed, law, widest)]
+    if widest == 0.0:
+        touch = "The bodies touch in a point; beyond it they attract each other without contact, which is not followed."
+        return (*notes, Note(Standing.EXACT, touch, "no spring is compressed"))
+    notes.append(slope_note(bed, widest))
+    if math.isfinite(bed.size):
+        notes.append(size_note(bed, widest))
+    if widest >= bed.rim:
+        notes.append(
+            Note(Standing.EXACT, "The edge of the contact is held by the rim of the body.", "Kendall's flat punch")
+        )
+    elif not bed.rising:
+        notes.append(_overlap_note(bed, law, float(depth[last]), widest))
+    return tuple(notes)
+
+
+def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
+    if isinstance(law, Dugdale):
+        stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
+        return Note(
+            Standing.EXACT,
+            f"Exact for a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of what attraction "
+            "without range would stretch the edge; other laws of the same work and strength differ in the transition, "
+            "not in its limits."
+            if radius > 0.0
+            else "Exact for a constant stress.",
+            MAUGIS,
+        )
+    if isinstance(law, ShortRange):
+        stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
+        return Note(
+            Standing.ASYMPTOTIC,
+            f"Exact for attraction without range (JKR). The edge is stretched by {stretch:.3g} m: the true range, some "
+            "tenths of a nanometre for molecular forces, must be a small part of that (Tabor parameter above about 5).",
+            f"{JKR}; {GREENWOOD}",
+        )
+    return Note(
+        Standing.ASYMPTOTIC,
+        "The attraction reaches farther than the surfaces deform (DMT, Tabor parameter below about 0.1): the profile "
+        "is that of the contact without adhesion.",
+        f"{DMT}; {GREENWOOD}",
+    )
+
+
+def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> Note:
+    """Look for places outside where the bodies would overlap."""
+    end = min(4.0 * radius, bed.reach, bed.rim)
+    r = radius + (end - radius) * (np.arange(SAMPLES) + 0.5) / SAMPLES
+    pressed = states_of(bed, law).pressed(depth, radius)
+    apart = bed.height(r) - depth + bed.medium.displacement(pressed, r)
+    touching = apart < -TINY * float(np.max(np.abs(bed.height(r))) + abs(depth))
+    if touching.any():
+        return Note(
+            Standing.OUTSIDE,
+            f"At r = {r[touching][0]:.4g} m the bodies would overlap outside the contact: there a ring has begun to "
+            "touch, and the contact is no disc.",
+            "separation of the restored surfaces",
+        )
+    return Note(
+        Standing.EXACT,
+        "The equivalent profile is not known to rise everywhere; that the bodies do not overlap around the contact was "
+        "checked.",
+        "separation of the restored surfaces",
+    )
