@@ -1,0 +1,1 @@
+"""Fits: measured force curves, what they say about a contact, and how surely."""

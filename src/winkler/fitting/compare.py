@@ -1,0 +1,113 @@
+r"""Which of several models a curve speaks for.
+
+Every model is fitted; Akaike's and Schwarz' criteria weigh the misfit S against the number p of free numbers,
+
+.. math:: \mathrm{AIC} = n_\mathrm{eff}\ln\frac Sn + 2p, \qquad
+          \mathrm{BIC} = n_\mathrm{eff}\ln\frac Sn + p\ln n_\mathrm{eff} .
+
+The number of independent points is that of the best model's residuals, the same for all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.fit import fit
+from winkler.fitting.outcome import Fit
+from winkler.fitting.prediction import Model
+from winkler.numerics.types import Array, Quantity
+from winkler.values import value
+
+__all__ = ["Comparison", "compare"]
+
+
+@value
+class Comparison:
+    """Models of one curve, the best by Akaike's criterion first.
+
+    Parameters
+    ----------
+    models : tuple of str, (m,)
+        Their names.
+    fits : tuple of Fit, (m,)
+        Their fits.
+    effective_count : float
+        Number of independent points of the curve.
+    aic, bic : ndarray, (m,)
+        Akaike's and Schwarz' criterion [-]; only differences mean something.
+    refused : tuple of str
+        Models that could not be fitted, each with the reason.
+    """
+
+    models: tuple[str, ...]
+    fits: tuple[Fit, ...]
+    effective_count: float
+    aic: Array
+    bic: Array
+    refused: tuple[str, ...]
+
+    @property
+    def evidence(self) -> Array:
+        """How many times likelier the best model is than each, exp(difference of AIC / 2) ``(m,)``."""
+        return np.asarray(np.exp(np.minimum(0.5 * (self.aic - self.aic[0]), 700.0)))
+
+    @property
+    def best(self) -> Fit:
+        """The fit of the best model."""
+        return self.fits[0]
+
+
+def compare(curve: ForceCurve, models: Mapping[str, tuple[Model, Any]], *, noise: Quantity = 0.0) -> Comparison:
+    """Fit several models to a curve, and tell which one it speaks for.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    models : mapping of str to (model, free)
+        For every name the model and its free numbers, as `fit` takes them.
+    noise : float or ndarray, optional
+        As in `fit`.
+
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    InvalidInput
+        If the curve is refused, or no model is given.
+    OutsideValidity
+        If no model can be fitted.
+    """
+    if not models:
+        raise InvalidInput("compare: no model is given; give {name: (model, free), ...}.")
+    fits: dict[str, Fit] = {}
+    refused = []
+    for name, (model, free) in models.items():
+        try:
+            fits[name] = fit(curve, model, free=free, noise=noise)
+        except (OutsideValidity, NotConverged) as error:
+            refused.append(f"{name}: {error}")
+    if not fits:
+        raise OutsideValidity(f"compare: no model can be fitted; {' '.join(refused)}")
+    independent = min(fits.values(), key=lambda found: found.misfit).effective_count
+    aic, bic = {}, {}
+    for name, found in fits.items():
+        weight = independent * math.log(found.misfit / found.curve.count)
+        aic[name] = weight + 2.0 * len(found.names)
+        bic[name] = weight + math.log(independent) * len(found.names)
+    order = sorted(fits, key=lambda name: aic[name])
+    return Comparison(
+        tuple(order),
+        tuple(fits[name] for name in order),
+        independent,
+        np.array([aic[name] for name in order]),
+        np.array([bic[name] for name in order]),
+        tuple(refused),
+    )

@@ -1,0 +1,219 @@
+r"""A model fitted to a measured force curve: numbers, how sure they are, and what speaks against them.
+
+.. math:: F_i = F_\mathrm{model}(D_i - D_0) + F_0 + t\,(D_i-D_0) + e_i
+
+with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
+Least squares give the numbers; the noise's own memory (`winkler.fitting.noise`) gives their covariance.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.fitting.checks import Flag, refuse
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.noise import memory_of_fit, spread
+from winkler.fitting.outcome import Fit
+from winkler.fitting.prediction import Model, states_for
+from winkler.fitting.start import best_start, solved
+from winkler.fitting.task import Prediction, Task, task
+from winkler.loading import Depth
+from winkler.numerics.types import Array, Quantity
+
+__all__ = ["Fit", "fit"]
+
+MOST_PREDICTIONS = 200
+SINGULAR = 1e-7
+ALIKE = 0.99
+MISFIT = 2.0
+FEW_EACH = 10
+"""Fewest independent points for each number."""
+QUIET = 20
+"""Fewest free points from which the noise is read."""
+
+
+def fit(
+    curve: ForceCurve,
+    model: Model,
+    *,
+    free: Mapping[str, Any] | Iterable[str],
+    noise: Quantity = 0.0,
+) -> Fit:
+    """Fit numbers of a model to a curve.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        One way in, one way out, or both; points that are held are left out.
+    model : Indentation or AdhesiveIndentation
+        The problem; its load is only a placeholder, Depth(0.0).  Numbers that are free begin at the model's own.
+    free : mapping or iterable of str
+        Paths into the model ("bed.medium.first.young", "law.work") and what the curve leaves open ("contact_point",
+        "baseline", "tilt"); a mapping gives (low, high), a start value, or () for neither.
+    noise : float or ndarray, optional
+        Standard deviation of the forces [N], one for all or ``(n,)``; zero (unless given): read from the free points.
+
+    Returns
+    -------
+    Fit
+
+    Raises
+    ------
+    InvalidInput
+        If the curve is refused (see `winkler.fitting.checks`), or a path leads nowhere.
+    OutsideValidity
+        If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
+    NotConverged
+        If least squares do not settle.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from winkler import Depth, Elastic, Foundation, HalfSpace, Indentation, Paraboloid
+    >>> bed = Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e4, 0.5)))
+    >>> position = np.linspace(-1e-6, 1e-6, 200)
+    >>> force = Indentation(bed, Depth(position)).solve().force
+    >>> gel = ForceCurve(position + 3e-6, force + 1e-13 * np.sin(1e3 * np.arange(200)))
+    >>> model = Indentation(Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e6, 0.5))), Depth(0.0))
+    >>> found = fit(gel, model, free=["bed.medium.first.young", "contact_point"])
+    >>> round(found.value("bed.medium.first.young"), -1), round(found.value("contact_point"), 9)
+    (10000.0, 3e-06)
+    """
+    moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
+    flags = refuse(moving)
+    given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
+    if moving.count < 3 * len(given):
+        raise InvalidInput(f"fit: {moving.count} points cannot tell {len(given)} numbers; give more, or free fewer.")
+    question = task(moving, model, given, _spread(curve, noise))
+    try:
+        coordinates, _ = solved(question, best_start(question), MOST_PREDICTIONS)
+    except NotConverged as error:
+        raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
+    return _told(question, coordinates, float(np.mean(noise)), flags)
+
+
+def _spread(curve: ForceCurve, noise: Quantity) -> Array:
+    given = np.asarray(noise, dtype=float)
+    if given.ndim and given.shape != curve.position.shape:
+        raise InvalidInput(
+            f"fit: noise has the shape {given.shape}, the curve {curve.position.shape}; give one number."
+        )
+    if not np.all(np.isfinite(given)) or np.any(given < 0.0) or (given.ndim and np.any(given == 0.0)):
+        raise InvalidInput("fit: noise must be positive, in N (or zero for all, to be read from the curve).")
+    if not given.any():
+        return np.ones(())
+    return given[curve.direction != 0.0] if given.ndim else given
+
+
+def _told(question: Task, coordinates: Array, noise: float, flags: tuple[Flag, ...]) -> Fit:
+    """Return the answer at the coordinates of least squares."""
+    prediction = question.prediction(coordinates)
+    numbers = question.numbers(coordinates)
+    model = _at_largest_depth(question, numbers, prediction)
+    jacobian = question.jacobian(coordinates, prediction)
+    _refuse_singular(question, jacobian)
+    residuals = (question.curve.force - prediction.force) * question.weights
+    kept = memory_of_fit(residuals, jacobian)
+    covariance, used = spread(jacobian, kept.correlations)
+    scatter = math.sqrt(float(residuals @ residuals) / max(residuals.size - used, 1.0))
+    errors = scatter * np.sqrt(np.diag(covariance))
+    correlation = covariance / np.sqrt(np.outer(np.diag(covariance), np.diag(covariance)))
+    values = np.array(list(numbers.values()))
+    change = [p.change(n) for p, n in zip(question.parameters, values.tolist(), strict=True)]
+    quiet = residuals[~prediction.attached]
+    if noise == 0.0:
+        noise = float(np.std(quiet)) if quiet.size >= QUIET else scatter
+    result = Fit(
+        question.curve,
+        model,
+        tuple(numbers),
+        values,
+        errors * np.abs(change),
+        np.clip(correlation, -1.0, 1.0),
+        np.array([p.low for p in question.parameters]),
+        np.array([p.high for p in question.parameters]),
+        noise or scatter,
+        question.weights,
+        scatter,
+        kept.effective_count,
+        prediction.force,
+        prediction.attached,
+        np.where(prediction.attached, prediction.held.radius, 0.0),
+        flags,
+    )
+    return dataclasses.replace(result, flags=(*flags, *_doubts(question, result, coordinates)))
+
+
+def _at_largest_depth(question: Task, numbers: dict[str, float], prediction: Prediction) -> Model:
+    """Return the model with its numbers, at the largest depth of the curve."""
+    if not prediction.attached.any():
+        raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
+    model = question.with_numbers(numbers)
+    bed = model.bed
+    widest = float(np.max(prediction.held.radius[prediction.attached]))
+    along = question.curve.position - numbers.get("contact_point", 0.0)
+    depth = float(np.max((along - question.curve.compliance * prediction.held.force)[prediction.attached]))
+    beyond = widest >= bed.reach and bed.reach < bed.rim
+    if beyond and depth > float(states_for(model).depth(np.array([bed.reach]))[0]):
+        raise OutsideValidity(
+            f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where nothing is known of the profile; "
+            "cut the curve off before, or give a profile that is known farther out."
+        )
+    return dataclasses.replace(model, load=Depth(depth))
+
+
+def _refuse_singular(question: Task, jacobian: Array) -> None:
+    """Refuse numbers that the curve cannot tell."""
+    size = np.linalg.norm(jacobian, axis=0)
+    largest = np.linalg.norm(question.curve.force * question.weights)
+    names = [p.name for p in question.parameters]
+    blind = [name for name, own in zip(names, size, strict=True) if own <= SINGULAR * largest * 1e-3]
+    if blind:
+        raise OutsideValidity(f"fit: the curve says nothing about {', '.join(blind)}; leave it fixed.")
+    _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
+    if values[-1] <= SINGULAR * values[0]:
+        mixed = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
+        raise OutsideValidity(
+            f"fit: not identifiable: the curve cannot tell {' from '.join(mixed)}, only a combination of them; fix all "
+            "but one."
+        )
+
+
+def _doubts(question: Task, found: Fit, coordinates: Array) -> list[Flag]:
+    flags = []
+    for index, parameter in enumerate(question.parameters):
+        here = float(coordinates[index])
+        walls = parameter.inward(parameter.low), parameter.inward(parameter.high)
+        if any(abs(here - wall) <= 1e-6 * (1.0 + abs(here)) for wall in walls):
+            flags.append(Flag("at_bound", f"{parameter.name} has come to its bound; its error means nothing."))
+        elif parameter.logarithmic and found.standard_errors[index] > found.values[index]:
+            flags.append(Flag("undetermined", f"{parameter.name} is less than its own error; it may be anything."))
+    for i, first in enumerate(found.names):
+        for j, second in enumerate(found.names[:i]):
+            if abs(found.correlation[i, j]) > ALIKE:
+                flags.append(
+                    Flag("correlated", f"{second} and {first} go together (correlation {found.correlation[i, j]:.4f}).")
+                )
+    if found.effective_count < FEW_EACH * len(found.names):
+        flags.append(
+            Flag(
+                "memory",
+                f"The curve is worth no more than {found.effective_count:.3g} independent points: the noise drifts, or "
+                "the model misses the course of the curve; the errors are rough.",
+            )
+        )
+    if found.chi_square > MISFIT:
+        flags.append(
+            Flag(
+                "misfit",
+                f"The residuals are {math.sqrt(found.chi_square):.3g} times the noise: the model does not explain the "
+                "curve.",
+            )
+        )
+    return flags

@@ -1,0 +1,113 @@
+r"""Intervals by profile likelihood: how far a number may go before the curve objects.
+
+A number is held at a value and all others are fitted again; the interval ends where the sum of squares has grown by
+
+.. math:: \Delta = \sigma^2\,\frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
+
+with the variance of the number with and without the noise's memory, and Student's t.  Unlike Wald's interval it follows
+a bent valley of the misfit, and is the same for a number and its logarithm.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.fitting.outcome import Fit, task_of
+from winkler.fitting.start import bounds, solved
+from winkler.fitting.task import Task
+from winkler.numerics.types import Array
+
+__all__ = ["profile_interval"]
+
+SWEEPS = 40
+CLOSE = 2e-3
+MOST_PREDICTIONS = 200
+ALREADY = 1e-10
+
+
+def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[float, float]:
+    """Return the interval of a fitted number by profile likelihood.
+
+    Parameters
+    ----------
+    found : Fit
+    name : str
+        Which number.
+    confidence : float
+        Between 0 and 1.
+
+    Returns
+    -------
+    tuple of float
+        Lower and upper end; a bound that was met ends it.
+
+    Raises
+    ------
+    InvalidInput
+        If the number was not free.
+    NotConverged
+        If a fit of the other numbers does not settle.
+
+    References
+    ----------
+    D. M. Bates, D. G. Watts, Nonlinear Regression Analysis and Its Applications, Wiley 1988, ch. 6
+    """
+    index = found.index(name)
+    question = task_of(found)
+    parameter = question.parameters[index]
+    best = np.array([p.inward(n) for p, n in zip(question.parameters, found.values.tolist(), strict=True)])
+    jacobian = question.jacobian(best, question.prediction(best))
+    plain = float(np.linalg.inv(jacobian.T @ jacobian)[index, index])
+    error = found.error(name) / abs(parameter.change(found.value(name)))
+    width = found.quantile(confidence)
+    allowed = error**2 / plain * width**2  # scatter^2 (var / var_0) t^2
+    low, high = bounds(question, best)
+    ends = []
+    for side, wall in ((-1.0, float(low[index])), (1.0, float(high[index]))):
+        end = _end(question, best, index, side * width * error, wall, found.misfit, allowed)
+        ends.append(parameter.outward(end))
+    return ends[0], ends[1]
+
+
+def _end(question: Task, best: Array, index: int, step: float, wall: float, least: float, allowed: float) -> float:
+    """Return the coordinate at which the sum of squares has grown by what is allowed, or the wall before."""
+    parameter = question.parameters[index]
+    rest = question._replace(parameters=question.parameters[:index] + question.parameters[index + 1 :])
+    others = np.delete(best, index)
+    limit = abs(wall - best[index])
+
+    def excess(distance: float, begin: Array) -> tuple[float, Array]:
+        """Return by how much the root of the growth exceeds the allowed one; nearly linear in the distance."""
+        number = parameter.outward(float(best[index]) + math.copysign(distance, step))
+        fixed = rest._replace(fixed=((parameter.name, number),))
+        if begin.size:
+            begin, misfit = solved(fixed, begin, MOST_PREDICTIONS)
+        else:
+            misfit = float(np.sum(fixed.residuals(begin) ** 2))
+        return math.sqrt(max(misfit - least, 0.0) / allowed) - 1.0, begin
+
+    near, below = 0.0, -1.0
+    far = min(abs(step), limit)
+    above, others = excess(far, others)
+    for _ in range(SWEEPS):
+        if above >= 0.0:
+            break
+        if far >= limit:
+            return wall
+        near, below = far, above
+        far = min(far * min(max(1.3 / (above + 1.0 + ALREADY), 1.2), 4.0), limit)
+        above, others = excess(far, others)
+    for _ in range(SWEEPS):
+        middle = near + (far - near) * float(np.clip(-below / (above - below), 0.05, 0.95))
+        here, others = excess(middle, others)
+        if abs(here) <= CLOSE:
+            return float(best[index]) + math.copysign(middle, step)
+        if here < 0.0:
+            near, below = middle, here
+        else:
+            far, above = middle, here
+        if far - near <= CLOSE * far:
+            break
+    return float(best[index]) + math.copysign(0.5 * (near + far), step)

@@ -1,0 +1,133 @@
+r"""The noise of a curve: how strong it is, and how far it remembers.
+
+Neighbouring points of a force curve are rarely independent.  The residuals :math:`e_i` are taken for an autoregressive
+process :math:`e_i = \sum_k\varphi_k e_{i-k} + \epsilon_i`, whose order Schwarz' criterion chooses.  Its correlations
+:math:`\rho_k` tell how many independent points the curve is worth, and what the covariance of a least-squares fit with
+the Jacobian J really is,
+
+.. math:: n_\mathrm{eff} = \frac n{1+2\sum_k\rho_k}, \qquad
+          \mathrm{cov} = \sigma^2\,(J^TJ)^{-1}\,J^TRJ\,(J^TJ)^{-1}, \qquad R_{ij} = \rho_{|i-j|} .
+
+A fit takes part of the noise with it, most of what is slow: with the projection :math:`H = J(J^TJ)^{-1}J^T` residuals
+have the covariance :math:`(1-H)R(1-H)`, not R.  What its lags lack is given back to those of the
+residuals, once.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.numerics.types import Array
+
+__all__ = ["Memory", "memory", "memory_of_fit", "spread"]
+
+HIGHEST_ORDER = 10
+POINTS_EACH = 20
+"""So many points are needed for every coefficient."""
+POSSIBLE = 1e-4
+"""Least eigenvalue of correlations that are given something back; a memory of 0.999 has 5e-4."""
+LONGEST = 0.9999
+"""Largest partial correlation: the process must forget."""
+
+
+class Memory(NamedTuple):
+    """Correlations rho_0 = 1, rho_1 ... ``(n,)`` of noise, and the number of independent points it leaves."""
+
+    correlations: Array
+    effective_count: float
+
+
+def memory(residuals: Array) -> Memory:
+    """Return how residuals remember each other.
+
+    Parameters
+    ----------
+    residuals : ndarray, (n,)
+        In the order in which they were measured.
+    """
+    n = residuals.size
+    sums = _lag_sums(residuals)
+    return _process(sums / sums[0], n) if sums[0] > 0.0 else _process(np.ones(1), n)
+
+
+def memory_of_fit(residuals: Array, jacobian: Array) -> Memory:
+    """Return how the noise of a fit remembers itself, from the residuals it left.
+
+    Parameters
+    ----------
+    residuals : ndarray, (n,)
+        In the order in which they were measured.
+    jacobian : ndarray, (n, p)
+        Derivatives of the fitted forces, in any units.
+    """
+    from scipy.linalg import matmul_toeplitz, toeplitz
+
+    found = memory(residuals)
+    n, sums = residuals.size, _lag_sums(residuals)
+    if sums.size == 1 or not sums[0] > 0.0:
+        return found
+    basis = np.linalg.qr(jacobian)[0]
+    moved = matmul_toeplitz(found.correlations, basis)
+    both = moved - basis @ (basis.T @ moved)
+    taken = [np.sum(basis[: n - k] * both[k:] + moved[: n - k] * basis[k:]) for k in range(sums.size)]
+    variance = sums[0] / max(n - float(taken[0]), 1.0)
+    lags = (sums / variance + np.array(taken)) / (n - np.arange(sums.size))
+    possible = float(np.linalg.eigvalsh(toeplitz(lags / lags[0]))[0]) > POSSIBLE
+    return _process(lags / lags[0], n) if possible else found  # a misfit remembers more than any noise
+
+
+def _lag_sums(residuals: Array) -> Array:
+    """Return the sums of products of residuals 0, 1, 2 ... points apart, up to the highest order there may be."""
+    n = residuals.size
+    highest = min(HIGHEST_ORDER, n // POINTS_EACH)
+    return np.array([residuals[: n - k] @ residuals[k:] for k in range(highest + 1)])
+
+
+def _process(lags: Array, n: int) -> Memory:
+    """Return the autoregressive process of n points with the correlations `lags`, its order chosen."""
+    white = np.zeros(n)
+    white[0] = 1.0
+    coefficients, left = np.zeros(0), 1.0
+    best, chosen, chosen_left = 0.0, coefficients, left
+    for order in range(1, lags.size):  # Levinson's recursion
+        partial = (lags[order] - coefficients @ lags[order - 1 : 0 : -1]) / left
+        partial = float(np.clip(partial, -LONGEST, LONGEST))
+        coefficients = np.append(coefficients - partial * coefficients[::-1], partial)
+        left *= 1.0 - partial**2
+        score = n * np.log(left) + order * np.log(n)
+        if score < best:
+            best, chosen, chosen_left = score, coefficients, left
+    if not chosen.size:
+        return Memory(white, float(n))
+    correlations = np.empty(n)
+    order = chosen.size
+    correlations[: order + 1] = lags[: order + 1]
+    for k in range(order + 1, n):
+        correlations[k] = chosen @ correlations[k - 1 : k - order - 1 : -1]
+    whole = chosen_left / (1.0 - chosen.sum()) ** 2  # 1 + 2 sum of all correlations
+    return Memory(correlations, float(np.clip(n / whole, 1.0, n)))
+
+
+def spread(jacobian: Array, correlations: Array) -> tuple[Array, float]:
+    """Return the covariance of least squares under noise of unit variance, and how many points the fit uses up.
+
+    Parameters
+    ----------
+    jacobian : ndarray, (n, p)
+    correlations : ndarray, (n,)
+
+    Returns
+    -------
+    covariance : ndarray, (p, p)
+    used : float
+        The expected sum of squared residuals is (n - used) variances.
+    """
+    inverse = np.linalg.inv(jacobian.T @ jacobian)
+    if not correlations[1:].any():
+        return inverse, float(jacobian.shape[1])
+    from scipy.linalg import matmul_toeplitz
+
+    inner = jacobian.T @ matmul_toeplitz(correlations, jacobian)
+    return inverse @ inner @ inverse, float(np.trace(inverse @ inner))

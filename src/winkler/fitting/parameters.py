@@ -1,0 +1,117 @@
+"""What a fit may vary: a number inside a value, named by the path that leads to it.
+
+``"bed.medium.first.young"`` is the field `young` of `first` of `medium` of `bed`, and
+``"bed.medium.layers[0].solid.young"`` goes through a tuple.  A value is never changed: `changed` returns a new one.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from winkler.errors import InvalidInput, suggest
+from winkler.laws.adhesion import ShortRange
+from winkler.vocabulary import word
+
+__all__ = ["changed", "found", "unit_of"]
+
+STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
+
+
+def _steps(path: str) -> list[str | int]:
+    steps: list[str | int] = []
+    place = 0
+    while place < len(path):
+        match = STEP.match(path, place)
+        if not match:
+            raise InvalidInput(
+                f"free: '{path}' is no path; write names with dots between them and numbers in brackets, as "
+                "bed.medium.layers[0].solid.young."
+            )
+        steps.append(match[1] if match[1] else int(match[2]))
+        place = match.end()
+        if place < len(path) and path[place] == ".":
+            place += 1
+    return steps
+
+
+def _next(owner: Any, step: str | int, path: str) -> Any:
+    if isinstance(step, int):
+        if not isinstance(owner, tuple) or step >= len(owner):
+            length = len(owner) if isinstance(owner, tuple) else 0
+            raise InvalidInput(f"free: '{path}' asks for item {step} of {length}; counting begins at 0.")
+        return owner[step]
+    known = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
+    if step not in known:
+        raise InvalidInput(
+            f"free: '{path}' leads nowhere: {type(owner).__name__} has no {step}{suggest(step, known)}; it has "
+            f"{', '.join(known) or 'nothing'}."
+        )
+    return getattr(owner, step)
+
+
+def found(model: Any, path: str) -> float:
+    """Return the number that a path leads to.
+
+    Raises
+    ------
+    InvalidInput
+        If the path leads nowhere, or not to a finite number.
+    """
+    owner = model
+    for step in _steps(path):
+        owner = _next(owner, step, path)
+    if isinstance(owner, bool) or not isinstance(owner, int | float) or not math.isfinite(owner):
+        raise InvalidInput(f"free: '{path}' leads to {type(owner).__name__} {owner!r}, which is no finite number.")
+    return float(owner)
+
+
+def unit_of(model: Any, path: str) -> str:
+    """Return the SI unit of the number that a path leads to, empty for a pure number."""
+    owner, steps = model, _steps(path)
+    for step in steps[:-1]:
+        owner = _next(owner, step, path)
+    last = steps[-1]
+    return (word(type(owner).__name__, last).unit or "") if isinstance(last, str) else ""
+
+
+def changed(model: Any, numbers: Mapping[str, float]) -> Any:
+    """Return `model` with other numbers at some paths.
+
+    Parameters
+    ----------
+    model : value
+    numbers : mapping of str to float
+        Path and number; several paths into one owner are changed at once.
+    """
+    return _changed(model, [(_steps(path), number) for path, number in numbers.items()])
+
+
+def _changed(owner: Any, changes: list[tuple[list[str | int], float]]) -> Any:
+    own: dict[str | int, Any] = {}
+    deeper: dict[str | int, list[tuple[list[str | int], float]]] = {}
+    for steps, number in changes:
+        if len(steps) == 1:
+            own[steps[0]] = number
+        else:
+            deeper.setdefault(steps[0], []).append((steps[1:], number))
+    for step, rest in deeper.items():
+        inner = owner[step] if isinstance(step, int) else getattr(owner, step)
+        own[step] = _changed(inner, rest)
+    if isinstance(owner, tuple):
+        return tuple(own.get(index, item) for index, item in enumerate(owner))
+    if isinstance(owner, ShortRange):
+        return _attraction(owner, own)
+    return dataclasses.replace(owner, **{str(step): content for step, content in own.items()})
+
+
+def _attraction(law: ShortRange, own: Mapping[str | int, float]) -> ShortRange:
+    """Return another attraction: `work` alone has no hysteresis, the pair has."""
+    if "work" in own:
+        return ShortRange(own["work"])
+    return ShortRange(
+        work_closing=own.get("work_closing", law.work_closing), work_opening=own.get("work_opening", law.work_opening)
+    )

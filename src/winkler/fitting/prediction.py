@@ -1,0 +1,224 @@
+r"""What a model says about a measured curve: the force at every position, in contact and out of it.
+
+The model gives the force of a contact that holds.  Without adhesion it holds where D > 0.  With adhesion, where the tip
+jumps in and where it comes off is read from the curve: vibration and noise part a contact before its limit, and forces
+of long range close one before first touch.  So in every run the two stretches are told apart where the squared misfit
+is least, the branch of the contact going on a little beyond its limit, as if its edge were held.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.response import Answer, Response, response
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import ShortRange
+from winkler.numerics.types import Array
+from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.edge_states import EdgeStates, FarStates, ShortStates, states_of
+from winkler.problems.indentation import Indentation
+
+__all__ = ["Held", "Model", "Run", "attached", "comparable", "held_contact", "moved_force", "runs_of", "states_for"]
+
+FARTHEST_HELD = 2.0
+"""So many of its greatest pulls a contact may reach beyond its limit; without end, any tension would pass for one."""
+
+Model = Indentation | AdhesiveIndentation
+"""What may be fitted: a problem, whose load is only a placeholder."""
+
+
+class Run(NamedTuple):
+    """Points from `start` to `stop` of one direction; `turn` is the largest position [m] before it came out."""
+
+    start: int
+    stop: int
+    inward: bool
+    turn: float
+
+
+class Held(NamedTuple):
+    """The contact as if it held at every point.
+
+    Parameters
+    ----------
+    force, slope, radius : ndarray, (n,)
+        [N], dF/dD [N/m], a [m].
+    balanced : ndarray of bool, (n,)
+        Where the edge is in the equilibrium of `response`; elsewhere it is held.
+    response : Response
+        Of the receding contact.
+    sticky : bool
+        Whether it holds under tension.
+    """
+
+    force: Array
+    slope: Array
+    radius: Array
+    balanced: Array
+    response: Response
+    sticky: bool
+
+
+def runs_of(curve: ForceCurve) -> tuple[Run, ...]:
+    """Return the runs of one direction."""
+    turns = np.flatnonzero(np.diff(curve.direction)) + 1
+    edges = [0, *turns.tolist(), curve.count]
+    runs: list[Run] = []
+    for start, stop in zip(edges[:-1], edges[1:], strict=True):
+        inward = bool(curve.direction[start] > 0.0)
+        top = np.inf
+        if not inward and runs and runs[-1].inward:
+            top = max(float(curve.position[runs[-1].start : runs[-1].stop].max()), float(curve.position[start]))
+        runs.append(Run(start, stop, inward, top))
+    return tuple(runs)
+
+
+def states_for(model: Model) -> EdgeStates:
+    """Return the states of a model's contact, of a receding edge where that matters.
+
+    Raises
+    ------
+    InvalidInput
+        If the model is of a kind that cannot be fitted.
+    """
+    match model:
+        case Indentation():
+            return FarStates(model.bed, 0.0)
+        case AdhesiveIndentation():
+            return states_of(model.bed, model.law)
+        case _:
+            raise InvalidInput(
+                f"fit: the model is a {type(model).__name__}; give Indentation(bed, Depth(0.0)) or "
+                "AdhesiveIndentation(bed, law, Depth(0.0))."
+            )
+
+
+def held_contact(model: Model, compliance: float, position: Array, runs: tuple[Run, ...], origin: float) -> Held:
+    """Return the contact at positions D from first touch, as if it held at all of them.
+
+    Parameters
+    ----------
+    model : Indentation or AdhesiveIndentation
+    compliance : float
+        Of the machine [m/N].
+    position : ndarray, (n,)
+        D [m].
+    runs : tuple of Run
+        Its parts.
+    origin : float
+        The contact point [m], from which the turns of the runs count.
+    """
+    highest = max(float(position.max()), 1e-3 * float(np.ptp(position)))
+    receding = response(states_for(model), compliance, highest)
+    advancing = receding
+    law = cast(Any, model).law if isinstance(model, AdhesiveIndentation) else None
+    hysteresis = isinstance(law, ShortRange) and law.work_closing != law.work_opening
+    if isinstance(law, ShortRange) and hysteresis:
+        closing = law.work_closing
+        states = ShortStates(model.bed, closing) if closing > 0.0 else FarStates(model.bed, 0.0)
+        advancing = response(states, compliance, highest)
+    sticky = isinstance(model, AdhesiveIndentation)
+    if hysteresis:
+        columns = np.empty((4, position.size))
+        for run in runs:
+            part = slice(run.start, run.stop)
+            if run.inward:
+                columns[:, part] = advancing.closing(position[part])
+            elif np.isfinite(run.turn):
+                columns[:, part] = _unloaded(
+                    model.bed, advancing, receding, compliance, position[part], run.turn - origin
+                )
+            else:
+                columns[:, part] = receding.opening(position[part], run.turn - origin)
+        columns[3] = 0.0
+    else:
+        which = np.empty(position.shape, dtype=int)
+        for run in runs:
+            part = slice(run.start, run.stop)
+            way = position[part]
+            which[part] = receding.narrowest(way) if run.inward else receding.widest(way, run.turn - origin)
+        columns = np.array(receding.on(which, position))
+    if not sticky:
+        columns[:3, position <= 0.0] = 0.0
+    force, slope, radius, balanced = columns
+    return Held(force, slope, radius, balanced > 0.0, receding, sticky)
+
+
+def moved_force(held: Held, other: Model, compliance: float, where: Array) -> Array:
+    r"""Return by how much the force of nearly the same model differs, at the same positions ``(m,)``.
+
+    With D(a) and F(a) of both, at the radius of the first, :math:`\delta F|_D = \delta F|_a - F'(D)\,\delta D|_a`.
+
+    Parameters
+    ----------
+    held : Held
+        What the model says.
+    other : Indentation or AdhesiveIndentation
+        The other model, `comparable` with the one of `held`.
+    compliance : float
+        Of the machine [m/N].
+    where : ndarray of bool, (n,)
+        Which points, m of them, all balanced.
+    """
+    level, force = held.response.beside(states_for(other), compliance, held.radius[where])
+    return np.asarray(force - held.slope[where] * level)
+
+
+def comparable(model: Model, other: Model) -> bool:
+    """Return whether `moved_force` may compare two models: shapes with the same corners, known equally far."""
+    bed, moved = model.bed, other.bed
+    return (bed.kinks, bed.reach, bed.rim) == (moved.kinks, moved.reach, moved.rim)
+
+
+def _unloaded(
+    bed: Bed, advancing: Response, receding: Response, compliance: float, position: Array, turn: float
+) -> Answer:
+    """Return the answers of a contact whose edge rests after the turn until opening takes it."""
+    top = advancing.closing(np.array([turn]))
+    stiffness = bed.stiffness(top.radius)
+    stiffness = stiffness / (1.0 + compliance * stiffness)
+    pinned = top.force + stiffness * (position - turn)
+    open_ = receding.opening(position, turn)
+    rests = open_.radius > top.radius
+    return Answer(
+        np.where(rests, pinned, open_.force),
+        np.where(rests, stiffness, open_.slope),
+        np.where(rests, top.radius, open_.radius),
+        open_.balanced,
+    )
+
+
+def attached(held: Held, measured: Array, runs: tuple[Run, ...], weights: Array) -> Array:
+    """Return at which points the contact holds.
+
+    Parameters
+    ----------
+    held : Held
+    measured : ndarray, (n,)
+        Forces without the baseline, times the weights.
+    runs : tuple of Run
+    weights : ndarray, (n,)
+
+    Returns
+    -------
+    ndarray of bool, (n,)
+    """
+    if not held.sticky:
+        return np.asarray(held.radius > 0.0)
+    gain = measured**2 - (measured - weights * held.force) ** 2  # what holding explains
+    pull = min(held.response.least(), 0.0)
+    gain[~held.balanced & (held.force < FARTHEST_HELD * pull)] = -np.inf
+    result = np.zeros(measured.shape, dtype=bool)
+    for run in runs:
+        part = gain[run.start : run.stop]
+        if run.inward:
+            count = int(np.argmax(np.concatenate([[0.0], np.cumsum(part[::-1])])))
+            result[run.stop - count : run.stop] = True
+        else:
+            count = int(np.argmax(np.concatenate([[0.0], np.cumsum(part)])))
+            result[run.start : run.start + count] = True
+    return result

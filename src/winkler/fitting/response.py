@@ -1,0 +1,272 @@
+r"""The force that a machine reads at every position, of a contact with or without adhesion.
+
+Depth and force are explicit functions of the contact radius a, and so is the position of the machine
+
+.. math:: D(a) = d(a) + F(a)/k_m .
+
+Stable are the stretches where D rises.  An advancing contact stands on the first of them that reaches D, a receding one
+on the last that does; where a stretch ends it leaps to the next.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.fitting.rising import Pair, Piece, Tabulated, tabulated
+from winkler.numerics.types import Array
+from winkler.problems.closure import flat_radius
+from winkler.problems.edge_states import EdgeStates, end_of, force_under
+from winkler.problems.stability import least_radius
+
+__all__ = ["Answer", "Response", "response"]
+
+STEEPEST = 100.0
+"""Greatest slope of a force, in stiffnesses of a contact whose edge is held: at the end of a stretch it has none.
+
+From where it is reached the force goes straight on, so that a fit meets no corner.  Of the last of a pull-off, less
+than one part in 1e4 of the way, this tells the force up to a hundredth wrong."""
+HALVES = 0.5 ** np.arange(1.0, 40.0)
+NOTHING = 1e-2
+"""Part of the widest contact below which one is as good as nothing."""
+OCTAVES = 400
+ROUNDING = 1e-9
+STEPS_TO_END = 50
+TIGHTER = 2
+"""How often the stretch beyond what is asked for is halved."""
+ALONE, UPWARDS, DOWNWARDS = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
+
+
+class Answer(NamedTuple):
+    """Forces [N] at positions, what they change by per length [N/m], and the contact radii [m].
+
+    `balanced` marks with 1 where the edge is in equilibrium, with 0 where it is held: at an end, or beyond a limit.
+    """
+
+    force: Array
+    slope: Array
+    radius: Array
+    balanced: Array
+
+
+class Held(NamedTuple):
+    """From the position `level` [m] on downwards a force goes straight on, from `force` [N] with `slope` [N/m]."""
+
+    level: float
+    force: float
+    slope: float
+
+
+class Response(NamedTuple):
+    """What a contact answers to its machine.
+
+    Parameters
+    ----------
+    table : Tabulated
+        D [m] and F [N] over the contact radius.
+    end : tuple of float
+        D [m], F [N], dF/dD [N/m] and a [m] at the last radius; where the profile ends, the contact is pinned there.
+    held : tuple of Held
+        How each stretch goes on below.
+    """
+
+    table: Tabulated
+    end: tuple[float, float, float, float]
+    held: tuple[Held, ...]
+
+    def loss(self) -> tuple[float, float]:
+        """Return D [m] and F [N] at which a receding contact comes off."""
+        if not self.table.pieces:
+            return self.end[0], self.end[1]
+        first = min(self.table.pieces, key=lambda piece: float(piece.levels[0]))
+        return float(first.levels[0]), float(self.table.read(self.table.start(first))[0][0])
+
+    def least(self) -> float:
+        """Return the least force of all stable states [N], of the greatest pull."""
+        table = self.table
+        forces = [float(table.read(table.places(piece.places))[0].min()) for piece in table.pieces]
+        return min(forces, default=self.end[1])
+
+    def closing(self, position: Array) -> Answer:
+        """Return what an advancing contact answers: of several states the narrowest."""
+        return self.on(self.narrowest(position), position)
+
+    def opening(self, position: Array, turn: float) -> Answer:
+        """Return what a receding contact answers, which turned at the position `turn`: of several states the widest."""
+        return self.on(self.widest(position, turn), position)
+
+    def narrowest(self, position: Array) -> Array:
+        """Return on which stretch an advancing contact stands."""
+        return np.searchsorted(self._tops(), position, side="right")
+
+    def widest(self, position: Array, turn: float) -> Array:
+        """Return on which stretch a receding contact stands, which turned at the position `turn`."""
+        bottoms = np.array([piece.levels[0] for piece in self.table.pieces])
+        reached = int(np.searchsorted(self._tops(), turn, side="right"))
+        bottoms = bottoms[: reached + 1]
+        holds = bottoms <= position[:, None]
+        which = np.zeros(position.shape, dtype=int)
+        if bottoms.size:
+            which = np.where(holds.any(axis=1), bottoms.size - 1 - np.argmax(holds[:, ::-1], axis=1), 0)
+        if reached >= len(self.table.pieces):
+            which = np.where(position > self.end[0], len(self.table.pieces), which)
+        return which
+
+    def _tops(self) -> Array:
+        return np.maximum.accumulate(np.array([piece.levels[-1] for piece in self.table.pieces]))
+
+    def on(self, which: Array, position: Array) -> Answer:
+        """Return the answers of given stretches; past the last one those of the pinned contact."""
+        answers = np.empty((4, position.size))
+        for index in np.flatnonzero(np.bincount(which)):
+            mine = which == index
+            answers[:, mine] = self._on(int(index), position[mine])
+        return Answer(*answers)
+
+    def beside(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
+        """Return by how much D [m] and F [N] of nearly the same states differ from these ``(2, m)``, at radii [m]."""
+        return self.table.beside(_curves(states, compliance), self.table.places_of(radius))
+
+    def _on(self, index: int, position: Array) -> Answer:
+        """Return the answers of one stretch; below it the force goes on as if the edge were held."""
+        level, force, stiffness, radius = self.end
+        if index >= len(self.table.pieces):
+            answer = np.full(position.shape, stiffness), np.full(position.shape, radius), np.zeros(position.shape)
+            return Answer(force + stiffness * (position - level), *answer)
+        piece, held = self.table.pieces[index], self.held[index]
+        begun = position > piece.levels[0]
+        answers = np.empty((4, position.size))
+        answers[:, ~begun] = self.table.radius(self.table.start(piece))
+        places = self.table.where(piece, np.minimum(position[begun], piece.levels[-1]))
+        forces, slopes = self.table.read(places)
+        slopes = np.clip(slopes, -STEEPEST * stiffness, STEEPEST * stiffness)
+        answers[:, begun] = forces, slopes, self.table.radius(places), np.ones(forces.shape)
+        below = (position < held.level) | ~begun
+        answers[0, below] = held.force + held.slope * (position[below] - held.level)
+        answers[1, below] = held.slope
+        answers[3, below | (position > piece.levels[-1])] = 0.0
+        return Answer(*answers)
+
+
+def _curves(states: EdgeStates, compliance: float) -> Pair:
+    """Return D [m] and F [N] as functions of the contact radius."""
+
+    def curves(radius: Array) -> tuple[Array, Array]:
+        depth = states.depth(radius)
+        force = force_under(states, depth, radius)
+        return depth + compliance * force, force
+
+    return curves
+
+
+def response(states: EdgeStates, compliance: float, highest: float) -> Response:
+    """Return what a contact answers to a machine, up to a position.
+
+    Parameters
+    ----------
+    states : EdgeStates
+        The bed and its attraction.
+    compliance : float
+        1/k_m [m/N].
+    highest : float
+        The largest position D that is asked for, from first touch [m].
+
+    Raises
+    ------
+    OutsideValidity
+        If the contact closes without end before.
+    """
+    curves = _curves(states, compliance)
+    bed = states.bed
+    low = max(least_radius(states), flat_radius(bed) if states.from_nothing() else 0.0)
+    high = _last_radius(states, compliance, highest, low)
+    if high > low:
+        table = tabulated(curves, low, high, np.array([b for b, _ in bed.kinks if low <= b < high]))
+    else:
+        nothing = np.zeros(0)
+        table = Tabulated(nothing, nothing, nothing, np.zeros((1, 2, 0)), ())
+    place = np.array([high])
+    level, force = (float(column[0]) for column in curves(place))
+    stiffness = float(bed.stiffness(place)[0])
+    stiffness /= 1.0 + compliance * stiffness
+    held = tuple(_held(table, piece, states, compliance, stiffness) for piece in table.pieces)
+    return Response(table, (level, force, stiffness, high), held)
+
+
+def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float, widest: float) -> Held:
+    """Return from where on the force of a stretch is continued."""
+    start = table.start(piece)
+    radius = table.radius(start)
+    if states.from_nothing() and radius[0] <= NOTHING * table.right[-1]:
+        pull = float(table.read(start)[0][0])
+        # without attraction there is nothing below; with it, a plateau would pass for a contact that goes on for ever
+        pressed = float(table.read(table.where(piece, piece.levels[-1:]))[0][0])
+        attracted = pull < -ROUNDING * abs(pressed)
+        return Held(float(piece.levels[0]), pull, widest if attracted else 0.0)
+    stiffness = float(states.bed.stiffness(radius)[0])
+    steepest = STEEPEST * stiffness / (1.0 + compliance * stiffness)
+    steps = (piece.places[-1] - piece.places[0]) * HALVES
+    slopes = np.abs(table.read(table.places(piece.places[0] + steps))[1])
+    steep = int(np.argmax(slopes > steepest)) if np.any(slopes > steepest) else steps.size - 1
+    # D rises like the square of the way from its least value, so the slope falls like the inverse of the way
+    way = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
+    there = table.places(piece.places[:1] + way)
+    force, slope = table.read(there)
+    return Held(float(table.level(there)[0]), float(force[0]), float(slope[0]))
+
+
+def _last_radius(states: EdgeStates, compliance: float, highest: float, low: float) -> float:
+    """Return a radius not far above the one at which D passes `highest`, or the end of the profile."""
+    bed = states.bed
+    end = end_of(bed)
+    if low >= end:
+        return end
+
+    curves = _curves(states, compliance)
+    known: dict[float, float] = {}
+
+    def level(radius: float, ahead: Array) -> float:
+        """Return D at a radius; what may be asked for next is computed with it."""
+        if radius not in known:
+            places = np.minimum(radius * ahead, end)
+            known.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
+        return known[radius]
+
+    kinks = [b for b, _ in bed.kinks if b > 0.0]
+    high = max(min([*kinks[:1], 0.02 * min(end, bed.size), 1e-3]), 2.0 * low)
+    below = low
+    if high < end and not level(high, UPWARDS) <= highest:
+        while high > 4.0 * low and high > 1e-30 and not level(0.5 * high, DOWNWARDS) <= highest:
+            high *= 0.5
+        below = 0.5 * high
+    else:
+        for _ in range(OCTAVES):
+            below, high = min(high, end), min(2.0 * high, end)
+            if high == end or not level(high, UPWARDS) <= highest:
+                break
+        else:
+            raise OutsideValidity(
+                f"The contact closes without end before the position {highest:.4g} m is reached; give a profile that "
+                "rises."
+            )
+    if level(high, ALONE) <= highest:
+        return high
+    for sweep in range(STEPS_TO_END):
+        if sweep >= TIGHTER and np.isfinite(level(high, ALONE)):
+            break
+        middle = 0.5 * (below + high)
+        below, high = (middle, high) if level(middle, ALONE) <= highest else (below, middle)
+    return high
+
+
+def _levels(curves: Pair, radii: Array) -> Array:
+    """Return D [m], nan where the theory does not reach."""
+    try:
+        with np.errstate(all="ignore"):
+            return curves(radii)[0]
+    except OutsideValidity:  # a cohesive zone that leaves the profile
+        if radii.size == 1:
+            return np.array([np.nan])
+        return np.concatenate([_levels(curves, radii[i : i + 1]) for i in range(radii.size)])

@@ -1,0 +1,189 @@
+"""What a fit says about its own validity: range of adhesion, coating and substrate, shape of the tip, free points.
+
+The notes of the contact itself hold for given numbers; these ask whether the curve could tell the fitted ones.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.prediction import Model
+from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
+from winkler.laws.adhesion import Dugdale, ShortRange
+from winkler.loading import Depth
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array
+from winkler.problems import griffith
+from winkler.problems.adhesion_model import STRETCH
+from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.indentation import Indentation
+from winkler.problems.pull_off import PullOff
+from winkler.profiles.power import Paraboloid
+from winkler.profiles.sphere import Sphere
+from winkler.validity import Note, Standing
+
+__all__ = ["MOLECULAR", "fit_notes"]
+
+MOLECULAR = 0.3e-9
+"""Range of attraction between molecules [m], about the distance of atoms."""
+SHORT, LONG = 5.0, 0.1
+"""Tabor's parameter above which attraction is without range (JKR), and below which it deforms nothing (DMT)."""
+SEEN = 0.01
+"""A body that changes the stiffness by less is as good as unseen."""
+TOP, BELOW = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
+FEW_FREE = 20
+SMALL_SHARE = 0.1
+"""Free part of a way below which its zero of force leans on the model."""
+BALL = 0.01
+"""Difference between ball and paraboloid that is worth a word."""
+GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984"
+PUNCHES = "stiffness of flat punches of the same width"
+POINTS = "count of the points in and out of contact"
+BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion"
+
+
+def fit_notes(
+    model: Model, curve: ForceCurve, names: tuple[str, ...], contact: Array, widest: float, error: float
+) -> tuple[Note, ...]:
+    """Return what a fit says about its own validity.
+
+    Parameters
+    ----------
+    model : Indentation or AdhesiveIndentation
+        With the fitted numbers, at the largest depth.
+    curve : ForceCurve
+    names : tuple of str
+        What was free.
+    contact : ndarray of bool, (n,)
+        Where the tip is in contact.
+    widest : float
+        The largest contact radius [m].
+    error : float
+        Standard deviation of the forces over their range [-].
+    """
+    notes = [*_coating_notes(model.bed, names, widest), *_tip_notes(model, names, widest)]
+    if isinstance(model, AdhesiveIndentation):
+        notes += _range_notes(model)
+    return (*notes, *_free_notes(curve, contact, error))
+
+
+def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
+    """Return how much coating and substrate each have to say, by the stiffness of the widest contact."""
+    medium = bed.medium
+    if not isinstance(medium, CoatedHalfSpace):
+        return []
+    top, thickness = medium.layers[0].solid, sum(layer.thickness for layer in medium.layers)
+    place = np.array([widest])
+    stiffness = float(bed.stiffness(place)[0])
+    alone = float(HalfSpace(top, medium.second).punch_stiffness(place)[0])
+    below = stiffness / alone - 1.0
+    fact = (
+        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {thickness:.3g} m, and what lies "
+        f"below the top layer changes its stiffness by {below:+.2%}"
+    )
+    deep = [name for name in names if name.startswith(BELOW) and not name.startswith(TOP)]
+    if abs(below) < SEEN:
+        standing = Standing.OUTSIDE if deep else Standing.ASYMPTOTIC
+        verdict = f"the curve can hardly tell {', '.join(deep)}" if deep else "it was measured as if it had no end"
+        return [Note(standing, f"{fact}: {verdict}.", PUNCHES)]
+    both = bool(deep) and any(name.startswith(TOP) for name in names)
+    verdict = (
+        "coating and substrate are told apart by how this grows with the depth alone"
+        if both
+        else "the fitted numbers rest on what is known of coating and substrate"
+    )
+    return [Note(Standing.APPROXIMATE, f"{fact}: {verdict}.", PUNCHES)]
+
+
+def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note]:
+    """Return what the width of the contact means for the tip."""
+    notes: list[Note] = []
+    bed = model.bed
+    if not isinstance(bed, Foundation):
+        return notes
+    corners = [b for b, _ in bed.kinks if 0.0 < b < math.inf]
+    if corners and widest < corners[0]:
+        notes.append(
+            Note(
+                Standing.EXACT,
+                f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
+                f"{corners[0]:.3g} m; the curve says nothing about the rest.",
+                "corners of the profile",
+            )
+        )
+    profile = bed.profile
+    if not isinstance(profile, Paraboloid):
+        return notes
+    radius = profile.curvature_radius
+    fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
+    depth = model.load.depth if isinstance(model.load, Depth) else 0.0
+    if widest >= radius:
+        verdict = "a paraboloid is no ball there; if the tip is one, give Sphere"
+        return [*notes, Note(Standing.OUTSIDE, f"{fact}: {verdict}.", BALLS)]
+    if not float(np.max(depth)) > 0.0:
+        return notes
+    load = Depth(float(np.max(depth)))
+    ball = Foundation(Sphere(radius), bed.medium)
+    share = float(Indentation(ball, load).solve().force / Indentation(bed, load).solve().force) - 1.0
+    good = abs(share) < BALL
+    verdict = f"a ball of that radius would answer with {share:+.2%} of force" + (
+        "" if good else "; if it is one, give Sphere"
+    )
+    notes.append(Note(Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {verdict}.", BALLS))
+    return notes
+
+
+def _range_notes(model: AdhesiveIndentation) -> list[Note]:
+    """Return whether the law's idea of the range of attraction agrees with the fitted numbers."""
+    law = model.law
+    if isinstance(law, Dugdale):
+        return []
+    try:
+        edge = PullOff(model.bed, ShortRange(law.work)).solve().radius
+    except OutsideValidity as error:
+        return [Note(Standing.APPROXIMATE, f"Range: no pull-off is known to judge it by. {error}", GREENWOOD)]
+    stretch = float(griffith.stretch(model.bed, law.work, np.array([edge]))[0])
+    tabor = stretch / (STRETCH * MOLECULAR)
+    fact = (
+        f"Range: with the fitted numbers the edge is stretched by {stretch:.3g} m at the pull-off, "
+        f"{stretch / MOLECULAR:.3g} times a molecular range of {MOLECULAR:.1g} m (Tabor parameter {tabor:.3g})"
+    )
+    closest = f"fit Dugdale(work, strength) with strength = {law.work / MOLECULAR:.3g} Pa"
+    if isinstance(law, ShortRange):
+        good, bad = tabor >= SHORT, tabor < LONG
+        right, wrong = "attraction without range (JKR) is right", "the attraction reaches much farther than JKR allows"
+    else:
+        good, bad = tabor <= LONG, tabor > SHORT
+        right, wrong = "attraction from afar (DMT) is right", "the attraction deforms the edge, which DMT denies"
+    standing = Standing.ASYMPTOTIC if good else Standing.OUTSIDE if bad else Standing.APPROXIMATE
+    verdict = right if good else f"{wrong if bad else 'between JKR and DMT'}; {closest}"
+    return [Note(standing, f"{fact}: {verdict}.", GREENWOOD)]
+
+
+def _free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
+    """Return how much of each way is out of contact."""
+    told, poor = [], False
+    for word, direction in (("approach", 1.0), ("retract", -1.0)):
+        mine = curve.direction == direction
+        if not mine.any():
+            continue
+        free = mine & ~contact
+        count = int(np.count_nonzero(free))
+        along = float(np.ptp(curve.position[free])) if count else 0.0
+        share = along / max(float(np.ptp(curve.position[mine])), 1e-300)
+        told.append(f"{count} points over {along:.3g} m ({share:.0%} of the way) on {word}")
+        poor |= count < FEW_FREE or share < SMALL_SHARE
+    verdict = (
+        "too few to tell the zero of force by themselves; it leans on the model"
+        if poor
+        else "enough for the zero of force"
+    )
+    where = " and ".join(told)
+    statement = f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {verdict}."
+    return [Note(Standing.APPROXIMATE if poor else Standing.EXACT, statement, POINTS)]

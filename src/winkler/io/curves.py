@@ -1,0 +1,219 @@
+r"""Force curves in files: tables, and with the extra ``afm`` the formats of atomic force microscopes.
+
+A piezo counts its height down when it approaches; here positions grow towards the sample, so that the height changes
+its sign.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curve import ForceCurve
+from winkler.io.curve_table import is_curve_table, read_curve_table
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
+
+HEIGHTS = ("height (measured)", "height (piezo)")
+IN, HELD, OUT = 1.0, 0.0, -1.0
+
+
+@value
+class PlacedCurve:
+    """A force curve, and where on the sample it was taken.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    x, y : float
+        Place on the sample [m]; nan where the file does not tell it.
+    """
+
+    curve: ForceCurve
+    x: float
+    y: float
+
+
+@value
+class UnreadCurve:
+    """A curve that could not be read, and why.
+
+    Parameters
+    ----------
+    name : str
+        The file; within a map also the number of the curve.
+    reason : str
+        One sentence.
+    """
+
+    name: str
+    reason: str
+
+
+def read_curve(
+    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
+) -> ForceCurve:
+    """Read the force curve of a file.
+
+    Parameters
+    ----------
+    path : str or path
+        A text table (see `winkler.io.curve_table`), or with the extra ``afm`` what afmformats reads: JPK, NT-MDT,
+        Asylum, AFM workshop and others.
+    spring_constant : float, optional
+        Of the cantilever [N/m]; needed where the file does not tell it, and taken in place of the file's.
+    sensitivity : float, optional
+        Deflection per volt [m/V], likewise.
+
+    Returns
+    -------
+    ForceCurve
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, needs a number that it does not hold, or holds several curves.
+    """
+    found = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity))
+    if len(found) > 1:
+        raise InvalidInput(f"{path}: the file holds {len(found)} curves; take read_curves(path), it yields them all.")
+    return found[0].curve
+
+
+def read_curves(
+    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
+) -> Iterator[PlacedCurve]:
+    """Yield every force curve of a file, of a force map one after the other; parameters as for `read_curve`.
+
+    Raises
+    ------
+    InvalidInput
+        As `read_curve`; of a curve within a map the message names its number.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise InvalidInput(f"{path!r} is no path of a file; give one such as 'curve.csv'.")
+    for found in _each(path, spring_constant, sensitivity):
+        if isinstance(found, UnreadCurve):
+            raise InvalidInput(found.reason)
+        yield found
+
+
+def try_curves(
+    path: str | os.PathLike[str], *, spring_constant: float | None = None, sensitivity: float | None = None
+) -> Iterator[PlacedCurve | UnreadCurve]:
+    """Yield every curve of a file like `read_curves`, and in the place of one that cannot be read the reason."""
+    try:
+        yield from _each(path, spring_constant, sensitivity)
+    except InvalidInput as error:
+        yield UnreadCurve(Path(path).name, str(error))
+
+
+def _each(
+    path: str | os.PathLike[str], spring_constant: float | None, sensitivity: float | None
+) -> Iterator[PlacedCurve | UnreadCurve]:
+    if _is_text(Path(path)) and is_curve_table(path):
+        curve = read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
+        yield PlacedCurve(curve, np.nan, np.nan)
+        return
+    yield from _by_afmformats(Path(path), spring_constant, sensitivity)
+
+
+def _is_text(path: Path) -> bool:
+    """Return whether the file may be a table: it is text, or absent, and then the reader of tables says so."""
+    if not path.is_file():
+        return True
+    with path.open("rb") as file:
+        start = file.read(4096)
+    return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
+
+
+def _by_afmformats(
+    path: Path, spring_constant: float | None, sensitivity: float | None
+) -> Iterator[PlacedCurve | UnreadCurve]:
+    try:
+        import afmformats
+        from afmformats.errors import AFMFileFormatError, MissingMetaDataError
+    except ImportError:
+        if _is_text(path):  # a table that lacks something: its reader says what
+            read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
+        raise InvalidInput(
+            f"{path}: this is no text table, and the formats of microscopes need the extra afm; install it with "
+            "pip install 'winkler[afm]'."
+        ) from None
+    known = {
+        key: number for key, number in (("spring constant", spring_constant), ("sensitivity", sensitivity)) if number
+    }
+    if path.suffix.lower() not in afmformats.formats.supported_extensions:
+        if _is_text(path):
+            read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
+        raise InvalidInput(
+            f"{path}: files that end in '{path.suffix}' are not known; tables and "
+            f"{', '.join(afmformats.formats.supported_extensions)} are read."
+        )
+    chatter = logging.getLogger("afmformats")
+    level = chatter.level
+    chatter.setLevel(logging.CRITICAL)  # it prints a traceback of every reader that it tries in vain
+    try:
+        group = afmformats.load_data(path, meta_override=known)
+    except MissingMetaDataError:
+        raise InvalidInput(
+            f"{path}: the file does not tell how a deflection becomes a force; give spring_constant in N/m and "
+            "sensitivity in m/V."
+        ) from None
+    except (AFMFileFormatError, ValueError, KeyError, IndexError, OSError, UnicodeDecodeError) as error:
+        if _is_text(path):
+            read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
+        hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else ""
+        raise InvalidInput(f"{path}: afmformats cannot read this file ({type(error).__name__}){hint}.") from None
+    finally:
+        chatter.setLevel(level)
+    for number, data in enumerate(group):
+        name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
+        try:
+            yield _translated(data, name, str(path), known)
+        except InvalidInput as error:
+            yield UnreadCurve(name, str(error))
+
+
+def _translated(data: Any, name: str, shown: str, known: dict[str, float]) -> PlacedCurve:
+    """Return a curve of afmformats in the signs of winkler."""
+    columns = set(data.columns)
+    height = next((word for word in HEIGHTS if word in columns), "")
+    if not height or "force" not in columns:
+        raise InvalidInput(
+            f"{shown}: '{name}' has the columns {', '.join(sorted(columns))}; a force curve needs a height and a force."
+        )
+    position, force = -np.asarray(data[height], dtype=float), np.asarray(data["force"], dtype=float)
+    stiffness = known.get("spring constant", data.metadata.get("spring constant", np.nan))
+    if not stiffness > 0.0:
+        raise InvalidInput(
+            f"{shown}: the file does not tell the spring constant of the cantilever, by which the depth is found; give "
+            "spring_constant in N/m."
+        )
+    segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
+    time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
+    try:
+        curve = ForceCurve(position, force, float(stiffness), time, _directions(position, segment), name)
+    except InvalidInput as error:
+        raise InvalidInput(f"{shown}: {error}") from None
+    return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))
+
+
+def _directions(position: Array, segment: Array) -> Array:
+    """Return for each segment whether the tip goes in, is held or comes out; nothing where segments are not told."""
+    if not segment.size:
+        return np.zeros(0)
+    direction, span = np.zeros(position.size), np.ptp(position)
+    for part in np.unique(segment):
+        (members,) = np.nonzero(segment == part)
+        travel = position[members[-1]] - position[members[0]]
+        direction[members] = (IN if travel > 0.0 else OUT) if abs(travel) > 0.1 * span else HELD
+    return direction

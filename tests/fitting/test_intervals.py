@@ -1,0 +1,109 @@
+"""Profile likelihood against closed forms and brute force, and comparison of models."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.special import stdtrit
+from synthetic import hertz, hertz_on_spring, jkr, noise, there_and_back
+
+import winkler as wk
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.fitting.compare import compare
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.fit import fit
+from winkler.fitting.intervals import profile_interval
+from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
+from winkler.problems.adhesive import AdhesiveIndentation
+
+R, YOUNG = 5e-6, 1e4
+MODULUS = YOUNG / 0.75
+PATH = "bed.medium.first.young"
+
+
+def bed(profile=None) -> wk.Foundation:
+    return wk.Foundation(profile or wk.Paraboloid(R), wk.HalfSpace.between(wk.Elastic(3e4, 0.5)))
+
+
+def test_of_a_linear_fit_it_is_students():
+    position = np.linspace(1e-8, 1e-6, 100)
+    punch = wk.Foundation(wk.FlatPunch(1e-6), wk.HalfSpace.between(wk.Elastic(YOUNG, 0.5)))
+    force = 2.0 * MODULUS * 1e-6 * position + 1e-10 * noise(np.random.default_rng(4), 100)
+    found = fit(ForceCurve(position, force), wk.Indentation(punch, wk.Depth(0.0)), free=["baseline", "tilt"])
+    width = stdtrit(found.effective_count - 2.0, 0.975) * found.error("tilt")
+    low, high = profile_interval(found, "tilt")
+    assert low == pytest.approx(found.value("tilt") - width, abs=0.005 * width)
+    assert high == pytest.approx(found.value("tilt") + width, abs=0.005 * width)
+    assert found.interval("tilt") == pytest.approx((found.value("tilt") - width, found.value("tilt") + width))
+
+
+def test_of_hertz_against_a_scan():
+    """The modulus held, the contact point found by a fine scan: no least squares, no derivative."""
+    position = np.linspace(-5e-7, 5e-7, 120)
+    force = hertz(position, MODULUS, R) + 3e-10 * noise(np.random.default_rng(2), 120)
+    found = fit(ForceCurve(position, force), wk.Indentation(bed(), wk.Depth(0.0)), free=[PATH, "contact_point"])
+    if found.effective_count != 120.0:
+        pytest.fail("choose a seed whose noise looks white")
+    low, high = profile_interval(found, PATH)
+    allowed = found.misfit * (1.0 + stdtrit(118.0, 0.975) ** 2 / 118.0)
+    origins = np.linspace(-3e-8, 3e-8, 4001)
+    for end in (low, high):
+        squares = [np.sum((force - hertz(position - origin, end / 0.75, R)) ** 2) for origin in origins]
+        assert min(squares) == pytest.approx(allowed, rel=2e-4)
+
+
+def test_a_bound_ends_an_interval():
+    position = np.linspace(-5e-7, 5e-7, 120)
+    force = hertz(position, MODULUS, R) + 3e-10 * noise(np.random.default_rng(2), 120)
+    free = {PATH: (9.9e3, 1.2e4), "contact_point": ()}
+    found = fit(ForceCurve(position, force), wk.Indentation(bed(), wk.Depth(0.0)), free=free)
+    low, _ = profile_interval(found, PATH)
+    assert low == pytest.approx(9.9e3)
+    with pytest.raises(InvalidInput, match="'tilt' was not free"):
+        profile_interval(found, "tilt")
+
+
+def models() -> dict:
+    work = [PATH, "law.work", "contact_point", "baseline"]
+    return {
+        "Hertz": (wk.Indentation(bed(), wk.Depth(0.0)), [PATH, "contact_point", "baseline"]),
+        "cone": (wk.Indentation(bed(wk.Cone(half_angle=1.2)), wk.Depth(0.0)), [PATH, "contact_point", "baseline"]),
+        "JKR": (AdhesiveIndentation(bed(), ShortRange(1e-3), wk.Depth(0.0)), work),
+        "DMT": (AdhesiveIndentation(bed(), DerjaguinMullerToporov(1e-3), wk.Depth(0.0)), work),
+        "DMT of a cone": (
+            AdhesiveIndentation(bed(wk.Cone(half_angle=1.2)), DerjaguinMullerToporov(1e-3), wk.Depth(0.0)),
+            work,
+        ),
+    }
+
+
+def test_a_sticky_curve_speaks_for_jkr():
+    position, inward = there_and_back(-1e-6, 1e-6, 150)
+    force = jkr(position, inward, MODULUS, R, 1e-4, 0.05) + 3e-11 * noise(np.random.default_rng(1), 300)
+    found = compare(ForceCurve(position, force, 0.05), models())
+    assert found.models[0] == "JKR"
+    assert found.best is found.fits[0]
+    assert found.evidence[0] == 1.0
+    assert np.all(found.evidence[1:] > 1e6)
+    assert np.all(np.diff(found.aic) >= 0.0)
+    assert len(found.refused) == 1
+    assert "DMT of a cone: DerjaguinMullerToporov" in found.refused[0]
+    sizes = np.array([len(one.names) for one in found.fits])
+    np.testing.assert_allclose(found.bic - found.aic, (np.log(found.effective_count) - 2.0) * sizes, rtol=1e-6)
+
+
+def test_a_dry_curve_does_not_need_adhesion():
+    position, _ = there_and_back(-1e-6, 1e-6, 150)
+    force = hertz_on_spring(position, MODULUS, R, 0.05) + 3e-11 * noise(np.random.default_rng(3), 300)
+    kinds = models()
+    found = compare(ForceCurve(position, force, 0.05), {name: kinds[name] for name in ("cone", "Hertz")})
+    assert found.models == ("Hertz", "cone")
+
+
+def test_comparing_nothing_is_refused():
+    position = np.linspace(-1e-6, 1e-6, 150)
+    curve = ForceCurve(position, hertz(position, MODULUS, R))
+    with pytest.raises(InvalidInput, match="no model is given"):
+        compare(curve, {})
+    with pytest.raises(OutsideValidity, match="no model can be fitted; DMT of a cone"):
+        compare(curve, {"DMT of a cone": models()["DMT of a cone"]})
