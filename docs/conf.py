@@ -86,10 +86,12 @@ CHAPTERS = (
     ("Shapes", "profiles"),
     ("Media", "media"),
     ("Beds of springs", "foundation"),
+    ("Laws of adhesion", "laws"),
     ("Loads", "loading"),
     ("Problems and their answers", "problems"),
+    ("Fits to force curves", "fitting"),
     ("Fields", "fields"),
-    ("Reading measured profiles", "io"),
+    ("Reading measured tables", "io"),
     ("How far a result can be trusted", "validity"),
     ("Errors", "errors"),
 )

@@ -46,7 +46,8 @@ def test_script(script, tmp_path):
 @pytest.mark.parametrize("study", STUDIES, ids=map(name, STUDIES))
 def test_study(study, tmp_path):
     output = tmp_path / "answer"
-    answer = start(["-m", "winkler.cli", "run", str(study), "--output", str(output)], tmp_path)
+    command = "fit" if "\n[fit]\n" in study.read_text(encoding="utf-8") else "run"
+    answer = start(["-m", "winkler.cli", command, str(study), "--output", str(output)], tmp_path)
     assert answer.returncode == 0, answer.stdout + answer.stderr
     report = list(output.rglob("report.html"))
     assert report, f"no report.html in {sorted(path.name for path in output.rglob('*'))}"

@@ -75,13 +75,18 @@ def test_the_python_of_a_page_runs(page, tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("page", PAGES, ids=[path.relative_to(ROOT).as_posix() for path in PAGES])
 def test_the_studies_of_a_page_can_be_read(page, tmp_path):
-    """A block of TOML with a problem in it is a study, and is solved."""
+    """A block of TOML with a problem in it is a study, and is solved or fitted."""
+    from winkler.study.fit_reading import parse_fit_study
+    from winkler.study.fit_run import fit_study
     from winkler.study.reading import parse_study
     from winkler.study.run import run as solve
 
     shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("results", "__pycache__"))
     for _, language, body, _ in blocks(page.read_text(encoding="utf-8")):
-        if language == "toml" and "[problem]" in body:
+        if language == "toml" and "[problem]" in body and "[fit]" in body:
+            fitted = fit_study(parse_fit_study(body, file=page.name, folder=tmp_path / "examples" / "studies"))
+            assert fitted.refused == ()
+        elif language == "toml" and "[problem]" in body:
             outcome = solve(parse_study(body, file=page.name, folder=tmp_path / "examples" / "studies"))
             assert outcome.failed == ()
 

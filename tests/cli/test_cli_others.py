@@ -16,7 +16,7 @@ from winkler.cli import main
 from winkler.study.build import build
 from winkler.study.catalogue import CATALOGUE, kinds, slot_of
 from winkler.study.citing import bibliography, cite
-from winkler.study.explain import keys_of, place_of, plain_symbol
+from winkler.study.explain import keys_of, place_of, plain_symbol, table_at
 from winkler.study.grammar import SECTIONS, study_form
 from winkler.study.reading import parse_study
 from winkler.study.run import run
@@ -44,9 +44,7 @@ def test_show_tells_every_key_and_a_valid_example(name, capsys):
         if key.word.unit is not None:
             assert plain_symbol(key.word.symbol) in told
     assert example_text(name) in told
-    table = tomllib.loads(example_text(name))
-    for part in place_of(name).split("."):
-        table = table[part]
+    table = table_at(tomllib.loads(example_text(name)), place_of(name))
     assert f"'kind': '{name}'" in str(table)
     assert type(build(table, slot_of(name))) is kinds()[table["kind"]].cls
 
@@ -113,7 +111,7 @@ def test_show_what_is_not_known(name, sentence, code, capsys):
 
 
 def goes_together(problem: str, profile: str) -> bool:
-    """Say whether a profile has a load at which it begins to yield: not if its apex, edge or a kink is sharp."""
+    """Say whether a profile has an answer: nothing sharp begins to yield, no pressed rim gives way."""
     sharp = {
         "cone",
         "flat_punch",
@@ -125,7 +123,8 @@ def goes_together(problem: str, profile: str) -> bool:
         "area_function",
         "capped_paraboloid",
     }
-    return problem != "yield_onset" or profile not in sharp
+    pressed_at_its_rim = problem == "adhesive_shear" and profile == "flat_punch"
+    return not pressed_at_its_rim and (problem != "yield_onset" or profile not in sharp)
 
 
 @pytest.mark.parametrize("profile", list(CATALOGUE["profile"]))
@@ -148,7 +147,9 @@ def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
 
 
 @pytest.mark.parametrize(
-    ("option", "kind"), [("--medium", name) for name in CATALOGUE["medium"]] + [("--bed", "plane_foundation")]
+    ("option", "kind"),
+    [("--medium", name) for name in CATALOGUE["medium"]]
+    + [("--bed", name) for name in CATALOGUE["bed"] if name != "foundation"],
 )
 def test_new_with_other_parts(option, kind, here):
     assert main(["new", "indentation", option, kind]) == 0
@@ -192,7 +193,9 @@ def test_new_does_not_replace_a_file_unasked(here, capsys):
     [
         (
             ["indention"],
-            "problem: 'indention' is not known (did you mean 'indentation'?); there are indentation, yield_onset.",
+            "problem: 'indention' is not known (did you mean 'indentation'?); there are "
+            + ", ".join(CATALOGUE["problem"])
+            + ".",
         ),
         (["--load", "forces"], "load: 'forces' is not known (did you mean 'force'?); there are force, depth, radius."),
         (
@@ -230,6 +233,34 @@ def test_draw(part, here, capsys):
     assert main(["draw", "ball.toml", "--part", part]) == 0
     assert capsys.readouterr().out == f"Written ball-{part}.png\n"
     assert (here / f"ball-{part}.png").read_bytes()[:4] == b"\x89PNG"
+
+
+@pytest.mark.parametrize(
+    ("option", "kind", "part"),
+    [
+        ("medium", "coated_half_space", "medium"),
+        ("medium", "coated_half_space", "stress"),
+        ("medium", "graded_half_space", "medium"),
+        ("bed", "measured_bed", "medium"),
+        ("bed", "measured_bed", "bed"),
+        ("bed", "measured_bed", "contact"),
+    ],
+)
+def test_draw_other_media_and_beds(option, kind, part, here):
+    text = template("indentation", **{option: kind})
+    fields = '[fields]\nr = ["0 a", "1 a"]\nz = ["0.1 mm", "0.2 mm"]\n' if part == "stress" else ""
+    (here / "study.toml").write_text(text + fields, encoding="utf-8")
+    assert main(["draw", "study.toml", "--part", part]) == 0
+    assert (here / f"study-{part}.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_draw_no_profile_of_a_measured_bed_and_no_makeup_of_an_even_medium(here, capsys):
+    (here / "study.toml").write_text(template("indentation", bed="measured_bed"), encoding="utf-8")
+    assert main(["draw", "study.toml", "--part", "profile"]) == 2
+    assert "draw: this study has no profile; `--part bed` shows what it has." in capsys.readouterr().err
+    (here / "study.toml").write_text(template("indentation"), encoding="utf-8")
+    assert main(["draw", "study.toml", "--part", "medium"]) == 2
+    assert "draw: there is no picture of a HalfSpace" in capsys.readouterr().err
 
 
 def test_draw_a_curve_as_svg(here):

@@ -19,6 +19,9 @@ from winkler.study.template import whole_text
 STEEL = wk.Elastic(210e9, 0.3)
 QUARTZ = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)
 HALF_SPACE = wk.HalfSpace(STEEL)
+CERAMIC = wk.PowerLawGraded(young=220e9, depth_scale=1e-3, exponent=0.15, poisson=0.25)
+HARD = wk.Layer(wk.Elastic(450e9, 0.25), thickness=50e-6)
+CASE = wk.ExponentialGrading(surface_young=380e9, deep_young=210e9, depth_scale=0.2e-3, poisson=0.3)
 
 
 def pressed(profile, medium=HALF_SPACE, load=wk.Force(100.0)):  # noqa: B008 (values are immutable)
@@ -27,6 +30,14 @@ def pressed(profile, medium=HALF_SPACE, load=wk.Force(100.0)):  # noqa: B008 (va
 
 RADII = np.linspace(0.0, 1e-3, 6)
 BALL = wk.Sphere(10e-3)
+STICKY = wk.ShortRange(work=0.05)
+BED = wk.Foundation(BALL, HALF_SPACE)
+
+
+def stuck(law):
+    return wk.AdhesiveIndentation(BED, law, wk.Force(100.0))
+
+
 PYTHON = {
     "sphere": pressed(BALL),
     "paraboloid": pressed(wk.Paraboloid(10e-3)),
@@ -50,17 +61,56 @@ PYTHON = {
     "sum": pressed(wk.Paraboloid(10e-3) + wk.Wavy(0.1e-6, 1e-3)),
     "formula": pressed(wk.Formula("r**2/(2*R) + r**4/(8*R**3)", R=10e-3)),
     "measured": pressed(wk.Measured(RADII, np.array([0.0, 2e-6, 8e-6, 18e-6, 32e-6, 50e-6]))),
+    "designed": pressed(
+        wk.Designed(np.array([0.0, 0.5e-3, 1e-3]), np.array([[0.025, 0.025], [0.075, 0.025]]), tolerance=1e-10)
+    ),
     "elastic": pressed(BALL),
     "rigid": pressed(BALL, wk.HalfSpace.between(STEEL, wk.Rigid())),
     "transversely_isotropic": pressed(BALL, wk.TransverselyIsotropicHalfSpace(QUARTZ)),
+    "power_law_graded": pressed(BALL, wk.GradedHalfSpace.between(CERAMIC)),
+    "layer": pressed(BALL, wk.CoatedHalfSpace([HARD], on=STEEL)),
+    "exponential_grading": pressed(BALL, wk.DepthGradedHalfSpace(CASE, tolerance=1e-2)),
+    "sigmoidal_grading": pressed(
+        BALL, wk.DepthGradedHalfSpace(wk.SigmoidalGrading(380e9, 210e9, 0.2e-3, 0.1e-3, 0.3), tolerance=1e-2)
+    ),
+    "tabulated_grading": pressed(
+        BALL,
+        wk.DepthGradedHalfSpace(
+            wk.TabulatedGrading((0.0, 0.1e-3, 0.3e-3, 0.6e-3), (380e9, 340e9, 240e9, 210e9), (0.24, 0.26, 0.29, 0.3)),
+            tolerance=1e-2,
+        ),
+    ),
     "half_space": pressed(BALL),
     "transversely_isotropic_half_space": pressed(BALL, wk.TransverselyIsotropicHalfSpace.between(QUARTZ)),
+    "graded_half_space": pressed(BALL, wk.GradedHalfSpace(CERAMIC)),
+    "coated_half_space": pressed(BALL, wk.CoatedHalfSpace((HARD,), STEEL)),
+    "depth_graded_half_space": pressed(BALL, wk.DepthGradedHalfSpace(CASE, wk.Rigid(), 1e-2)),
     "foundation": pressed(BALL),
     "plane_foundation": wk.Indentation(wk.PlaneFoundation(BALL, HALF_SPACE), wk.Force(100.0)),
+    "measured_bed": wk.Indentation(
+        wk.MeasuredBed(
+            np.linspace(0.05e-3, 0.3e-3, 6),
+            np.linspace(11.5e6, 69e6, 6),
+            np.array([0.25e-6, 1e-6, 2.25e-6, 4e-6, 6.25e-6, 9e-6]),
+        ),
+        wk.Force(100.0),
+    ),
     "force": pressed(BALL),
+    "short_range": stuck(STICKY),
+    "dugdale": stuck(wk.Dugdale(0.05, 1e6)),
+    "derjaguin_muller_toporov": stuck(wk.DerjaguinMullerToporov(0.05)),
     "depth": pressed(BALL, load=wk.Depth(5e-6)),
     "radius": pressed(BALL, load=wk.Radius(0.1e-3)),
+    "shift": wk.AdhesiveShear(BED, STICKY, wk.Force(100.0), wk.Shift(1e-9)),
+    "shear_force": wk.AdhesiveShear(BED, STICKY, wk.Force(100.0), wk.ShearForce(1e-3)),
     "indentation": pressed(BALL),
+    "adhesive_indentation": stuck(STICKY),
+    "pull_off": wk.PullOff(BED, STICKY),
+    "equilibrium": wk.Equilibrium(BED, STICKY, reach=10e-6, count=200),
+    "adhesive_cycle": wk.AdhesiveCycle(
+        BED, STICKY, wk.Depth(np.concatenate([np.linspace(-5e-9, 5e-9, 41), np.linspace(5e-9, -5e-9, 41)]))
+    ),
+    "adhesive_shear": wk.AdhesiveShear(BED, STICKY, wk.Force(100.0), wk.ShearForce(1e-3)),
     "yield_onset": wk.YieldOnset(wk.Foundation(BALL, wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=700e6)))),
 }
 LIGHT = "\n[output]\nfigures = []\nreport = false\n"
@@ -85,11 +135,12 @@ def test_same_numbers(kind, tmp_path, monkeypatch, capsys):
     assert main(["run", "study.toml", "--json", "--output", "answer"]) == 0
     told = {column["name"]: column["values"] for column in json.loads(capsys.readouterr().out)["answers"]}
     with (tmp_path / "answer" / "results.csv").open(encoding="utf-8") as file:
-        kept = {name.split(" ")[0]: [float(number)] for name, number in next(csv.DictReader(file)).items()}
+        rows = list(csv.DictReader(file))
+    kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
     assert set(answers) == set(told) == set(kept)
     assert len(answers) >= 3
     for name in answers:
-        expected = [float(getattr(solution, name))]
+        expected = np.ravel(getattr(solution, name)).astype(float).tolist()
         assert answers[name].tolist() == told[name] == kept[name] == expected
 
 

@@ -27,20 +27,69 @@ first = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
 kind = "force"
 force = "100 N"
 """
+HALF_SPACE = """kind = "half_space"
+first = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
+"""
+COATED = """kind = "coated_half_space"
+on = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
+
+[[problem.bed.medium.layers]]
+kind = "layer"
+thickness = "20 um"
+solid = { kind = "elastic", young = "450 GPa", poisson = 0.25 }
+"""
+DEPTH_GRADED = """kind = "depth_graded_half_space"
+
+[problem.bed.medium.grading]
+kind = "tabulated_grading"
+depths = ["0 um", "10 um", "50 um"]
+youngs = ["300 GPa", "250 GPa", "210 GPa"]
+poissons = [0.25, 0.28, 0.3]
+"""
+GRADED = """kind = "graded_half_space"
+first = { kind = "power_law_graded", young = "220 GPa", depth_scale = "1 mm", exponent = 0.2, poisson = 0.25 }
+"""
+BED = BASE.partition("[problem.bed]\n")[2].partition("[problem.load]")[0]
+MEASURED = """kind = "measured_bed"
+file = "table.csv"
+modulus = "115 GPa"
+"""
+LAW = """
+[problem.law]
+kind = "short_range"
+work = "50 mJ/m^2"
+"""
+CYCLE = """"adhesive_cycle"
+machine_stiffness = "5 N/m\""""
+PATH = """[problem.path]
+kind = "depth"
+depth = [{ from = "-5 nm", to = "5 nm", count = 11 }, { from = "5 nm", to = "-5 nm", count = 11 }]
+"""
+BASES = {
+    "half_space": BASE,
+    "coated": BASE.replace(HALF_SPACE, COATED),
+    "depth_graded": BASE.replace(HALF_SPACE, DEPTH_GRADED),
+    "graded": BASE.replace(HALF_SPACE, GRADED),
+    "measured": BASE.replace(BED, MEASURED),
+    "adhesive": BASE.replace('"indentation"', '"adhesive_indentation"') + LAW,
+    "cycle": BASE.partition("[problem.load]")[0].replace('"indentation"', CYCLE) + PATH + LAW,
+}
+"""Name -> the study that is spoilt; a case that names none spoils the first one."""
 WRONG = tomllib.loads((Path(__file__).parent / "wrong_studies.toml").read_text(encoding="utf-8"))["wrong"]
 
 
 def spoilt(case: dict[str, str]) -> str:
     if "whole" in case:
         return case["whole"]
-    assert case.get("old", "") in BASE
-    text = BASE.replace(case["old"], case["new"], 1) if "old" in case else BASE
+    text = BASES[case.get("base", "half_space")]
+    assert case.get("old", "") in text
+    text = text.replace(case["old"], case["new"], 1) if "old" in case else text
     return case.get("before", "") + text + case.get("after", "")
 
 
 def test_the_table_is_long_enough():
     assert len(WRONG) >= 60
-    assert len({spoilt(case) for case in WRONG} - {BASE}) == len(WRONG)
+    assert len({spoilt(case) for case in WRONG} - set(BASES.values())) == len(WRONG)
 
 
 def test_the_study_they_spoil_is_right(tmp_path, monkeypatch):
@@ -57,6 +106,7 @@ def test_wrong_study(case, tmp_path, monkeypatch, capsys):
     code = main(["run", "wrong.toml", "--output", "made/answer"])
     told = capsys.readouterr()
     sentence = case["sentence"].replace("{profiles}", ", ".join(CATALOGUE["profile"]))
+    sentence = sentence.replace("{problems}", ", ".join(CATALOGUE["problem"]))
     assert told.err == "winkler: " + "\n".join(f"wrong.toml: {line}" for line in sentence.split("\n")) + "\n"
     assert told.out == ""
     assert code == 2

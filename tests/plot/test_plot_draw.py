@@ -18,7 +18,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.plot import draw, style
 from winkler.plot.families import bar_picture, family_picture
-from winkler.plot.method import PICTURES, picture
+from winkler.plot.method import picture, pictures_of
 from winkler.plot.series import series
 from winkler.problems.indentation import Indentation
 from winkler.problems.yielding import YieldOnset
@@ -212,7 +212,7 @@ def test_stresses_that_are_not_known_are_refused_by_the_medium():
         picture("stress", solution)
 
 
-@pytest.mark.parametrize("name", PICTURES)
+@pytest.mark.parametrize("name", pictures_of(CONTACT))
 def test_every_picture_of_the_method(name, tmp_path):
     picture(name, CONTACT).savefig(tmp_path / "one.svg")
     assert (tmp_path / "one.svg").read_text(encoding="utf-8").startswith("<?xml")

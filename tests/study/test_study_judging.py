@@ -173,7 +173,14 @@ def test_cases_are_found_by_name_file_and_folder(tmp_path):
         case_files([str(tmp_path / "empty")])
 
 
-@pytest.mark.parametrize("path", case_files(), ids=lambda path: path.stem)
+LONG = {"coated_substrate_limit", "coated_winkler_paraboloid", "coated_winkler_punch", "depth_graded_soft_skin"}
+"""Contacts much wider than a layer, and a grading cut into hundreds of layers."""
+
+
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=[pytest.mark.slow] if path.stem in LONG else [], id=path.stem) for path in case_files()],
+)
 def test_every_case_of_the_package_passes(path):
     entry = examined(path)
     assert entry.failure == ""

@@ -15,9 +15,9 @@ from winkler.errors import InvalidInput
 from winkler.study.build import build, unbuild
 from winkler.study.canonical import canonical, digest
 from winkler.study.catalogue import CATALOGUE, REFUSED, kind_of, kinds, slot_of
-from winkler.study.explain import completed, example_study, keys_of, place_of
+from winkler.study.explain import completed, example_study, keys_of, place_of, table_at
 from winkler.study.reading import parse_study, study_text
-from winkler.study.schema import form, forms, hints
+from winkler.study.schema import form, forms, hints, options
 from winkler.study.study import Axis, Expectation, Fields, Output, Places, Study
 
 positive = st.floats(1e-12, 1e12)
@@ -37,7 +37,8 @@ def test_every_kind_comes_back(name):
 def test_a_form_has_the_keys_of_its_class(name):
     line = kinds()[name]
     fields = [field.name for field in dataclasses.fields(line.cls)]
-    known = [key for key in form(name).model_fields if key not in ("kind", "file", "peak")]
+    read = {"kind", "file", *options(line)} - set(fields)
+    known = [key for key in form(name).model_fields if key not in read]
     assert known == fields == list(hints(line.cls))
     assert {key.name for key in keys_of(name)} >= set(fields)
 
@@ -221,9 +222,7 @@ def test_equal_values_have_one_canonical_form():
 
 def test_examples_stand_where_they_are_said_to_stand():
     for name in kinds():
-        table = example_study(name)
-        for part in place_of(name).split("."):
-            table = table[part]
+        table = table_at(example_study(name), place_of(name))
         assert table["kind"] == name or f"'kind': '{name}'" in str(table)
     assert math.isclose(build(example_study("cone")["problem"]).bed.profile.half_angle, math.radians(70.3))
 

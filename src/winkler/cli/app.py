@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli import cite, draw, new, run, show, validate
+from winkler.cli import cite, draw, fit, new, run, show, validate
 
 __all__ = ["app"]
 
@@ -15,6 +15,8 @@ EXAMPLES = """Examples:
 winkler new indentation --profile cone  (writes a commented study)
 
 winkler run indentation.toml  (numbers, figures and a report in results/indentation)
+
+winkler fit gel.toml  (what measured force curves tell about a model)
 
 winkler show rounded_cone  (what a kind takes, with units and an example)
 """
@@ -51,6 +53,7 @@ def common(
 
 
 app.command()(run.run)
+app.command()(fit.fit)
 app.command()(show.show)
 app.command()(draw.draw)
 app.command()(new.new)

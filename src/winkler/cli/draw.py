@@ -17,6 +17,7 @@ PARTS = {
     "profile": "the shape alone: f(r) and g(x)",
     "bed": "the shape over its springs",
     "surface": "pressure and displacement of the surface; needs [fields] with r",
+    "medium": "a coated or graded solid from its surface down, and the stiffness of its springs",
     "stress": "the stress below the surface; needs [fields] with r and z",
     "curve": "force, radius and stiffness over the depth, of a load that is a list",
     "staircase": "the contact as a staircase of flat punches, after Jaeger",
@@ -44,7 +45,9 @@ def draw(
     Example: winkler draw examples/studies/hertz.toml --part stress --output stress.svg
     """
     from winkler.errors import InvalidInput, suggest
+    from winkler.fields import SubsurfaceFields
     from winkler.plot import draw as picture_of
+    from winkler.plot.stresses import mark_interfaces
     from winkler.study.reading import read_study
     from winkler.study.study import PICTURES
 
@@ -58,8 +61,11 @@ def draw(
         raise InvalidInput(f"draw: '{path}' does not end like a picture; give {known_endings}.")
     if path.exists() and not overwrite:
         raise InvalidInput(f"draw: '{path}' exists; add --overwrite to replace it, or give another file with --output.")
-    item = _item(_solved(read_study(study), point), part, load)
+    answer = _solved(read_study(study), point)
+    item = _item(answer, part, load)
     figure = picture_of(item)
+    if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
+        mark_interfaces(figure.axes[0], item, answer.problem.bed.medium)
     try:
         figure.savefig(path)
     except OSError as error:
@@ -87,6 +93,7 @@ def _solved(study: Any, point: int) -> Solved:
 def _item(answer: Solved, part: str, load: int) -> Any:
     """Return what is drawn: a part of the solved point."""
     from winkler.errors import InvalidInput
+    from winkler.foundation.measured import MeasuredBed
     from winkler.staircase import staircase
 
     bed = getattr(answer.problem, "bed", None)
@@ -94,10 +101,14 @@ def _item(answer: Solved, part: str, load: int) -> Any:
     if not -len(answer.each) <= load < len(answer.each):
         raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")
     match part:
-        case "profile" if shape is not None:
+        case "profile":
+            if shape is None:
+                raise InvalidInput("draw: this study has no profile; `--part bed` shows what it has.")
             return shape
         case "bed" if bed is not None:
             return bed
+        case "medium" if bed is not None:
+            return bed if isinstance(bed, MeasuredBed) else bed.medium
         case "curve":
             return answer.solution
         case "surface" | "stress":

@@ -12,7 +12,7 @@ import typer
 if TYPE_CHECKING:
     from winkler.study.outcome import Outcome
 
-__all__ = ["run"]
+__all__ = ["may_overwrite", "run"]
 
 MISSED = 1
 
@@ -48,7 +48,7 @@ def run(
     asked = read_study(study)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     if holds_results(folder) and not overwrite:
-        overwrite = _may_overwrite(folder)
+        overwrite = may_overwrite(folder)
     with placed(folder, overwrite=overwrite) as partial:
         points = solve_points(asked, workers=workers)
         watched = terminal.tracked(points, math.prod(asked.shape), hidden=quiet or as_json)
@@ -64,7 +64,7 @@ def run(
     return _code(outcome)
 
 
-def _may_overwrite(folder: Path) -> bool:
+def may_overwrite(folder: Path) -> bool:
     """Ask whether the results in `folder` may be replaced; refuse where nobody can answer."""
     import sys
 

@@ -113,7 +113,7 @@ def plain_numbers(content: Any) -> Any:
     return content
 
 
-def tracked(points: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
+def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solving") -> Iterator[T]:
     """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches."""
     if hidden or total < 2 or not sys.stderr.isatty():
         yield from points
@@ -122,4 +122,4 @@ def tracked(points: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
 
     bar = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*bar, console=console(stderr=True), transient=True) as progress:
-        yield from progress.track(points, total=total, description="solving")
+        yield from progress.track(points, total=total, description=doing)

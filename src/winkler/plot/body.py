@@ -92,6 +92,9 @@ def draw_contact(axes: Axes, solution: Restorable, extent: float) -> None:
     if pressed.radius > 0.0:
         edge = float(sunk(pressed, np.array([pressed.radius]))[0])
         _ring(axes, pressed.radius / extent, -edge * scaled, style.RED, 1.5)
+    if 0.0 < pressed.touching < pressed.radius:  # beyond it the surfaces only attract each other
+        edge = float(sunk(pressed, np.array([pressed.touching]))[0])
+        _ring(axes, pressed.touching / extent, -edge * scaled, style.RED, 0.8)
     _solid(axes, r / extent, f * scaled, lid * scaled)
     _finish(axes, extent, stretch)
 
@@ -117,8 +120,9 @@ def _tint(solution: Restorable, ground: Array) -> Array:
     colours = np.tile(np.array(to_rgb(style.SOLID)), (middle.size, 1))
     touched = middle < solution.pressed.radius
     if touched.any():
-        top = 2.0 * float(np.median(pressure[touched]))
-        colours[touched] = style.shades()(np.clip(pressure[touched] / top, 0.0, 1.0))[:, :3]
+        share = np.clip(pressure[touched] / (2.0 * float(np.median(np.abs(pressure[touched])))), -1.0, 1.0)
+        pushed, pulled = style.shades()(np.maximum(share, 0.0)), style.tensions()(np.maximum(-share, 0.0))
+        colours[touched] = np.where(share[:, None] >= 0.0, pushed, pulled)[:, :3]
     return colours
 
 

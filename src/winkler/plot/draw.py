@@ -13,9 +13,16 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, SurfaceFields
+from winkler.fitting.outcome import Fit
+from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
 from winkler.loading import Force
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.depth_graded import DepthGradedHalfSpace
+from winkler.media.graded import GradedHalfSpace
+from winkler.media.medium import Medium
 from winkler.plot import style
 from winkler.plot.body import draw_body, draw_contact
 from winkler.plot.curves import (
@@ -28,13 +35,21 @@ from winkler.plot.curves import (
     load_curves,
 )
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.method import headline
+from winkler.plot.fits import fit_picture
+from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness, is_varied, typical_width
+from winkler.plot.method import Contact, draw_bed_makeup, headline
 from winkler.plot.outline import draw_profile
 from winkler.plot.punches import draw_pressures, draw_steps
 from winkler.plot.series import told
+from winkler.plot.sheets import SHEETS, contact_sheet
 from winkler.plot.springs import at_first_touch, draw_springs
 from winkler.plot.stresses import draw_along, draw_field, draw_stress
+from winkler.problems.adhesive import AdhesiveSolution
+from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
+from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.pull_off import PullOffSolution
 from winkler.problems.yielding import YieldOnsetSolution
 from winkler.profiles.profile import Shape
 from winkler.staircase import Staircase
@@ -45,8 +60,8 @@ if TYPE_CHECKING:
 __all__ = ["draw"]
 
 DRAWN = (
-    "a profile, a Foundation or PlaneFoundation, a solution of Indentation or YieldOnset, restored fields, "
-    "or a Staircase"
+    "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated or graded half-space, a solution of "
+    "Indentation, YieldOnset or a problem of adhesion, restored fields, a Staircase, or a Fit"
 )
 CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
 
@@ -62,11 +77,18 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
 
         - a profile: the body in three dimensions, its height f(r) and its plane profile g(x)
         - ``Foundation``, ``PlaneFoundation``: the body, and its plane profile over the springs
+        - ``MeasuredBed``: the measured stiffness, and the springs that follow from it
+        - ``CoatedHalfSpace``, ``DepthGradedHalfSpace``, ``GradedHalfSpace``: Young's modulus from the surface down, and
+          the stiffness of the springs
         - a solution for one load: the body in its dent, the springs, their load q(x), the pressure p(r)
         - a solution for many loads: force, contact radius and stiffness over the depth
+        - a solution of ``AdhesiveIndentation`` for one load: the body in its dent, the springs, stretched at the edge,
+          the pressure, and the states of equilibrium around it; for many loads the curves over the depth
+        - solutions of ``Equilibrium``, ``AdhesiveCycle``, ``AdhesiveShear``, ``PullOff``: their curves, branches, jumps
         - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
         - ``SurfaceFields``, ``SubsurfaceFields``: what was restored
         - ``Staircase``: Jaeger's picture of flat punches
+        - a ``Fit``: the curve with its model, and the residuals
     extent : float, optional
         Distance from the axis up to which is drawn [m]; chosen to show what matters if left out.
 
@@ -118,7 +140,41 @@ def _bed(item: Any, *, extent: float | None = None) -> Picture:
         draw_body(left, item, end)
         draw_springs(right, at_first_touch(item), end)
         left.set_title(type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$")
-        right.set_title(f"springs of {told(float(item.normal_stiffness(np.zeros(1))[0]), 'Pa')} under $g(x)$")
+        right.set_title(f"springs {_stiffness_told(item, end)} under $g(x)$")
+    return figure
+
+
+def _stiffness_told(bed: Bed, end: float) -> str:
+    stiffness = np.asarray(bed.normal_stiffness(min(end, bed.reach) * np.linspace(0.01, 1.0, 65)), dtype=float)
+    if not is_varied(stiffness):
+        return f"of {told(float(stiffness[0]), 'Pa')}"
+    return f"of {told(float(stiffness[0]), 'Pa', 3)} (middle) to {told(float(stiffness[-1]), 'Pa', 3)}"
+
+
+@draw.register(MeasuredBed)
+def _measured(item: MeasuredBed, *, extent: float | None = None) -> Picture:
+    end = checked_extent(extent) or item.reach
+    with style.styled():
+        figure, (left, middle, right) = _sheet(3, width=3.9, height=3.3)
+        draw_bed_makeup(left, middle, item, end)
+        draw_springs(right, at_first_touch(item), end)
+        left.set_title("measured stiffness")
+        middle.set_title("its springs")
+        right.set_title("springs under $g(x)$")
+    return figure
+
+
+@draw.register(CoatedHalfSpace)
+@draw.register(DepthGradedHalfSpace)
+@draw.register(GradedHalfSpace)
+def _medium(item: Medium, *, extent: float | None = None) -> Picture:
+    end = checked_extent(extent) or typical_width(item)
+    with style.styled():
+        figure, (left, right) = _sheet(2, height=3.3)
+        draw_makeup(left, item, end)
+        draw_spring_stiffness(right, item, end)
+        left.set_title("the body, from its surface down")
+        right.set_title("stiffness of the springs")
     return figure
 
 
@@ -128,16 +184,26 @@ def _indentation(item: IndentationSolution, *, extent: float | None = None) -> P
 
 
 def _one_load(item: IndentationSolution, extent: float | None) -> Picture:
-    end = around(item.pressed, extent)
+    end, bed = around(item.pressed, extent), item.pressed.bed
+    measured = isinstance(bed, MeasuredBed)
     with style.styled():
         figure, panels = _sheet(2, 2, height=3.2)
-        draw_contact(panels[0], item, end)
         draw_springs(panels[1], item.pressed, end)
         draw_line_load(panels[2], item, end, float(item.force))
-        draw_pressure(panels[3], item, end, float(item.mean_pressure))
+        if isinstance(bed, MeasuredBed):
+            draw_stiffness(panels[0], bed, float(item.radius))
+            _force_curve(panels[3], item)
+        else:
+            draw_contact(panels[0], item, end)
+            draw_pressure(panels[3], item, end, float(item.mean_pressure))
         for axes, title in zip(
             panels,
-            ("the contact", "springs under $g(x) − d$", "load of the springs $q(x)$", "pressure $p(r)$"),
+            (
+                "measured stiffness" if measured else "the contact",
+                "springs under $g(x) − d$",
+                "load of the springs $q(x)$",
+                "force over depth" if measured else "pressure $p(r)$",
+            ),
             strict=True,
         ):
             axes.set_title(title)
@@ -145,19 +211,46 @@ def _one_load(item: IndentationSolution, extent: float | None) -> Picture:
     return figure
 
 
-def _many_loads(item: IndentationSolution, extent: float | None) -> Picture:
+def _force_curve(axes: Any, item: IndentationSolution) -> None:
+    """Draw F(d) up to a contact, and the contact itself as a point."""
+    if float(item.depth) <= 0.0:
+        style.note(axes, "no contact", where="upper centre")
+        return
+    curve = force_depth(item.pressed)
+    draw_curve(axes, curve, marker="")
+    across, upright = curve.along.scale.factor, curve.of.scale.factor
+    axes.plot([float(item.depth) / across], [float(item.force) / upright], "o", color=style.RED, clip_on=False)
+    axes.set_ylim(0.0, None)
+
+
+def _many_loads(item: Contact, extent: float | None) -> Picture:
     if extent is not None:
         raise InvalidInput(
             "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."
         )
     curves = load_curves(item)
     with style.styled():
-        figure, panels = _sheet(3, width=3.7)
+        figure, panels = _sheet(len(curves), width=3.7)
         for axes, (name, curve), colour in zip(panels, curves.items(), style.CYCLE, strict=False):
             draw_curve(axes, curve, colour)
             axes.set_ylim(min(0.0, axes.get_ylim()[0]) if np.min(curve.of.content) < 0.0 else 0.0, None)
             axes.set_title(f"{name.replace('radius', 'contact radius')} over depth")
     return figure
+
+
+@draw.register(AdhesiveSolution)
+def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Picture:
+    return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _many_loads(item, extent)
+
+
+@draw.register(EquilibriumCurve)
+@draw.register(AdhesiveCycleSolution)
+@draw.register(AdhesiveShearSolution)
+@draw.register(PullOffSolution)
+def _sticking(item: Any, *, extent: float | None = None) -> Picture:
+    if extent is not None:
+        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
+    return SHEETS[type(item)](item)
 
 
 @draw.register(YieldOnsetSolution)
@@ -235,3 +328,10 @@ def _stairs(item: Staircase, *, extent: float | None = None) -> Picture:
         left.set_title("a staircase of flat punches")
         right.set_title("their pressures add up")
     return figure
+
+
+@draw.register(Fit)
+def _fit(item: Fit, *, extent: float | None = None) -> Picture:
+    if extent is not None:
+        raise InvalidInput("draw: a Fit is drawn over all its positions; leave extent out.")
+    return fit_picture(item)

@@ -11,7 +11,17 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
 from winkler.numerics.types import Array
 
-__all__ = ["Outline", "around", "checked_extent", "is_singular", "marks_of", "solid_until", "sunk", "typical"]
+__all__ = [
+    "Outline",
+    "around",
+    "checked_extent",
+    "is_singular",
+    "is_torn",
+    "marks_of",
+    "solid_until",
+    "sunk",
+    "typical",
+]
 
 WIDER = 1.8
 """A picture of a contact goes to so many contact radii."""
@@ -87,17 +97,25 @@ def around(pressed: Pressed, extent: float | None) -> float:
 
 def marks_of(pressed: Pressed) -> tuple[float, ...]:
     """Return the places where the fields of a contact are not smooth [m]: its kinks and its edge."""
-    return (*(b for b, _ in pressed.bed.kinks), pressed.radius)
+    return (*(b for b, _ in pressed.bed.kinks), *{pressed.touching, pressed.radius})
 
 
 def is_singular(pressed: Pressed) -> bool:
-    """Return whether the pressure is infinite anywhere: at a sharp edge, at a kink, or under a pointed apex."""
+    """Return whether the pressure is infinite anywhere: at an edge, at a kink, or under a pointed apex."""
     if pressed.radius == 0.0:
         return False
-    if pressed.edge > 0.0 or any(strength != 0.0 for _, strength in pressed.kinks):
+    if pressed.edge > 0.0 or is_torn(pressed):
         return True
-    near, far = np.abs(pressed.bed.gap_slope(pressed.radius * np.array([1e-8, 1e-6])))
-    return bool(near > 0.5 * far > 0.0)
+    places = np.array([0.0, *(b for b, strength in pressed.kinks if strength != 0.0)])
+    return not bool(np.isfinite(pressed.bed.medium.pressure(pressed, places)).all())
+
+
+def is_torn(pressed: Pressed) -> bool:
+    """Return whether the edge pulls with a tension that is infinite: attraction without range.
+
+    Where a ring around the contact is pulled, the tension is finite.
+    """
+    return pressed.radius > 0.0 and pressed.edge < 0.0 and pressed.touching >= pressed.radius
 
 
 def sunk(pressed: Pressed, r: Array) -> Array:

@@ -34,7 +34,13 @@ def spans_decades(content: np.ndarray) -> bool:
 
 
 def draw_family(
-    axes: Axes, along: Sequence[Series], of: Sequence[Series], labels: Sequence[str], *, logarithmic: bool = True
+    axes: Axes,
+    along: Sequence[Series],
+    of: Sequence[Series],
+    labels: Sequence[str],
+    *,
+    logarithmic: bool = True,
+    ordered: bool = True,
 ) -> None:
     """Draw one curve for every pair of series.
 
@@ -48,6 +54,8 @@ def draw_family(
         One for each curve; empty for a single one.
     logarithmic : bool
         Whether axes whose values span decades are made logarithmic.
+    ordered : bool
+        Whether points are joined by their place along the axis; if not, in the order in which they are given.
     """
     steep = logarithmic and spans_decades(np.concatenate([one.content.ravel() for one in along]))
     steeper = steep and spans_decades(np.concatenate([one.content.ravel() for one in of]))
@@ -56,7 +64,7 @@ def draw_family(
     many = len(of) > TELLABLE
     for place, (x, y) in enumerate(zip(along, of, strict=True)):
         colour = style.shades()(0.15 + 0.85 * place / (len(of) - 1)) if many else style.CYCLE[place]
-        order = np.argsort(x.content, kind="stable")
+        order = np.argsort(x.content, kind="stable") if ordered else np.arange(x.content.size)
         axes.plot(
             x.shown(across)[order],
             y.shown(upright)[order],
@@ -115,7 +123,9 @@ def draw_bars(axes: Axes, names: Sequence[str], of: Series) -> None:
     axes.grid(visible=False, axis="y")
 
 
-def family_picture(along: Sequence[Series], of: Sequence[Series], labels: Sequence[str]) -> Picture:
+def family_picture(
+    along: Sequence[Series], of: Sequence[Series], labels: Sequence[str], *, ordered: bool = True
+) -> Picture:
     """Return a figure of one answer over one varied quantity.
 
     Parameters
@@ -124,11 +134,13 @@ def family_picture(along: Sequence[Series], of: Sequence[Series], labels: Sequen
         One pair for each curve.
     labels : sequence of str
         One for each curve; a legend is shown if there are several.
+    ordered : bool, optional
+        Whether points are joined by their place along the axis; if not, in the order in which they are given.
     """
     with style.styled():
         figure = style.figure(width=4.6, height=3.3 if len(labels) < 2 else 3.9)
         axes = figure.add_subplot()
-        draw_family(axes, along, of, labels)
+        draw_family(axes, along, of, labels, ordered=ordered)
         if len(labels) > 1:
             handles, told = axes.get_legend_handles_labels()
             figure.legend(handles, told, loc="outside lower center", ncols=1 if max(map(len, told)) > 28 else 2)

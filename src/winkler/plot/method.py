@@ -10,21 +10,44 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.foundation.measured import MeasuredBed
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.plot import style
+from winkler.plot.adhesive import intensity_told
 from winkler.plot.body import draw_contact
 from winkler.plot.curves import draw_curve, draw_line_load, draw_pressure, draw_surface, force_depth, surface
+from winkler.plot.equilibria import draw_around
 from winkler.plot.extent import around
+from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness
 from winkler.plot.series import series, told
 from winkler.plot.springs import draw_springs
 from winkler.plot.stresses import draw_stress
+from winkler.problems.adhesive import AdhesiveSolution
+from winkler.problems.edge_states import FarStates, states_of
 from winkler.problems.indentation import IndentationSolution
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from matplotlib.axes import Axes
+
     from winkler.plot.picture import Picture
 
-__all__ = ["PICTURES", "headline", "picture"]
+__all__ = [
+    "PICTURES",
+    "Contact",
+    "draw_bed_makeup",
+    "headline",
+    "line_load_of",
+    "picture",
+    "pictures_of",
+    "pressure_of",
+]
+
+
+Contact = IndentationSolution | AdhesiveSolution
+"""What the pictures show: a solution for one load."""
 
 
 def headline(solution: Any) -> str:
@@ -36,32 +59,81 @@ def headline(solution: Any) -> str:
     return "   ".join(parts)
 
 
-def shape(solution: IndentationSolution, extent: float | None = None) -> Picture:
+def shape(solution: Contact, extent: float | None = None) -> Picture:
     """Return the body in three dimensions, in its dent."""
     return _one(lambda axes, to: draw_contact(axes, solution, to), solution, extent)
 
 
-def springs(solution: IndentationSolution, extent: float | None = None) -> Picture:
+def springs(solution: Contact, extent: float | None = None) -> Picture:
     """Return the equivalent plane profile over its springs."""
     return _one(lambda axes, to: draw_springs(axes, solution.pressed, to), solution, extent)
 
 
-def line_load(solution: IndentationSolution, extent: float | None = None) -> Picture:
+def medium(solution: Contact, extent: float | None = None) -> Picture:
+    """Return how the solid changes with the depth, and how stiff that makes the springs."""
+    bed, radius = solution.pressed.bed, float(solution.radius)
+    to = around(solution.pressed, extent)
+    with style.styled():
+        figure = style.figure(2, height=3.3)
+        left, right = figure.subplots(1, 2)
+        draw_bed_makeup(left, right, bed, to, radius)
+    return figure
+
+
+def draw_bed_makeup(left: Axes, right: Axes, bed: Bed, to: float, radius: float = 0.0) -> None:
+    """Draw what a bed rests on: E(z), or the measured k(a), and the stiffness of the springs.
+
+    Parameters
+    ----------
+    left, right : Axes
+        Empty.
+    bed : Bed
+    to : float
+        Greatest x and, where the medium has no length of its own, depth [m].
+    radius : float
+        Radius of a contact [m], marked; zero for none.
+    """
+    if isinstance(bed, MeasuredBed):
+        draw_stiffness(left, bed, radius)
+        draw_spring_stiffness(right, bed.medium, min(to, bed.reach), radius)
+    else:
+        draw_makeup(left, bed.medium, to, radius)
+        draw_spring_stiffness(right, bed.medium, to, radius)
+
+
+def line_load(solution: Contact, extent: float | None = None) -> Picture:
     """Return q(x)."""
-    return _one(lambda axes, to: draw_line_load(axes, solution, to, float(solution.force)), solution, extent)
+    return _one(lambda axes, to: line_load_of(axes, solution, to), solution, extent)
 
 
-def pressure(solution: IndentationSolution, extent: float | None = None) -> Picture:
+def line_load_of(axes: Axes, solution: Contact, to: float) -> None:
+    """Draw q(x) of a contact, and what the area below it is."""
+    pull = 0.0
+    if isinstance(solution, AdhesiveSolution):
+        states = states_of(solution.problem.bed, solution.problem.law)
+        pull = states.pull if isinstance(states, FarStates) else 0.0
+    draw_line_load(axes, solution, to, float(solution.force), pull)
+
+
+def pressure(solution: Contact, extent: float | None = None) -> Picture:
     """Return p(r)."""
-    return _one(lambda axes, to: draw_pressure(axes, solution, to, float(solution.mean_pressure)), solution, extent)
+    return _one(lambda axes, to: pressure_of(axes, solution, to), solution, extent)
 
 
-def displacement(solution: IndentationSolution, extent: float | None = None) -> Picture:
+def pressure_of(axes: Axes, solution: Contact, to: float) -> None:
+    """Draw p(r) of a contact, with its mean, or with what the tension at its edge is."""
+    if isinstance(solution, AdhesiveSolution):
+        draw_pressure(axes, solution, to, remark=intensity_told(solution))
+    else:
+        draw_pressure(axes, solution, to, float(solution.mean_pressure))
+
+
+def displacement(solution: Contact, extent: float | None = None) -> Picture:
     """Return the displacement of the surface, inside and outside the contact."""
     return _one(lambda axes, to: draw_surface(axes, surface(solution, 1.5 * to)), solution, extent)
 
 
-def stress(solution: IndentationSolution, extent: float | None = None) -> Picture:
+def stress(solution: Contact, extent: float | None = None) -> Picture:
     """Return the map of the stress below the surface."""
     if solution.radius == 0.0:
         raise InvalidInput(
@@ -70,8 +142,11 @@ def stress(solution: IndentationSolution, extent: float | None = None) -> Pictur
     return _one(lambda axes, to: draw_stress(axes, solution, to, float(solution.radius)), solution, extent, width=5.0)
 
 
-def force(solution: IndentationSolution, extent: float | None = None) -> Picture:
-    """Return F(d) up to this load, and the load itself as a point."""
+def force(solution: Contact, extent: float | None = None) -> Picture:
+    """Return F(d) up to this load, or around it where the bodies stick, and the load itself as a point."""
+    if isinstance(solution, AdhesiveSolution):
+        stuck = solution
+        return _one(lambda axes, _: draw_around(axes, stuck), solution, extent)
     depth = float(solution.depth)
     if depth <= 0.0:
         raise InvalidInput(
@@ -93,6 +168,7 @@ def force(solution: IndentationSolution, extent: float | None = None) -> Picture
 
 PICTURES: dict[str, Callable[..., Picture]] = {
     "shape": shape,
+    "medium": medium,
     "springs": springs,
     "line_load": line_load,
     "pressure": pressure,
@@ -103,7 +179,13 @@ PICTURES: dict[str, Callable[..., Picture]] = {
 """Name -> function of a solution for one load; the order of the method."""
 
 
-def picture(name: str, solution: IndentationSolution, extent: float | None = None) -> Picture:
+def pictures_of(solution: Contact) -> tuple[str, ...]:
+    """Return the names of the pictures that have something to show: a homogeneous medium needs none of its own."""
+    homogeneous = isinstance(solution.pressed.bed.medium, HomogeneousMedium)
+    return tuple(name for name in PICTURES if not (name == "medium" and homogeneous))
+
+
+def picture(name: str, solution: Contact, extent: float | None = None) -> Picture:
     """Return one picture of the method.
 
     Parameters
@@ -123,9 +205,7 @@ def picture(name: str, solution: IndentationSolution, extent: float | None = Non
     return PICTURES[name](solution, extent)
 
 
-def _one(
-    paint: Callable[[Any, float], None], solution: IndentationSolution, extent: float | None, width: float = 4.6
-) -> Picture:
+def _one(paint: Callable[[Any, float], None], solution: Contact, extent: float | None, width: float = 4.6) -> Picture:
     with style.styled():
         figure = style.figure(width=width, height=3.3)
         paint(figure.add_subplot(), around(solution.pressed, extent))

@@ -129,7 +129,7 @@ def told(number: float, unit: str | None, digits: int = 4) -> str:
     ('186.6 µm', '0.3', '210 GPa')
     """
     scale = scale_of(unit, number)
-    text = f"{number / scale.factor:.{digits}g}".replace("-", "−")
+    text = f"{number / scale.factor:.{digits}g}".replace("-", "−").replace("inf", "∞")
     if "e" in text:
         mantissa, exponent = text.split("e")
         power = str(int(exponent.replace("−", "-"))).translate(SUPERSCRIPT)

@@ -10,6 +10,7 @@ from winkler.foundation.bed import Bed, Pressed
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import solid_until
+from winkler.plot.medium import OFF_AXIS, is_varied
 from winkler.plot.series import Scale, Series, places, scale_of, series
 
 if TYPE_CHECKING:
@@ -56,11 +57,17 @@ def draw_springs(axes: Axes, pressed: Pressed, extent: float) -> None:
     x, g = plane_profile(pressed.bed, extent)
     across = scale_of("m", [extent])
     drop = max(pressed.depth, 0.0)
+    pull = _pull(pressed)
+    moved = max(drop, pull)
     rise = float(np.max(g.content)) if g.content.size else 0.0
-    unit = max(drop, 0.45 * min(rise, 4.0 * drop) if drop > 0.0 else rise, 1e-3 * extent if rise == 0.0 else 0.0)
-    bottom = (-2.3 if drop > 0.0 else -1.2) * unit
+    unit = max(moved, 0.45 * min(rise, 4.0 * moved) if moved > 0.0 else rise, 1e-3 * extent if rise == 0.0 else 0.0)
+    bottom = (-2.3 if moved > 0.0 else -1.2) * unit
     top = min(1.05 * max(rise - pressed.depth, 0.0), 2.2 * unit) + (0.55 * unit if rise <= drop else 0.0)
     upright = scale_of("m", [unit])
+    if _uneven(pressed.bed, extent):
+        style.note(axes, "thicker springs are stiffer", where="upper left")
+    if pull > 0.0:
+        style.note(axes, "blue springs pull", where="lower left")
     _ground(axes, extent / across.factor, bottom / upright.factor, 0.16 * unit / upright.factor)
     _coils(axes, pressed, extent, bottom, across, upright)
     _profile(axes, pressed, (x.content, g.content), top, across, upright)
@@ -74,6 +81,14 @@ def draw_springs(axes: Axes, pressed: Pressed, extent: float) -> None:
     ticks = MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]).tick_values(-drop / upright.factor, top / upright.factor)
     axes.set_yticks([tick for tick in ticks if -1.02 * drop <= tick * upright.factor <= top])
     axes.grid(visible=False)
+
+
+def _pull(pressed: Pressed) -> float:
+    """Return how far springs are stretched at most [m]; zero where none is."""
+    if pressed.radius == 0.0:
+        return 0.0
+    x = np.append(places(pressed.radius, (*(b for b, _ in pressed.kinks), pressed.touching)), pressed.radius)
+    return max(-float(np.min(pressed.value(x))), 0.0)
 
 
 def _ground(axes: Axes, end: float, top: float, thick: float) -> None:
@@ -100,17 +115,31 @@ def _coils(axes: Axes, pressed: Pressed, extent: float, bottom: float, across: S
     touched = (place <= pressed.radius) & (pressed.radius > 0.0)
     squeezed = np.zeros(x.shape)
     squeezed[touched] = pressed.value(place[touched])
-    most = max(float(np.max(squeezed)), 1e-300)
-    for one, sunk, hit in zip(x, squeezed, touched, strict=True):
+    most = max(float(np.max(np.abs(squeezed))), 1e-300)
+    for one, sunk, hit, thick in zip(x, squeezed, touched, _thickness(pressed.bed, place), strict=True):
         height = -sunk - bottom
         rungs = np.concatenate([[0.0, 0.1], 0.1 + 0.8 * (np.arange(2 * COILS) + 0.5) / (2 * COILS), [0.9, 1.0]])
         side = np.concatenate([[0.0, 0.0], np.where(np.arange(2 * COILS) % 2 == 0, 1.0, -1.0), [0.0, 0.0]])
         line = np.stack(
             [(one + 0.32 * step * side) / across.factor, (bottom + rungs * height) / upright.factor], axis=-1
         )
-        colour = style.RED if hit else style.MUTED
-        strength = 0.55 + 0.45 * sunk / most if hit else 0.55
-        axes.add_collection(LineCollection([line], colors=colour, linewidths=1.0, alpha=strength, zorder=3))
+        colour = (style.RED if sunk >= 0.0 else style.BLUE) if hit else style.MUTED
+        strength = 0.55 + 0.45 * abs(sunk) / most if hit else 0.55
+        axes.add_collection(LineCollection([line], colors=colour, linewidths=thick, alpha=strength, zorder=3))
+
+
+def _thickness(bed: Bed, place: Array) -> Array:
+    """Return how thick springs are drawn: all alike, or by their stiffness where it varies."""
+    beside = np.clip(place, OFF_AXIS * np.max(place), bed.reach)
+    stiffness = np.asarray(bed.normal_stiffness(beside), dtype=float)
+    if not is_varied(stiffness):
+        return np.ones(place.shape)
+    rest = np.max(np.delete(stiffness, np.argmin(place)))  # that in the middle may be without bounds
+    return np.asarray(0.45 + 1.35 * np.minimum(stiffness / rest, 1.0))
+
+
+def _uneven(bed: Bed, extent: float) -> bool:
+    return is_varied(np.asarray(bed.normal_stiffness(min(extent, bed.reach) * np.linspace(0.1, 1.0, 9)), dtype=float))
 
 
 def _profile(
@@ -131,11 +160,12 @@ def _profile(
 
 
 def _dimensions(axes: Axes, pressed: Pressed, across: Scale, upright: Scale, bottom: float) -> None:
-    """Mark the contact radius and the depth."""
-    a, d = pressed.radius / across.factor, pressed.depth / upright.factor
+    """Mark the contact radius, that of a ring which is pulled, and the depth."""
+    a, d = pressed.touching / across.factor, pressed.depth / upright.factor
+    outer = pressed.radius / across.factor
     level = 0.86 * bottom / upright.factor
     edge = -float(pressed.edge) / upright.factor
-    for side in (-a, a):
+    for side in (-outer, outer):
         axes.plot(
             [side, side], [edge, bottom / upright.factor], color=style.INK, linewidth=0.8, linestyle=":", zorder=6
         )
@@ -143,6 +173,9 @@ def _dimensions(axes: Axes, pressed: Pressed, across: Scale, upright: Scale, bot
     axes.annotate("", (a, level), (0.0, level), arrowprops=arrow, zorder=7)
     box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.2}
     axes.text(0.5 * a, level, "$a$", ha="center", va="center", bbox=box, zorder=8)
+    if a < outer:  # a ring around the contact is pulled
+        axes.annotate("", (-outer, level), (0.0, level), arrowprops=arrow, zorder=7)
+        axes.text(-0.5 * outer, level, "$c$", ha="center", va="center", bbox=box, zorder=8)
     axes.annotate("", (0.0, -d), (0.0, 0.0), arrowprops=arrow, zorder=7)
     axes.text(0.05 * a, -0.45 * d, "$d$", ha="left", va="center", zorder=8)
 

@@ -7,22 +7,26 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fields import Restorable, SubsurfaceFields, peak_stress, restore
+from winkler.fields import PeakStress, Restorable, SubsurfaceFields, peak_stress, restore
 from winkler.materials.elastic import Rigid
+from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import is_singular
+from winkler.plot.medium import interfaces
 from winkler.plot.series import scale_of, series, told
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["draw_along", "draw_field", "draw_stress", "stressed_first"]
+__all__ = ["draw_along", "draw_field", "draw_stress", "mark_interfaces", "stressed_first"]
 
 ACROSS, DOWN = 57, 49
 DEEP = 2.0
 """Depth of the map in contact radii."""
 LEVELS = 20
+NEXT_TO = 1e-9
+"""How far beside an interface its two sides are shown, relative to its depth."""
 
 
 def stressed_first(solution: Restorable) -> bool:
@@ -53,14 +57,18 @@ def draw_stress(axes: Axes, solution: Restorable, extent: float, radius: float) 
     sign, corner = (1.0, "lower centre") if below else (-1.0, "upper centre")
     r = np.linspace(0.0, extent, ACROSS)
     # denser towards the surface; the last bit above zero is enough to stay off the poles of sharp edges
-    z = sign * DEEP * radius * (np.linspace(0.0, 1.0, DOWN) ** 1.6 + 1e-3)
-    fields = restore(solution, r[:, None], z[None, :])
+    z = DEEP * radius * (np.linspace(0.0, 1.0, DOWN) ** 1.6 + 1e-3)
+    borders = np.array([h for h in interfaces(solution.pressed.bed.medium) if below and h < z[-1]])
+    if borders.size:  # stresses jump there: one row of places on either side
+        z = np.unique(np.concatenate([z, borders * (1.0 - NEXT_TO), borders * (1.0 + NEXT_TO)]))
+    fields = restore(solution, r[:, None], sign * z[None, :])
     draw_field(axes, fields)
     across = scale_of("m", fields.r, fields.z)
+    mark_interfaces(axes, fields, solution.pressed.bed.medium)
     if is_singular(solution.pressed):
         style.note(axes, "infinite at a sharp edge, kink or tip", where=corner)
     else:
-        peak = peak_stress(solution, below=below)
+        peak = _peak(solution, fields, below=below)
         axes.plot(peak.r / across.factor, peak.z / across.factor, "+", color="white", markersize=9, markeredgewidth=1.8)
         where = f"at $z$ = {told(peak.z, 'm', 3)}" + (
             f", $r$ = {told(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""
@@ -68,6 +76,31 @@ def draw_stress(axes: Axes, solution: Restorable, extent: float, radius: float) 
         style.note(axes, f"greatest: {told(peak.von_mises, 'Pa')} {where}", where=corner)
     line = np.array([-radius, radius]) / across.factor
     axes.plot(line, np.zeros(2), color=style.RED, linewidth=3.0, clip_on=False, solid_capstyle="butt", zorder=8)
+
+
+def mark_interfaces(axes: Axes, fields: SubsurfaceFields, medium: Medium) -> None:
+    """Draw the interfaces of a coating into the map of a stress; nothing if there are none, or above the surface.
+
+    Parameters
+    ----------
+    axes : Axes
+        That of the map.
+    fields : SubsurfaceFields
+        What the map shows.
+    medium : Medium
+    """
+    across = scale_of("m", fields.r, fields.z)
+    for depth in interfaces(medium):
+        if depth < np.max(fields.z):
+            axes.axhline(depth / across.factor, color=style.INK, linewidth=0.9, linestyle=(0, (4, 2)), zorder=7)
+
+
+def _peak(solution: Restorable, fields: SubsurfaceFields, *, below: bool) -> PeakStress:
+    """Return the greatest stress: searched for where it is smooth, among the drawn places where layers make it jump."""
+    if not interfaces(solution.pressed.bed.medium):
+        return peak_stress(solution, below=below)
+    place = np.unravel_index(np.nanargmax(fields.von_mises), fields.r.shape)
+    return PeakStress(*(float(part[place]) for part in (fields.von_mises, fields.r, fields.z)))
 
 
 def draw_field(axes: Axes, fields: SubsurfaceFields) -> None:

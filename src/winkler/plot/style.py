@@ -32,6 +32,7 @@ __all__ = [
     "note",
     "shades",
     "styled",
+    "tensions",
 ]
 
 INK = "#22272e"
@@ -123,6 +124,13 @@ def shades() -> Colormap:
     from matplotlib import colormaps
 
     return colormaps["viridis_r"]
+
+
+def tensions() -> Colormap:
+    """Return the colour map of tension, beside that of pressure."""
+    from matplotlib import colormaps
+
+    return colormaps["Reds"]
 
 
 def framed_legend(axes: Axes, **options: Any) -> None:

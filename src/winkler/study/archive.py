@@ -5,6 +5,8 @@
     results.nc     every answer over the axes of the sweep, and every restored field; read it with xarray
     results.csv    one row per point and load: what was varied, then the answers; units in the header
     surface.csv    the fields on the surface, if [fields] asked for them
+    jumps.csv, branches.csv, limit.csv
+                   one row per jump of an adhesive cycle or curve, stable branch, or limit of a sheared contact
 
 All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only.
 """
@@ -20,6 +22,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study import keys
+from winkler.study.events import EVENTS, columns_of, found_in
 from winkler.study.outcome import Outcome, Solved
 from winkler.study.reading import study_text
 from winkler.vocabulary import Word, word
@@ -62,6 +65,9 @@ def write(outcome: Outcome, folder: Path) -> None:
     )
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)
+    for name in EVENTS:
+        if columns_of(outcome, name):
+            _write_events(outcome, name, folder / f"{name}.csv")
 
 
 def heading(name: str, told: Word) -> str:
@@ -101,6 +107,19 @@ def _write_surface(outcome: Outcome, path: Path) -> None:
     _write_rows(path, headings, rows())
 
 
+def _write_events(outcome: Outcome, name: str, path: Path) -> None:
+    headings = [heading(axis.key, _swept_word(outcome, axis.key)) for axis in outcome.study.sweep]
+    headings += [heading(one.name, one.word) for one in columns_of(outcome, name)]
+
+    def rows() -> Any:
+        for point, events in found_in(outcome, name):
+            settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
+            for event in events:
+                yield [*settings, *(one.content for one in event)]
+
+    _write_rows(path, headings, rows())
+
+
 def _swept_word(outcome: Outcome, key: str) -> Word:
     told = outcome.word(key)
     axis = next(axis for axis in outcome.study.sweep if axis.key == key)
@@ -123,7 +142,8 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     xarray.Dataset
         Dimensions: the keys of the sweep (``point`` if they vary together), ``load`` if points ask for many loads at
         once, ``r`` and ``z`` of restored fields (``r_over_a`` and ``z_over_a`` if they were given as multiples of the
-        contact radius; r and z then are coordinates).  NaN where a point has no answer.
+        contact radius; r and z then are coordinates), ``jumps``, ``branches`` or ``limit`` where answers have them.
+        NaN where a point has no answer.
     """
     import xarray
 
@@ -146,6 +166,7 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
             reasons[point.index] = point.reason
         variables["failure"] = (dims, reasons.astype(str), {"long_name": "why a point has no answer"})
     _add_fields(outcome, dims, variables, coords)
+    _add_events(outcome, dims, variables)
     return xarray.Dataset(variables, coords, _provenance(outcome))
 
 
@@ -184,6 +205,17 @@ def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
             free = f"field_{name}" if name in outcome.answers else name
             content = _stacked(outcome, of_point, name, loads)
             variables[free] = ((*outer, *inner), content, _attributes(word(owner, name)))
+
+
+def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any]) -> None:
+    for name in EVENTS:
+        found = found_in(outcome, name)
+        count = max((len(events) for _, events in found), default=0)
+        for place, one in enumerate(columns_of(outcome, name)):
+            content = np.full((*outcome.shape, count), np.nan)
+            for point, events in found:
+                content[point.index][: len(events)] = [event[place].content for event in events]
+            variables[f"{name}_{one.name}"] = ((*dims, name), content, _attributes(one.word))
 
 
 def _place_dims(

@@ -108,9 +108,13 @@ class _Target:
         """Return one value for the key."""
         from pydantic import BaseModel, ValidationError
 
-        from winkler.study import mistakes, schema
+        from winkler.study import mistakes, quantities, schema
 
         if self.is_number:
+            if self.field in quantities.ENDLESS and raw == quantities.INFINITE:
+                return float("inf")
+            if isinstance(raw, dict):  # a range stands for many values, here is place for one
+                raise InvalidInput(f'{where} is a table; give one quantity, such as "{quantities.sample(self.unit)}".')
             return float(self.numbers([raw], where)[0])
         try:
             content = schema.adapter(self.cls, self.field, self.hint).validate_python({"content": raw}).content

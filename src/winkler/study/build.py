@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import typing
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -145,11 +146,15 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
         return content
     if (cls.__name__, field) in quantities.INDEXED:
         return {"values": [float(number) for number in content]}
+    if (cls.__name__, field) in quantities.GRIDS:
+        return np.asarray(content, dtype=float).tolist()
     unit = word(cls.__name__, field).unit or ""
     if field in quantities.dependent(cls):
         unit = quantities.settled(
             unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
         )
+    if field in quantities.ENDLESS and math.isinf(content):
+        return quantities.INFINITE
     if isinstance(content, int | float):
         return written_number(float(content), unit)
     if isinstance(content, tuple) and all(dataclasses.is_dataclass(item) for item in content):

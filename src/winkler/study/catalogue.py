@@ -9,19 +9,38 @@ papers that the class stands on.
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
+from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
+from winkler.io.bed_table import read_bed
+from winkler.io.grading_table import read_grading
 from winkler.io.profile_table import read_profile
-from winkler.loading import Depth, Force, Radius
+from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.loading import Depth, Force, Radius, ShearForce, Shift
+from winkler.materials.depth_grading import (
+    DepthGrading,
+    ExponentialGrading,
+    SigmoidalGrading,
+    TabulatedGrading,
+)
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.graded import PowerLawGraded
+from winkler.materials.layered import Layer
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.depth_graded import DepthGradedHalfSpace
+from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesive_shear import AdhesiveShear
+from winkler.problems.equilibrium import Equilibrium
 from winkler.problems.indentation import Indentation
+from winkler.problems.pull_off import PullOff
 from winkler.problems.yielding import YieldOnset
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.composite import Sum
@@ -34,6 +53,7 @@ from winkler.profiles.conical import (
     TruncatedCone,
     Vickers,
 )
+from winkler.profiles.designed import Designed
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
@@ -52,8 +72,9 @@ class Kind(NamedTuple):
     cls: type
     example: dict[str, Any]
     cites: tuple[str, ...] = ()
-    reader: Callable[[Path], Any] | None = None
-    """Reads the value from the file that the key ``file`` names, in place of the other keys."""
+    reader: Callable[..., Any] | None = None
+    """Reads the value from the file that the key ``file`` names, in place of the other keys; its keyword-only
+    arguments are keys that go with the file."""
     within: dict[str, Any] | None = None
     """What an example study puts in its place, with the kind inside, where the kind alone would have no answer."""
 
@@ -61,7 +82,7 @@ class Kind(NamedTuple):
 def _kind(
     cls: type,
     *cites: str,
-    reader: Callable[[Path], Any] | None = None,
+    reader: Callable[..., Any] | None = None,
     within: dict[str, Any] | None = None,
     **example: Any,
 ) -> Kind:
@@ -76,6 +97,10 @@ WAVY_BALL = {
     ],
 }
 """A wave alone touches again at its next trough; on a ball it does not."""
+THERE_AND_BACK = [
+    {"from": "-5 nm", "to": "5 nm", "count": 41},
+    {"from": "5 nm", "to": "-5 nm", "count": 41},
+]
 STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
 
 CATALOGUE: dict[str, dict[str, Kind]] = {
@@ -121,6 +146,13 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
             radii={"from": "0 mm", "to": "1 mm", "count": 6},
             heights=["0 um", "2 um", "8 um", "18 um", "32 um", "50 um"],
         ),
+        "designed": _kind(
+            Designed,
+            "popov_hess_2015",
+            edges=["0 mm", "0.5 mm", "1 mm"],
+            slopes=[[0.025, 0.025], [0.075, 0.025]],
+            tolerance=1e-10,
+        ),
     },
     "solid": {
         "elastic": _kind(Elastic, young="210 GPa", poisson=0.3),
@@ -128,19 +160,65 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
         "transversely_isotropic": _kind(
             TransverselyIsotropic, c11="162 GPa", c12="92 GPa", c13="69 GPa", c33="181 GPa", c44="47 GPa"
         ),
+        "power_law_graded": _kind(
+            PowerLawGraded, "booker_1985", young="220 GPa", depth_scale="1 mm", exponent=0.15, poisson=0.25
+        ),
     },
     "medium": {
         "half_space": _kind(HalfSpace, "johnson_1985"),
         "transversely_isotropic_half_space": _kind(TransverselyIsotropicHalfSpace, "elliott_1949"),
+        "graded_half_space": _kind(GradedHalfSpace, "booker_1985", "giannakopoulos_suresh_1997", "hess_2016"),
+        "coated_half_space": _kind(CoatedHalfSpace, "barber_1974", "hayes_1972", "hess_2023"),
+        "depth_graded_half_space": _kind(DepthGradedHalfSpace, "barber_1974", "hess_2023", tolerance=1e-2),
+    },
+    "layer": {
+        "layer": _kind(Layer, solid={"kind": "elastic", "young": "450 GPa", "poisson": 0.25}, thickness="50 um"),
+    },
+    "grading": {
+        "exponential_grading": _kind(
+            ExponentialGrading, surface_young="380 GPa", deep_young="210 GPa", depth_scale="0.2 mm", poisson=0.3
+        ),
+        "sigmoidal_grading": _kind(
+            SigmoidalGrading,
+            surface_young="380 GPa",
+            deep_young="210 GPa",
+            transition_depth="0.2 mm",
+            transition_width="0.1 mm",
+            poisson=0.3,
+        ),
+        "tabulated_grading": _kind(
+            TabulatedGrading,
+            reader=read_grading,
+            depths=["0 mm", "0.1 mm", "0.3 mm", "0.6 mm"],
+            youngs=["380 GPa", "340 GPa", "240 GPa", "210 GPa"],
+            poissons=[0.24, 0.26, 0.29, 0.3],
+        ),
     },
     "bed": {
         "foundation": _kind(Foundation, "popov_hess_2015"),
         "plane_foundation": _kind(PlaneFoundation, "popov_hess_2015"),
+        "measured_bed": _kind(
+            MeasuredBed,
+            "barber_1974",
+            reader=read_bed,
+            radii={"from": "0.05 mm", "to": "0.3 mm", "count": 6},
+            stiffnesses={"from": "11.5 MN/m", "to": "69 MN/m", "count": 6},
+            depths=["0.25 um", "1 um", "2.25 um", "4 um", "6.25 um", "9 um"],
+        ),
+    },
+    "law": {
+        "short_range": _kind(ShortRange, "johnson_kendall_roberts_1971", work="50 mJ/m^2"),
+        "dugdale": _kind(Dugdale, "maugis_1992", work="50 mJ/m^2", strength="1 MPa"),
+        "derjaguin_muller_toporov": _kind(DerjaguinMullerToporov, "derjaguin_1975", work="50 mJ/m^2"),
     },
     "load": {
         "force": _kind(Force, force="100 N"),
         "depth": _kind(Depth, depth="5 um"),
         "radius": _kind(Radius, radius="0.1 mm"),
+    },
+    "lateral": {
+        "shift": _kind(Shift, shift="1 nm"),
+        "shear_force": _kind(ShearForce, shear_force="1 mN"),
     },
     "problem": {
         "indentation": _kind(Indentation, "popov_hess_2015", "galin_1946", "sneddon_1965", "jaeger_1995"),
@@ -150,11 +228,32 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
             "popov_hess_2015",
             bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
         ),
+        "adhesive_indentation": _kind(
+            AdhesiveIndentation, "popov_hess_2015", "johnson_kendall_roberts_1971", "maugis_1992"
+        ),
+        "pull_off": _kind(PullOff, "popov_hess_2015", "johnson_kendall_roberts_1971"),
+        "equilibrium": _kind(
+            Equilibrium, "popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007", reach="10 um", count=200
+        ),
+        "adhesive_cycle": _kind(
+            AdhesiveCycle,
+            "popov_hess_2015",
+            "johnson_kendall_roberts_1971",
+            "guduru_2007",
+            path={"kind": "depth", "depth": THERE_AND_BACK},
+        ),
+        "adhesive_shear": _kind(
+            AdhesiveShear,
+            "popov_hess_2015",
+            "savkoor_briggs_1977",
+            normal={"kind": "force", "force": "100 N"},
+            lateral={"kind": "shear_force", "shear_force": "1 mN"},
+        ),
     },
 }
 """Slot -> kind -> class; kinds are unique over all slots."""
 
-SLOTS: dict[Any, str] = {Profile: "profile", Medium: "medium", Bed: "bed"}
+SLOTS: dict[Any, str] = {Profile: "profile", Medium: "medium", Bed: "bed", DepthGrading: "grading"}
 """Protocol -> slot: what may stand where a class asks for this contract."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}

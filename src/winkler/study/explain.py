@@ -10,13 +10,16 @@ from typing import Any, NamedTuple
 
 from winkler.errors import InvalidInput
 from winkler.study import quantities
-from winkler.study.catalogue import CATALOGUE, kinds, slot_of
-from winkler.study.schema import allowed_kinds, hints, options
+from winkler.study.catalogue import kinds, slot_of
+from winkler.study.schema import allowed_in_list, allowed_kinds, hints, options
 from winkler.vocabulary import Word, word
 
-__all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary"]
+__all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary", "table_at"]
 
-GREEK = {"theta": "θ", "nu": "ν", "sigma": "σ", "lambda": "λ", "tau": "τ", "Delta": "Δ", "mu": "μ", "phi": "φ"}
+GREEK = {
+    "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ", "nu": "ν", "phi": "φ", "sigma": "σ", "tau": "τ",
+    "Delta": "Δ", "infty": "∞",
+}  # fmt: skip
 
 
 class Key(NamedTuple):
@@ -82,10 +85,11 @@ def keys_of(name: str) -> tuple[Key, ...]:
         meaning = "a file with the same content, beside the study, in place of the other keys"
         found.append(Key("file", Word("", None, meaning), "path", "", False))
         told = _parameters(line.reader)
-        for option in options(line):
-            found.append(
-                Key(option, Word("", None, "how the file is read"), "true or false", told.get(option, ""), False)
-            )
+        for option, hint in options(line).items():
+            if option not in fields:
+                how = Word("", None, "how the file is read") if hint is bool else word(line.cls.__name__, option)
+                how = how._replace(meaning=f"{how.meaning}; with a file only")
+                found.append(Key(option, how, _takes(line.cls, option, hint), told.get(option, ""), False))
     return tuple(found)
 
 
@@ -93,11 +97,13 @@ def _takes(cls: type, field: str, hint: Any) -> str:
     inner = typing.get_args(hint)
     if allowed_kinds(hint):
         return f"one of {', '.join(allowed_kinds(hint))}"
-    if inner and allowed_kinds(inner[0]):
-        return f"list of {slot_of(allowed_kinds(inner[0])[0])}s"
+    if allowed_in_list(hint):
+        return f"list of {slot_of(allowed_in_list(hint)[0])}s"
     if (cls.__name__, field) in quantities.INDEXED:
         units = [quantities.INDEXED[cls.__name__, field](place) or "-" for place in range(3)]
         return f"list of quantities [{', '.join(units)} ...]"
+    if (cls.__name__, field) in quantities.GRIDS:
+        return "list of lists of numbers"
     if hint is str:
         return "text"
     if hint in (int, bool):
@@ -107,7 +113,7 @@ def _takes(cls: type, field: str, hint: Any) -> str:
     unit = quantities.unit_of(cls, field)
     one = f"quantity [{unit}]" if unit else "number"
     if hint is float:
-        return one
+        return f'{one} or "{quantities.INFINITE}"' if field in quantities.ENDLESS else one
     return f"{one}, list or range" if float in inner and Ellipsis not in inner else f"list of {one}"
 
 
@@ -121,15 +127,21 @@ def completed(table: dict[str, Any]) -> dict[str, Any]:
     for field, hint in hints(line.cls).items():
         required = fields[field].default is fields[field].default_factory is dataclasses.MISSING
         content = given.get(field)
-        if isinstance(content, dict) and "kind" in content:
-            result[field] = completed(content)
-        elif content is not None:
-            result[field] = content
+        if content is not None:
+            result[field] = _completed(content)
         elif required and allowed_kinds(hint):
             result[field] = completed({"kind": allowed_kinds(hint)[0]})
+        elif required and allowed_in_list(hint):
+            result[field] = [completed({"kind": allowed_in_list(hint)[0]})]
         elif required:
             result[field] = quantities.sample(quantities.unit_of(line.cls, field) or "")
     return result
+
+
+def _completed(content: Any) -> Any:
+    if isinstance(content, list):
+        return [_completed(item) for item in content]
+    return completed(content) if isinstance(content, dict) and "kind" in content else content
 
 
 def place_of(name: str) -> str:
@@ -140,7 +152,15 @@ def place_of(name: str) -> str:
     if slot_of(name) == "problem":
         return "problem"
     holder, field = _holder(name)
-    return f"{place_of(holder)}.{field}"
+    number = "" if allowed_kinds(hints(kinds()[holder].cls)[field]) else ".0"
+    return f"{place_of(holder)}.{field}{number}"
+
+
+def table_at(table: Any, place: str) -> Any:
+    """Return what stands in a table at a key such as ``problem.bed.medium.layers.0``."""
+    for part in place.split("."):
+        table = table[int(part) if part.isdecimal() else part]
+    return table
 
 
 def _holder(name: str) -> tuple[str, str]:
@@ -149,7 +169,7 @@ def _holder(name: str) -> tuple[str, str]:
         (holder, field, _by_default(holder, field, name))
         for holder, line in kinds().items()
         for field, hint in hints(line.cls).items()
-        if slot_of(holder) != slot_of(name) and name in allowed_kinds(hint)
+        if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
     ]
     return next(((holder, field) for holder, field, default in found if default), found[0][:2])
 
@@ -170,7 +190,7 @@ def example_study(name: str, **chosen: str) -> dict[str, Any]:
         Other kinds to use, by slot: ``profile="cone"``; an empty text leaves the choice.
     """
     picks = {slot: kind for slot, kind in chosen.items() if kind} | {slot_of(name): name}
-    problem = picks.pop("problem", next(iter(CATALOGUE["problem"])))
+    problem = picks.pop("problem", "") or _problem_with(name)
     table = completed({"kind": problem})
     for kind in sorted(picks.values(), key=lambda kind: place_of(kind).count(".")):
         if not _placed(table, kind) and not (_placed(table, _holder(kind)[0]) and _placed(table, kind)):
@@ -178,14 +198,24 @@ def example_study(name: str, **chosen: str) -> dict[str, Any]:
     return {"title": f"{problem} ({name})".replace("_", " "), "problem": table}
 
 
+def _problem_with(name: str) -> str:
+    """Return the first problem that has a place for a kind."""
+    while slot_of(name) != "problem":
+        name = _holder(name)[0]
+    return name
+
+
 def _placed(table: dict[str, Any], kind: str) -> bool:
     """Put an example of `kind` where it may stand inside `table`; tell whether there was such a place."""
     holder = str(table["kind"])
-    places = [field for field, hint in hints(kinds()[holder].cls).items() if kind in allowed_kinds(hint)]
+    known = hints(kinds()[holder].cls)
+    places = [field for field, hint in known.items() if kind in (allowed_kinds(hint) or allowed_in_list(hint))]
     places.sort(key=lambda field: not _by_default(holder, field, kind))
     if places:
-        present = table.get(places[0])
-        if not isinstance(present, dict) or present["kind"] != kind:
-            table[places[0]] = completed(kinds()[kind].within or {"kind": kind})
+        present, listed = table.get(places[0]), not allowed_kinds(known[places[0]])
+        there = [item["kind"] for item in (present if isinstance(present, list) else [present]) if item]
+        if kind not in there:
+            example = completed(kinds()[kind].within or {"kind": kind})
+            table[places[0]] = [example] if listed else example
         return True
     return any(_placed(inside, kind) for inside in table.values() if isinstance(inside, dict) and "kind" in inside)

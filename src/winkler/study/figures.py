@@ -13,11 +13,20 @@ import numpy as np
 from winkler.errors import WinklerError
 from winkler.loading import Depth
 from winkler.numerics.types import Array
+from winkler.plot import draw
+from winkler.plot.adhesive import contact_of
 from winkler.plot.families import bar_picture, family_picture
-from winkler.plot.method import PICTURES
+from winkler.plot.method import PICTURES, Contact, pictures_of
 from winkler.plot.series import Series, spoken
+from winkler.plot.sheets import SHEETS
+from winkler.problems.adhesive import AdhesiveSolution
+from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
+from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.pull_off import PullOffSolution
 from winkler.study import keys
+from winkler.study.captions import CAPTIONS, SHOWN_WHOLE, STUCK
 from winkler.study.inputs import content_label, setting_told
 from winkler.study.outcome import Outcome, Solved
 from winkler.study.study import Axis, Study
@@ -25,34 +34,23 @@ from winkler.study.study import Axis, Study
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture
 
-__all__ = ["CAPTIONS", "Shown", "answers_over", "figures_of", "save", "shown_contact", "shown_point", "svg_element"]
+__all__ = [
+    "CAPTIONS",
+    "Shown",
+    "answers_over",
+    "drawn",
+    "figures_of",
+    "save",
+    "shown_contact",
+    "shown_point",
+    "svg_element",
+]
 
 MOST_CURVES = 24
 """More curves are not drawn into one figure; the table holds all."""
 MOST_BARS = 40
 
-CAPTIONS = {
-    "shape": (
-        "The body in three dimensions",
-        "Cut open, in the dent it makes; the contact is ringed in red, and the darker, the higher the pressure.",
-    ),
-    "springs": (
-        "The equivalent plane profile over its springs",
-        "Every spring under g(x) − d is compressed on its own; nothing else has to be solved.",
-    ),
-    "line_load": ("The load of the springs", "q(x), proportional to the compression; the area below it is the force."),
-    "pressure": ("The pressure", "p(r) of the three-dimensional contact, brought back from the springs."),
-    "displacement": (
-        "The surface",
-        "Displacement of the surface inside and outside the contact, and the distance of the surfaces.",
-    ),
-    "stress": (
-        "The stress below the surface",
-        "Equivalent stress after von Mises; where it is greatest, yielding begins.",
-    ),
-    "force": ("Force over depth", "F(d) from first touch to this load, the point."),
-}
-"""Picture of the method -> its title, and one sentence."""
+STICKING = (AdhesiveSolution, AdhesiveCycleSolution, AdhesiveShearSolution, EquilibriumCurve, PullOffSolution)
 
 
 class Shown(NamedTuple):
@@ -90,11 +88,13 @@ def shown_point(outcome: Outcome) -> Solved:
     return outcome.solved[-1]
 
 
-def shown_contact(point: Solved) -> IndentationSolution | None:
+def shown_contact(point: Solved) -> Contact | None:
     """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
     solution = point.each[-1]
     if isinstance(solution, IndentationSolution):
         return solution
+    if isinstance(solution, STICKING):
+        return contact_of(solution)
     bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
     if bed is None or not isinstance(depth, float):
         return None
@@ -105,15 +105,20 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     """Return every figure of a study, the answers over what was varied first."""
     found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
-    for name, make in PICTURES.items() if contact is not None else ():
+    wanted = pictures_of(contact) if contact is not None else ()
+    if type(shown_point(outcome).solution) in SHEETS:  # its own picture has F(d), along which the edge did come here
+        wanted = tuple(name for name in wanted if name != "force")
+    captions = CAPTIONS | (STUCK if isinstance(contact, AdhesiveSolution) else {})
+    for name, make in ((name, make) for name, make in PICTURES.items() if name in wanted):
         try:
-            found.append(_shown(name, *CAPTIONS[name], make(contact)))
+            found.append(drawn(name, *captions[name], make(contact)))
         except WinklerError as error:
-            found.append(Shown(name, *CAPTIONS[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
+            found.append(Shown(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
     return tuple(found)
 
 
-def _shown(name: str, title: str, sentence: str, picture: Picture) -> Shown:
+def drawn(name: str, title: str, sentence: str, picture: Picture) -> Shown:
+    """Return a figure with its text, laid out once for all formats."""
     store = io.BytesIO()
     picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
     picture.set_layout_engine("none")  # it is laid out now: what is saved afterwards need not do it again
@@ -127,8 +132,13 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer over what was varied; none if nothing was."""
     study = outcome.study
     columns = {column.name: column.content for column in outcome.table()}
+    yield from _sheets(outcome)
+    if any(isinstance(point.solution, EquilibriumCurve | AdhesiveCycleSolution) for point in outcome.solved):
+        yield from _side_by_side(outcome)
+        return
     if len(next(iter(columns.values()))) > len(outcome.points):
-        yield from _over_depth(outcome) if "depth" in columns else ()
+        over = "shift" if "shift" in columns else "depth"
+        yield from _over(outcome, over) if over in columns else ()
         return
     if len(outcome.points) < 2:
         return
@@ -149,7 +159,7 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
     for name, content in answers.items():
         of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
         picture = family_picture([x for _ in curves], of, [label for label, _ in curves])
-        yield _shown(f"answer_{name}", _capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
+        yield drawn(f"answer_{name}", _capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
 
 
 def _curves(study: Study, along: Axis) -> list[tuple[str, Any]]:
@@ -189,30 +199,71 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     for name, content in answers.items():
         of = Series(name, outcome.word(name), content.ravel()[:MOST_BARS])
         sentence = f"One bar for each that was varied.{cut}"
-        yield _shown(f"answer_{name}", _capital(spoken(name)), sentence, bar_picture(labels, of))
+        yield drawn(f"answer_{name}", _capital(spoken(name)), sentence, bar_picture(labels, of))
 
 
-def _over_depth(outcome: Outcome) -> Iterator[Shown]:
-    """Yield a figure for every answer to many loads over the depth, one curve for every point of the sweep."""
-    study = outcome.study
+def _sheets(outcome: Outcome) -> Iterator[Shown]:
+    """Yield the picture of an answer that is a curve by itself: of the last point."""
+    point = shown_point(outcome)
+    if type(point.solution) in SHEETS:
+        name, title, sentence = SHOWN_WHOLE[type(point.solution)]
+        where = settings_of(outcome, point)
+        sentence = f"{sentence} Shown is {where}." if where else sentence
+        try:
+            yield drawn(f"answer_{name}", title, sentence, draw(point.solution))
+        except WinklerError as error:
+            yield Shown(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
+
+
+def settings_of(outcome: Outcome, point: Solved) -> str:
+    """Return what was varied, at one point."""
+    pairs = zip(outcome.study.sweep, point.settings, strict=True)
+    return ", ".join(setting_told(outcome.study, axis, item) for axis, item in pairs)
+
+
+def _side_by_side(outcome: Outcome) -> Iterator[Shown]:
+    """Yield force and radius of cycles or curves of equilibria, one for every point of the sweep, in their order."""
     points = outcome.solved[:MOST_CURVES]
-    cut = (
-        f" The first {MOST_CURVES} of {len(outcome.solved)} curves are shown."
-        if len(outcome.solved) > MOST_CURVES
-        else ""
-    )
-    labels = [
-        ", ".join(setting_told(study, axis, item) for axis, item in zip(study.sweep, point.settings, strict=True))
-        for point in points
-    ]
+    if len(points) < 2:
+        return
+    answered, labels = [point.answers for point in points], [settings_of(outcome, point) for point in points]
+    name = "position" if "position" in outcome.answers else "depth"
+    along = [Series(name, outcome.word(name), answers[name]) for answers in answered]
+    for what in ("force", "radius"):
+        of = [Series(what, outcome.word(what), answers[what]) for answers in answered]
+        picture = family_picture(along, of, labels, ordered=False)
+        title = _capital(f"{spoken(what)} over {spoken(name)}")
+        yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
+
+
+def _cut(outcome: Outcome) -> str:
+    count = len(outcome.solved)
+    return f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
+
+
+def _over(outcome: Outcome, over: str) -> Iterator[Shown]:
+    """Yield a figure for every answer to many loads over one of them, one curve for every point of the sweep."""
+    points, cut = outcome.solved[:MOST_CURVES], _cut(outcome)
+    labels = [settings_of(outcome, point) for point in points]
     answered = [point.answers for point in points]
-    along = [Series("depth", outcome.word("depth"), answers["depth"]) for answers in answered]
-    for name in outcome.answers:
-        if name != "depth" and all(name in answers for answers in answered):
+    along = [Series(over, outcome.word(over), answers[over]) for answers in answered]
+    for name in _answers_worth(outcome):
+        if name != over and all(name in answers for answers in answered):
             of = [Series(name, outcome.word(name), answers[name]) for answers in answered]
             sentence = f"All loads that were asked at once.{cut}"
             picture = family_picture(along, of, labels)
-            yield _shown(f"answer_{name}", _capital(f"{spoken(name)} over depth"), sentence, picture)
+            yield drawn(f"answer_{name}", _capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
+
+
+def _answers_worth(outcome: Outcome) -> list[str]:
+    """Return the answers whose curves tell something: not those that say yes or no, or the same everywhere."""
+    found = []
+    for name in outcome.answers:
+        content = np.concatenate([point.answers[name] for point in outcome.solved if name in point.answers])
+        known = content[np.isfinite(content)]
+        if name != "stable" and known.size and np.ptp(known) > 1e-9 * np.max(np.abs(known)):
+            found.append(name)
+    return found
 
 
 # ------------------------------------------------------------------------------------------------------- files

@@ -5,9 +5,15 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
+from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale
+from winkler.media.coated import LayeredMedium
+from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesive_shear import AdhesiveShear
 from winkler.problems.yielding import YieldOnset
 
 __all__ = ["Formula", "formulas_of"]
@@ -75,8 +81,131 @@ MISES = Formula(
 ONSET = Formula("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
 
 
+TOP = Formula(
+    "The uppermost solid and the other body alone would act with the effective modulus",
+    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
+)
+COMPLIANCE = Formula(
+    "What lies below is felt by long waves of pressure: they move the surface by C per pressure",
+    r"C(\xi) = \frac{2}{E^*\xi}\left(1+M(\xi)\right)",
+)
+PUNCHES = Formula(
+    "From it follow the flat punches of every radius a",
+    r"\phi(x) + \int_0^a K(x,t)\,\phi(t)\,\mathrm{d}t = 1, \quad "
+    r"K(x,t) = \frac{2}{\pi}\int_0^\infty M\,\cos(\xi x)\,\cos(\xi t)\,\mathrm{d}\xi",
+)
+LAYERED_SPRINGS = Formula(
+    "and from these the springs, whose stiffness changes with x",
+    r"c_N(x) = E^*\,\phi(x;x)^2, \quad k(a) = 2E^*\int_0^a \phi\,\mathrm{d}x",
+)
+LAYERED_PROFILE = Formula(
+    "The shape f(r) becomes the equivalent plane profile g; h is that of a homogeneous half-space, and ϱ solves the "
+    "same equation with K(x, a) on the right",
+    r"g(a)\,\phi(a;a) = h(a) - \int_0^a \rho(x;a)\,h(x)\,\mathrm{d}x, \quad "
+    r"h(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
+)
+RINGED_FORCE = r"F_N = 2\int_0^c c_N\,u\,\mathrm{d}x, \quad u(x) = d-g(x) \;\; (x < a)"
+GRADED_SPRINGS = Formula(
+    "The modulus follows a power of the depth, and so does the stiffness of the springs",
+    r"E(z) = E_0\left(\frac{z}{c_0}\right)^k, \quad c_N(x) = E^*\left(\frac{x}{c_0}\right)^k, \quad "
+    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{h_1E_{0,1}} + \frac{1-\nu_2^2}{h_2E_{0,2}}",
+)
+GRADED_PROFILE = Formula(
+    "The shape f(r) becomes the equivalent plane profile (here k is the exponent)",
+    r"g(x) = x^{1-k}\int_0^x \frac{f'(r)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}r",
+)
+GRADED_PRESSURE = Formula(
+    "Flat punches of all radii add up to the pressure of the three-dimensional contact",
+    r"p(r) = \frac{E^*}{\pi c_0^k}\left[\int_r^a \frac{g'(x)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}x + "
+    r"\frac{d-g(a)}{(a^2-r^2)^{(1-k)/2}}\right]",
+)
+MEASURED = Formula(
+    "Stiffness and depth were measured at many contact radii; the springs follow from both",
+    r"k(a) = \frac{\mathrm{d}F}{\mathrm{d}d}, \quad c_N(x) = \frac{k'(x)}{2}, \quad g(a) = d",
+)
+VARIED = Formula(
+    "Every spring is compressed by d − g(x); the outermost just touches",
+    r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
+)
+VARIED_PINNED = Formula(
+    "Every spring is compressed by d − g(x), up to the rim where the contact is pinned",
+    r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
+)
+VARIED_FORCE = Formula(
+    "Their sum is the force; stiffness and energy follow",
+    r"F_N = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k = 2\int_0^a c_N\,\mathrm{d}x, \quad "
+    r"U = \int_0^a c_N\left(d-g\right)^2\,\mathrm{d}x",
+)
+SUPERPOSED = Formula(
+    "Flat punches of all radii x, with the pressure p₁ at unit depth, add up to that of the three-dimensional contact; "
+    "the load of the springs alone does not tell it",
+    r"p(r) = \int_r^a p_1(r;x)\,g'(x)\,\mathrm{d}x + p_1(r;a)\left(d-g(a)\right)",
+)
+STRESSES = MISES._replace(
+    says="Below the surface every layer carries its part of every wave; the equivalent stress after von Mises is"
+)
+STRETCHED = Formula(
+    "Springs of the stiffness c_N per length follow the profile also where they are stretched, up to the edge",
+    r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad s = g(a) - d > 0",
+)
+GRIFFITH = Formula(
+    "The edge is in balance where the energy that it sets free as it recedes pays for the surfaces that open",
+    r"\frac{c_N(a)\,s^2}{2\pi a} = w, \quad s(a) = \sqrt{\frac{2\pi a w}{c_N(a)}}, \quad d(a) = g(a)-s(a)",
+)
+STUCK_FORCE = Formula(
+    "Their sum is the force; so depth and force are known for every contact radius",
+    r"F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k(a) = 2\int_0^a c_N\,\mathrm{d}x",
+)
+RING = Formula(
+    "Around the contact, up to c, the surfaces attract each other with the stress of the law, which pulls the springs "
+    "there by (written for a homogeneous solid)",
+    r"u(x) = -\frac{2\sigma_0}{E^*}\sqrt{c^2-x^2}, \quad a < x < c, \quad "
+    r"d = g(a) - \frac{2\sigma_0}{E^*}\sqrt{c^2-a^2}",
+)
+RING_END = Formula(
+    "The ring ends where the surfaces stand apart as far as the attraction reaches", r"h(c) = \frac{w}{\sigma_0}"
+)
+FAR = Formula(
+    "Attraction from afar deforms nothing and adds to the pull; R is the radius of curvature at the apex",
+    r"d = g(a), \quad F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x - 2\pi R w",
+)
+STABLE = Formula(
+    "A state is stable on a machine of the stiffness k_m if it moves on as the contact grows; a dead load has k_m = 0, "
+    "fixed grips an infinite one",
+    r"\frac{\mathrm{d}}{\mathrm{d}a}\left(d + \frac{F_N}{k_m}\right) > 0",
+)
+LOST = Formula(
+    "Between jumps the machine's work is stored, but for what opening costs more than closing gained; in a jump all "
+    "that the potential falls by is lost",
+    r"\mathrm{d}W = F_N\,\mathrm{d}D, \quad D = d + \frac{F_N}{k_m}",
+)
+SHEARED = Formula(
+    "Normal and tangential springs pay for the surface together; the contact shrinks as it is sheared",
+    r"c_N(a)\,s^2 + c_T(a)\,u_x^2 = 2\pi a w, \quad F_x = 2u_x\int_0^a c_T\,\mathrm{d}x",
+)
+
+
+def _sticking(problem: Any) -> tuple[Formula, ...]:
+    """Return how springs, edge and force go together under the law of a problem."""
+    match problem.law:
+        case Dugdale():
+            found = [RING, RING_END, STUCK_FORCE._replace(latex=RINGED_FORCE)]
+        case DerjaguinMullerToporov():
+            found = [FAR]
+        case _ if isinstance(problem, AdhesiveShear):
+            return (STRETCHED, SHEARED, STUCK_FORCE)
+        case _:
+            found = [STRETCHED, GRIFFITH, STUCK_FORCE]
+    return (*found, STABLE, *([LOST] if isinstance(problem, AdhesiveCycle) else []))
+
+
+def _restored(problem: Any) -> tuple[Formula, ...]:
+    """Return how the fields on the surface follow in a homogeneous medium; under a ring they take other steps."""
+    return () if isinstance(problem.law, Dugdale) else (PRESSURE, SURFACE)
+
+
 def formulas_of(problem: Any) -> tuple[Formula, ...]:
-    """Return the formulas that answer a problem; none if its bed is not a row of springs over a homogeneous half-space.
+    """Return the formulas that answer a problem; none if its bed or medium is not among those that are known here.
 
     Parameters
     ----------
@@ -85,15 +214,23 @@ def formulas_of(problem: Any) -> tuple[Formula, ...]:
     """
     bed = getattr(problem, "bed", None)
     medium = getattr(bed, "medium", None)
-    if bed is None or not isinstance(medium, HomogeneousMedium):
+    if bed is None:
         return ()
-    found = [MODULUS]
-    if isinstance(medium, TransverselyIsotropicHalfSpace):
-        found.append(TRANSVERSE)
-    found.append(BACK if isinstance(bed, PlaneFoundation) else PLANE)
-    found += [PINNED if math.isfinite(bed.rim) else SPRINGS, FORCE, PRESSURE, SURFACE]
-    if isinstance(medium, HalfSpace):
-        found.append(MISES)
-    if isinstance(problem, YieldOnset):
-        found.append(ONSET)
-    return tuple(found)
+    pinned = math.isfinite(bed.rim)
+    sticks = hasattr(problem, "law")
+    varied = [*_sticking(problem)] if sticks else [VARIED_PINNED if pinned else VARIED, VARIED_FORCE]
+    onset = [ONSET] if isinstance(problem, YieldOnset) else []
+    if isinstance(medium, HomogeneousMedium):
+        found = [MODULUS, *([TRANSVERSE] if isinstance(medium, TransverselyIsotropicHalfSpace) else [])]
+        found.append(BACK if isinstance(bed, PlaneFoundation) else PLANE)
+        if sticks:
+            return (*found, *varied, *_restored(problem))
+        found += [PINNED if pinned else SPRINGS, FORCE, PRESSURE, SURFACE]
+        return (*found, *([MISES] if isinstance(medium, HalfSpace) else []), *onset)
+    if isinstance(bed, MeasuredBed):
+        return (MEASURED, *varied)
+    if isinstance(medium, GradedHalfSpace):
+        return (GRADED_SPRINGS, GRADED_PROFILE, *varied, GRADED_PRESSURE)
+    if isinstance(medium, LayeredMedium):
+        return (TOP, COMPLIANCE, PUNCHES, LAYERED_SPRINGS, LAYERED_PROFILE, *varied, SUPERPOSED, STRESSES, *onset)
+    return ()

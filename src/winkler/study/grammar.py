@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, Field, StrictBool, StrictStr, create_model
 from pydantic_core import PydanticCustomError
@@ -11,6 +11,7 @@ from pydantic_core import PydanticCustomError
 from winkler.errors import InvalidInput, suggest
 from winkler.study import quantities
 from winkler.study.catalogue import CATALOGUE
+from winkler.study.correcting import CORRECTIONS
 from winkler.study.quantities import WHERE, wrong
 from winkler.study.schema import FORBID, MISSING, choice, forms
 from winkler.study.study import Expectation, Places
@@ -23,6 +24,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "title": "one line for tables, figures and the report; the name of the file if left out",
         "problem": "what is asked: a table with a kind",
         "sweep": "keys of the problem that vary",
+        "fit": "measured curves, and which numbers of the problem they are to tell; for `winkler fit`",
         "fields": "where pressures, displacements and stresses are restored",
         "output": "what is written",
         "expect": "numbers that must come out, one [[expect]] each",
@@ -36,6 +38,22 @@ SECTIONS: dict[str, dict[str, str]] = {
     "fields": {
         "r": 'distances from the axis: lengths, or multiples of the contact radius a, as "2 a"; a list or a range',
         "z": "depths below the surface, positive in the first body; leave it out for surface fields only",
+    },
+    "fit": {
+        "curve": "a file, a folder or a pattern such as 'gel/*.csv', relative to the study",
+        "part": "approach, retract or both",
+        "free": "what is fitted: a table, one key of the problem or of the curve in each line",
+        "spring_constant": "of the cantilever, where the file does not tell it; taken in place of the file's",
+        "sensitivity": "deflection per volt, where the file holds a voltage",
+        "frame_stiffness": "of the frame of the machine, which gives way too",
+        "correct": "corrections in their order: a list of baseline, drift, drag, saturation",
+        "noise": "standard deviation of the force; read from the points out of contact if left out",
+    },
+    "fit.free": {
+        '"problem.bed.medium.first.young"': "a number of the problem: bounds as a list of two, a start, or true",
+        "contact_point": "where the curve first touches: the same",
+        "baseline": "force out of contact: the same",
+        "tilt": "change of the baseline with the position: the same",
     },
     "output": {
         "folder": "folder of the results; results/NAME if left out",
@@ -54,6 +72,9 @@ SECTIONS: dict[str, dict[str, str]] = {
     },
 }
 """Section -> key -> what it says."""
+
+
+PART: Any = Literal["approach", "retract", "both"]
 
 
 def places(raw: Any) -> Places:
@@ -78,6 +99,26 @@ def picture_formats(raw: Any) -> Any:
     if not isinstance(raw, list) or not all(isinstance(item, str) for item in raw):
         wrong(f'{WHERE} is {raw!r}; give a list of formats, such as ["svg", "png"].')
     return tuple(raw)
+
+
+def corrections(raw: Any) -> tuple[str, ...]:
+    """Refuse what is not a list of corrections."""
+    if not isinstance(raw, list) or not raw or not all(isinstance(item, str) for item in raw):
+        wrong(f'{WHERE} is {raw!r}; give a list of corrections in their order, such as ["drag", "baseline"].')
+    for item in raw:
+        if item not in CORRECTIONS:
+            wrong(f"{WHERE} asks for '{item}'{suggest(item, CORRECTIONS)}; there are {', '.join(CORRECTIONS)}.")
+    return tuple(raw)
+
+
+def _positive(unit: str) -> Any:
+    def check(raw: Any) -> float:
+        found = float(quantities.number(raw, unit))
+        if not found > 0.0:
+            wrong(f"{WHERE} is {raw!r}; it must be positive.")
+        return found
+
+    return Annotated[Any, BeforeValidator(check)]
 
 
 def _text(raw: Any) -> Any:
@@ -153,6 +194,18 @@ def study_form() -> type[BaseModel]:
         figures=(Annotated[Any, BeforeValidator(picture_formats)], MISSING),
         report=(StrictBool, MISSING),
     )
+    fit = create_model(
+        "fit",
+        __config__=FORBID,
+        curve=(StrictStr, ...),
+        part=(PART, ...),
+        free=(dict[str, Any], ...),
+        spring_constant=(_positive("N/m"), MISSING),
+        sensitivity=(_positive("m/V"), MISSING),
+        frame_stiffness=(_positive("N/m"), MISSING),
+        correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
+        noise=(_positive("N"), MISSING),
+    )
     expect = create_model(
         "expect",
         __config__=FORBID,
@@ -174,6 +227,7 @@ def study_form() -> type[BaseModel]:
         problem=(choice(tuple(CATALOGUE["problem"])), ...),
         sweep=(dict[str, Any], Field(default_factory=dict)),
         fields=(fields, MISSING),
+        fit=(fit, MISSING),
         output=(output, MISSING),
         expect=(list[expect], Field(default_factory=list)),  # type: ignore[valid-type]
     )

@@ -23,11 +23,17 @@ ROLES = {
     "plane_profile": "The equivalent plane profile g(x) is given directly: {a}.",
     "first": "The body below is {adjective}.",
     "second": "The body above is {adjective}.",
+    "layers": "The coating, from the surface down: {plain}.",
+    "on": "What carries them is {adjective}.",
+    "grading": "The body below is graded: {plain}.",
     "load": "Prescribed: {plain}.",
 }
 """What a part of a problem is called; other parts are told by their name."""
 
-GROUPS = {"first": "body below (z > 0)", "second": "body above (z < 0)"}
+GROUPS = {"first": "body below (z > 0)", "second": "body above (z < 0)", "on": "what carries the layers"}
+
+PARTS = {"layers": "layer"}
+"""What one of a list is called, where the name of the list is a plural."""
 
 LABELS = {"measured": "measured profile"}
 """Kinds that need another word to be part of a sentence."""
@@ -86,12 +92,17 @@ def _rows(content: Any, path: str, group: str, swept: dict[str, Axis]) -> Iterat
             yield Input(group, name, entry.symbol, f"varied: {_axis_told(swept[key], entry)}", entry.meaning)
         elif dataclasses.is_dataclass(inside):
             title = f"{GROUPS.get(field.name, name)}: {_label(inside)}"
+            if field.name == "solid":  # of a layer, whose number tells it from the others
+                title = f"{group}, {title}"
             below.append((inside, key, title))
             if not dataclasses.fields(inside):
                 yield Input(title, "", "", "nothing to give", entry.meaning)
         elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
             for number, item in enumerate(inside):
-                below.append((item, f"{key}.{number}", f"{name} {number + 1}: {_label(item)}"))
+                single = PARTS.get(field.name, name)
+                label = _label(item)
+                title = f"{single} {number + 1}" + (f": {label}" if label != single else "")
+                below.append((item, f"{key}.{number}", title))
         elif not _is_left_out(inside, field):
             yield Input(
                 group, name, entry.symbol, _content_told(content, field.name, inside, path, swept), entry.meaning
@@ -177,7 +188,8 @@ def in_words(study: Study) -> str:
     sentences = [summary(type(study.problem))]
     for path, role, content in _parts(study.problem, "problem"):
         known = ROLES.get(role, f"{role.replace('_', ' ').capitalize()}: {{plain}}.")
-        plain = "varied" if path in swept else _described(content, path, swept)
+        told_by = _listed if isinstance(content, tuple) else _described
+        plain = "varied" if path in swept else told_by(content, path, swept)
         article = "" if plain == "varied" else "an " if plain[:1] in "aeiou" else "a "
         sentences.append(known.format(a=f"{article}{plain}", adjective=plain, plain=plain))
     for axis in study.sweep:
@@ -193,12 +205,18 @@ def _parts(content: Any, path: str) -> Iterator[tuple[str, str, Any]]:
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
         key = f"{path}.{field.name}"
+        if isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
+            yield key, field.name, inside
         if not dataclasses.is_dataclass(inside):
             continue
         if field.name in ("bed", "medium"):
             yield from _parts(inside, key)
         else:
             yield key, field.name, inside
+
+
+def _listed(content: tuple[Any, ...], path: str, swept: set[str]) -> str:
+    return " + ".join(_described(item, f"{path}.{number}", swept) for number, item in enumerate(content))
 
 
 def _described(content: Any, path: str, swept: set[str]) -> str:
@@ -212,7 +230,7 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
         elif dataclasses.is_dataclass(inside):
             parts.append(_described(inside, key, swept))
         elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
-            parts.append(" + ".join(_described(item, f"{key}.{n}", swept) for n, item in enumerate(inside)))
+            parts.append(_listed(inside, key, swept))
         elif isinstance(inside, float | np.ndarray) and not _is_left_out(inside, field):
             name = _name(type(content).__name__, field.name)
             parts.append(f"{name} = {_content_told(content, field.name, inside, path, {})}")

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
+from winkler.laws.adhesion import ShortRange
 from winkler.vocabulary import Word, word
 
 __all__ = ["content_at", "label", "owner_at", "replaced", "word_at"]
@@ -77,7 +78,7 @@ def replaced(root: Any, key: str, content: Any) -> Any:
     """Return `root` with `content` at `key`; every value on the way is made anew, and so checked again."""
     for owner, place in reversed(_walk(root, key)):
         if dataclasses.is_dataclass(owner) and not isinstance(owner, type):
-            content = dataclasses.replace(owner, **{place: content})
+            content = _remade(owner, place, content)
         elif isinstance(owner, np.ndarray):
             changed = owner.copy()
             changed[place] = content
@@ -87,6 +88,16 @@ def replaced(root: Any, key: str, content: Any) -> Any:
             item = content if names is None else (names[place], content)
             content = (*owner[:place], item, *owner[place + 1 :])
     return content
+
+
+def _remade(owner: Any, field: str, content: Any) -> Any:
+    """Return a value with one field changed; the works of adhesion hang together, and `work` is that of opening."""
+    if not isinstance(owner, ShortRange):
+        return dataclasses.replace(owner, **{field: content})
+    if field == "work" and owner.work_closing == owner.work_opening:
+        return ShortRange(content)
+    pair = {"work_closing": owner.work_closing, "work_opening": owner.work_opening}
+    return ShortRange(**pair | {"work_opening" if field == "work" else field: content})
 
 
 def word_at(root: Any, key: str) -> Word:

@@ -18,7 +18,8 @@ TOKEN = re.compile(r"\\[A-Za-z]+|\\[,;! ]|\d+(?:\.\d+)?|[A-Za-z]|\S")
 
 LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "kappa": "κ", "lambda": "λ",
-    "mu": "μ", "nu": "ν", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "psi": "ψ", "omega": "ω",
+    "mu": "μ", "nu": "ν", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "xi": "ξ", "psi": "ψ",
+    "omega": "ω",
     "Delta": "Δ", "Gamma": "Γ", "Phi": "Φ", "Omega": "Ω", "infty": "∞", "partial": "∂",
 }  # fmt: skip
 SIGNS = {

@@ -85,7 +85,8 @@ def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
     if not isinstance(raw, Mapping):
         wrong(f'{WHERE} is {_shown(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
     if "kind" not in raw:
-        wrong(f"{WHERE} has no kind; add kind, one of {', '.join(allowed)}.")
+        add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
+        wrong(f"{WHERE} has no kind; add kind, {add}.")
     tag = raw["kind"]
     if tag in allowed:
         return raw
@@ -97,7 +98,8 @@ def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
         except ValueError as refusal:
             wrong(f"{WHERE}.kind is '{tag}': {refusal}")
     if tag in kinds():
-        wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; allowed here are {', '.join(allowed)}.")
+        here = f"allowed here are {', '.join(allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
+        wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; {here}.")
     return wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
 
 
@@ -122,7 +124,7 @@ def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
         case "model_attributes_type" | "model_type" | "dict_type" | "dataclass_type":
             return f"{key} is {_shown(given)}, not a table; write it as {{ key = value, ... }} or as [{key}]."
         case "list_type":
-            right = f"with two brackets, as [[{key}]]" if key == "expect" else "as [ ..., ... ]"
+            right = f"with two brackets, as [[{key}]]" if isinstance(given, Mapping) else "as [ ..., ... ]"
             return f"{key} is {_shown(given)}, not a list; write it {right}."
         case "string_type":
             return f'{key} is {_shown(given)}, not text; write it in quotes, as {name} = "...".'

@@ -32,6 +32,7 @@ from typing import Any
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
 from winkler.study import keys
 from winkler.study.study import Expectation, Study
@@ -48,13 +49,15 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
     Returns
     -------
     dict
-        Name -> float or array in SI units, in the order in which the class states them.
+        Name -> float or array in SI units, in the order in which the class states them.  Arrays that are not as long
+        as the first one are no rows of the answer, and left out; `winkler.study.events` has what they tell.
     """
     owner = type(solution)
     names = [field.name for field in dataclasses.fields(solution)]
     for base in reversed(owner.__mro__):
         names += [name for name, member in vars(base).items() if isinstance(member, property)]
     answers: dict[str, Quantity] = {}
+    rows: tuple[int, ...] | None = None
     for name in dict.fromkeys(names):
         if name.startswith("_"):
             continue
@@ -62,11 +65,19 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
             unit = word(owner.__name__, name).unit
         except KeyError:
             continue
-        content = getattr(solution, name) if unit is not None else None
-        if isinstance(content, int | float) and not isinstance(content, bool):
-            answers[name] = float(content)
-        elif isinstance(content, np.ndarray) and content.dtype.kind in "fiu":
-            answers[name] = np.asarray(content, dtype=float)
+        try:
+            content = getattr(solution, name) if unit is not None else None
+        except OutsideValidity:  # an answer that this medium does not have
+            continue
+        if isinstance(content, int | float):
+            answers[name] = float(content) + 0.0
+        elif (
+            isinstance(content, np.ndarray)
+            and content.dtype.kind in "bfiu"
+            and content.shape == (rows or content.shape)
+        ):
+            rows = content.shape
+            answers[name] = np.asarray(content, dtype=float) + 0.0  # no minus before a zero
     return answers
 
 

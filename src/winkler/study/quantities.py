@@ -21,13 +21,18 @@ from winkler.units import quantity, to_si
 from winkler.vocabulary import word
 
 __all__ = [
+    "ENDLESS",
+    "GRIDS",
     "INDEXED",
+    "INFINITE",
     "WHERE",
     "dependent",
     "either_file_or",
+    "grid",
     "indexed",
     "named",
     "number",
+    "number_or_infinite",
     "number_or_numbers",
     "numbers",
     "sample",
@@ -40,7 +45,16 @@ __all__ = [
 WHERE = "\x00"
 """Stands for the path of the key in a sentence."""
 
-SAMPLES = {"m": "10 mm", "Pa": "210 GPa", "N": "10 N", "rad": "70.3 deg", "N/m": "1 kN/m", "1/m": "1 1/mm", "J": "1 uJ"}
+SAMPLES = {
+    "m": "10 mm",
+    "Pa": "210 GPa",
+    "N": "10 N",
+    "rad": "70.3 deg",
+    "N/m": "1 kN/m",
+    "1/m": "1 1/mm",
+    "J": "1 uJ",
+    "J/m^2": "50 mJ/m^2",
+}
 """What a quantity of each unit may look like, for hints and examples."""
 
 RANGE = ("from", "to", "count", "spacing")
@@ -50,6 +64,15 @@ INDEXED: dict[tuple[str, str], Callable[[int], str]] = {
     ("AreaFunction", "coefficients"): lambda place: f"m^{2.0 - 2.0 ** (1 - place):g}" if place else "",
 }
 """Fields whose entries each have their own unit, by their place in the list."""
+
+
+GRIDS: frozenset[tuple[str, str]] = frozenset({("Designed", "slopes")})
+"""Fields that are tables of plain numbers, row by row."""
+
+
+INFINITE = "infinite"
+ENDLESS: frozenset[str] = frozenset({"machine_stiffness"})
+"""Fields that may be infinite, written as that word."""
 
 
 def wrong(sentence: str, *key: str) -> NoReturn:
@@ -125,7 +148,26 @@ def numbers(raw: Any, unit: str | None) -> Array:
         wrong(f'{WHERE} is {raw!r}; give a list, such as ["{one}"], or a range {{ from, to, count }}.')
     if not raw:
         wrong(f"{WHERE} is an empty list; give at least one quantity.")
-    return np.array([_inside(item, unit, f"[{place}]") for place, item in enumerate(raw)], dtype=float)
+    return np.concatenate([_stretch(item, unit, f"[{place}]") for place, item in enumerate(raw)])
+
+
+def _stretch(raw: Any, unit: str | None, below: str) -> Array:
+    """Return one entry of a list, a quantity or a range of them: there and back takes two ranges."""
+    if not isinstance(raw, dict):
+        return np.array([_inside(raw, unit, below)])
+    try:
+        return _range(raw, unit)
+    except PydanticCustomError as error:
+        wrong(str((error.context or {})["sentence"]).replace(WHERE, WHERE + below))
+
+
+def number_or_infinite(raw: Any, unit: str | None) -> Any:
+    """Return one quantity in SI units, or infinity for the word ``infinite``."""
+    if raw == INFINITE:
+        return float("inf")
+    if str(raw).strip().lower().startswith(("inf", "∞")):
+        wrong(f'{WHERE} is {raw!r}; write "{INFINITE}", or a quantity, such as "{sample(unit or "")}".')
+    return number(raw, unit)
 
 
 def number_or_numbers(raw: Any, unit: str | None) -> Any:
@@ -195,6 +237,14 @@ def indexed(raw: Any, units: Callable[[int], str]) -> Array:
     return np.array([_inside(item, units(place), f"[{place}]") for place, item in enumerate(raw)], dtype=float)
 
 
+def grid(raw: Any) -> Array:
+    """Return a table of plain numbers, given row by row in rows of one length."""
+    rows = raw if isinstance(raw, list) else []
+    if not rows or not all(isinstance(row, list) and row and len(row) == len(rows[0]) for row in rows):
+        wrong(f"{WHERE} is no table of numbers; give rows of one length, such as [[0.1, 0.2], [0.3, 0.4]].")
+    return np.array([[_inside(item, "", f"[{i}][{j}]") for j, item in enumerate(row)] for i, row in enumerate(rows)])
+
+
 def named(raw: Any) -> tuple[tuple[str, float], ...]:
     """Return a table of named constants, each a number or a quantity of any dimension, in SI units."""
     if not isinstance(raw, dict):
@@ -211,18 +261,37 @@ def named(raw: Any) -> tuple[tuple[str, float], ...]:
     return tuple(found)
 
 
-def either_file_or(raw: Any, *, required: list[str], options: tuple[str, ...]) -> Any:
-    """Refuse a table with a file and with the keys that the file stands for, or with neither."""
+def either_file_or(
+    raw: Any, *, required: list[str], others: list[str], options: tuple[str, ...], alone: tuple[str, ...]
+) -> Any:
+    """Refuse a table with a file and with keys that the file stands for, or with neither.
+
+    Parameters
+    ----------
+    raw
+        The table.
+    required, others
+        Keys of the class that must be given, and those that may.
+    options
+        What the reader of the file takes.
+    alone
+        Those of them that are no keys of the class.
+    """
     if not isinstance(raw, dict):
         return raw
     given = [key for key in required if key in raw]
-    if "file" in raw and given:
-        wrong(f"{WHERE} has both file and {given[0]}; give the file, or {' and '.join(required)}.")
-    if "file" not in raw:
-        for key in options:
-            if key in raw:
-                wrong(f"{WHERE}.{key} tells how a file is read, but there is no file; leave it out.")
-        if len(given) < len(required):
-            missing = next(key for key in required if key not in raw)
-            wrong(f"{WHERE} has no '{missing}'; give {' and '.join(required)}, or a file.")
+    listed = ", ".join(required[:-1]) + f" and {required[-1]}"
+    if "file" in raw:
+        if given:
+            wrong(f"{WHERE} has both file and {given[0]}; give the file, or {listed}.")
+        for key in others:
+            if key in raw and key not in options:
+                wrong(f"{WHERE} has both file and {key}, which the file tells; leave one of them out.")
+        return raw
+    for key in alone:
+        if key in raw:
+            wrong(f"{WHERE}.{key} tells how a file is read, but there is no file; leave it out.")
+    if len(given) < len(required):
+        missing = next(key for key in required if key not in raw)
+        wrong(f"{WHERE} has no '{missing}'; give {listed}, or a file.")
     return raw

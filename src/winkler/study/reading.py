@@ -16,7 +16,7 @@ from winkler.study.study import Expectation, Fields, Output, Places, Study
 if TYPE_CHECKING:
     from pydantic import BaseModel
 
-__all__ = ["parse_study", "read_study", "study_text"]
+__all__ = ["parse_study", "parsed", "read_study", "read_text", "study_text"]
 
 
 def read_study(path: str | Path) -> Study:
@@ -37,8 +37,19 @@ def read_study(path: str | Path) -> Study:
         With one sentence for every mistake: file, key, what it was, what is allowed.
     """
     path = Path(path)
+    return parse_study(read_text(path), file=path.name, folder=path.parent)
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a study file.
+
+    Raises
+    ------
+    InvalidInput
+        If it cannot be read.
+    """
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        return path.read_bytes().decode("utf-8-sig")
     except FileNotFoundError:
         near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
         told = f"; there are {', '.join(near)}" if near else ""
@@ -49,7 +60,6 @@ def read_study(path: str | Path) -> Study:
         raise InvalidInput(f"{path}: byte {error.start} is not UTF-8; save the study as UTF-8 text.") from None
     except OSError as error:
         raise InvalidInput(f"{path}: cannot be read ({error.strerror or error}); give a readable study file.") from None
-    return parse_study(text, file=path.name, folder=path.parent)
 
 
 def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
@@ -69,6 +79,21 @@ def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
     InvalidInput
         With one sentence for every mistake.
     """
+    raw = parsed(text, file)
+    if "fit" in raw:
+        told = f"winkler fit {file}" if file else "winkler fit"
+        raise InvalidInput(f"{_at(file)}the study has a section [fit]; `{told}` fits it.")
+    return _study(raw, file, folder)
+
+
+def parsed(text: str, file: str) -> dict[str, Any]:
+    """Return the tables of a study's TOML `text`; `file` is its name, for messages.
+
+    Raises
+    ------
+    InvalidInput
+        If it is not TOML, or empty.
+    """
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -77,7 +102,7 @@ def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
         raise InvalidInput(
             f"{_at(file)}the study is empty; it needs at least [problem], see `winkler new indentation`."
         )
-    return _study(raw, file, folder)
+    return raw
 
 
 def _at(file: str) -> str:

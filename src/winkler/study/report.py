@@ -7,8 +7,13 @@ paper.  Everything that a reader wrote is escaped.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from winkler.plot.series import told
+from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
+from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.equilibrium import EquilibriumCurve
+from winkler.problems.pull_off import PullOffSolution
 from winkler.study import figures
 from winkler.study.archive import CSV, NETCDF
 from winkler.study.citing import cite
@@ -21,7 +26,7 @@ from winkler.study.reading import study_text
 from winkler.study.tables import answered, asked, expected, failures, settings_told
 from winkler.validity import Note, Standing, worst
 
-__all__ = ["REPORT", "page", "write"]
+__all__ = ["REPORT", "figure_element", "framed", "page", "papers", "trust", "write"]
 
 REPORT = "report.html"
 
@@ -31,6 +36,14 @@ MEANINGS = {
     Standing.APPROXIMATE: "the error is stated",
     Standing.OUTSIDE: "not to be trusted",
 }
+
+OF_MANY: dict[type, str] = {
+    AdhesiveCycleSolution: "the widest contact of the cycle",
+    EquilibriumCurve: "the widest stable contact of the curve",
+    PullOffSolution: "the contact just before it comes apart",
+    AdhesiveShearSolution: "the contact under the last load, its springs along the surface left out",
+}
+"""Which contact is shown of an answer that holds many."""
 
 
 def write(outcome: Outcome, folder: Path) -> None:
@@ -62,7 +75,6 @@ def page(outcome: Outcome, shown: tuple[Shown, ...] | None = None) -> str:
     """
     study = outcome.study
     title = safe(study.title or outcome.provenance.source or "A study")
-    style = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
     pictures = figures_of(outcome) if shown is None else shown
     notes = outcome.validity
     body = [
@@ -73,14 +85,20 @@ def page(outcome: Outcome, shown: tuple[Shown, ...] | None = None) -> str:
         expected(outcome),
         _pictures(outcome, pictures),
         _formulas(outcome),
-        _trust(notes),
-        _papers(outcome),
+        trust(notes),
+        papers(outcome.study),
         _provenance(outcome),
     ]
+    return framed(title, outcome.provenance.version, body)
+
+
+def framed(title: str, version: str, body: list[str]) -> str:
+    """Return a whole page; `title` and `body` are escaped already."""
+    style = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f'<meta name="generator" content="winkler {safe(outcome.provenance.version)}">\n'
+        f'<meta name="generator" content="winkler {safe(version)}">\n'
         f"<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n"
         + "\n".join(body)
         + "\n</body>\n</html>\n"
@@ -108,9 +126,10 @@ def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
     method = [one for one in shown if one.of_method]
     parts = []
     if answers:
-        parts.append(section("The answers as curves", f'<div class="figures">{"".join(map(_figure, answers))}</div>'))
+        curves = "".join(map(figure_element, answers))
+        parts.append(section("The answers as curves", f'<div class="figures">{curves}</div>'))
     if method:
-        figures_ = "".join(map(_figure, method))
+        figures_ = "".join(map(figure_element, method))
         parts.append(section("The method in pictures", _which(outcome), f'<div class="figures">{figures_}</div>'))
     if shown_contact(shown_point(outcome)) is None:
         kind = type(shown_point(outcome).problem).__name__
@@ -125,12 +144,16 @@ def _which(outcome: Outcome) -> str:
     point = shown_point(outcome)
     contact = shown_contact(point)
     where = [settings_told(outcome, point.settings)] if outcome.study.sweep else []
+    which = OF_MANY.get(type(point.solution))
+    if which and contact is not None:
+        where.append(f"{which}, at a depth of {told(float(contact.depth), 'm')}")
     if len(point.each) > 1 and contact is not None:
         where.append(f"load {len(point.each)} of {len(point.each)}, a force of {told(float(contact.force), 'N')}")
     return f"<p>Shown is {safe('; '.join(where))}.</p>" if where else ""
 
 
-def _figure(one: Shown) -> str:
+def figure_element(one: Shown) -> str:
+    """Return a figure with its caption for a page."""
     caption = f"<figcaption><h3>{safe(one.title)}</h3><p>{safe(one.sentence)}</p></figcaption>"
     if one.picture is None:
         return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
@@ -151,7 +174,8 @@ def _formulas(outcome: Outcome) -> str:
     return section("The formulas", f'<ol class="formulas">{items}</ol>')
 
 
-def _trust(notes: tuple[Note, ...]) -> str:
+def trust(notes: tuple[Note, ...]) -> str:
+    """Return a section with every note, the worst first."""
     if not notes:
         return section("How far this can be trusted", "<p>The problem states nothing about its validity.</p>")
     order = list(Standing)
@@ -167,9 +191,10 @@ def _trust(notes: tuple[Note, ...]) -> str:
     )
 
 
-def _papers(outcome: Outcome) -> str:
+def papers(content: Any) -> str:
+    """Return a section with the papers that a problem or study stands on; nothing if there are none."""
     items = []
-    for paper in cite(outcome.study):
+    for paper in cite(content):
         text = safe(paper.text)
         if paper.doi:
             doi = safe(paper.doi)

@@ -15,7 +15,7 @@ from winkler.study.outcome import Failed, Outcome, Provenance, Solved, Verdict
 from winkler.study.study import Study
 from winkler.study.sweep import solve_points
 
-__all__ = ["gather", "run"]
+__all__ = ["ERRORS", "gather", "provenance", "run"]
 
 ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity)}
 
@@ -68,10 +68,12 @@ def gather(study: Study, points: Iterable[Solved | Failed], *, started: float, s
         first = next(point for point in found if isinstance(point, Failed))
         many = f"none of the {len(found)} points of the sweep has an answer; the first: " if len(found) > 1 else ""
         raise ERRORS.get(first.code, NotConverged)(many + first.reason)
-    return Outcome(study, tuple(found), tuple(verdicts), _provenance(study, time.perf_counter() - started, source))
+    made = provenance(digest(study), time.perf_counter() - started, source)
+    return Outcome(study, tuple(found), tuple(verdicts), made)
 
 
-def _provenance(study: Study, seconds: float, source: str) -> Provenance:
+def provenance(question: str, seconds: float, source: str) -> Provenance:
+    """Return what made numbers now; `question` is the hash of what was asked."""
     created = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
     packages = (("python", platform.python_version()), *((name, version(name)) for name in ("numpy", "scipy")))
-    return Provenance(version("winkler"), digest(study), created, seconds, packages, source)
+    return Provenance(version("winkler"), question, created, seconds, packages, source)

@@ -36,6 +36,7 @@ __all__ = [
     "FORBID",
     "MISSING",
     "adapter",
+    "allowed_in_list",
     "allowed_kinds",
     "choice",
     "form",
@@ -70,12 +71,17 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     TypeError
         If a study file cannot hold such a field.
     """
+    if hint in (int, bool, str):
+        return {int: StrictInt, bool: StrictBool, str: StrictStr}[hint]
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
     unit = quantities.unit_of(owner, field)
     if (owner.__name__, field) in quantities.INDEXED:
         return _checked(functools.partial(quantities.indexed, units=quantities.INDEXED[owner.__name__, field]))
+    if (owner.__name__, field) in quantities.GRIDS:
+        return _checked(quantities.grid)
     if hint is float:
-        return _checked(functools.partial(quantities.number, unit=unit))
+        taken = quantities.number_or_infinite if field in quantities.ENDLESS else quantities.number
+        return _checked(functools.partial(taken, unit=unit))
     if hint == Array:
         return _checked(functools.partial(quantities.numbers, unit=unit))
     if origin in (Union, types.UnionType) and set(inner) == {float, Array}:
@@ -84,8 +90,6 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
         return _checked(functools.partial(quantities.numbers, unit=unit))
     if hint == tuple[tuple[str, float], ...]:
         return _checked(quantities.named)
-    if hint in (int, bool, str):
-        return {int: StrictInt, bool: StrictBool, str: StrictStr}[hint]
     if origin is tuple and len(inner) == 2 and inner[1] is Ellipsis:
         return list[annotation(owner, field, inner[0])]  # type: ignore[misc]
     allowed = allowed_kinds(hint)
@@ -104,6 +108,13 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
     return tuple(name for name, line in kinds().items() if isinstance(hint, type) and issubclass(line.cls, hint))
 
 
+def allowed_in_list(hint: Any) -> tuple[str, ...]:
+    """Return the kinds that may stand in a list where a class asks for ``tuple[X, ...]``; none if it does not."""
+    inner = typing.get_args(hint)
+    listed = typing.get_origin(hint) is tuple and len(inner) == 2 and inner[1] is Ellipsis
+    return allowed_kinds(inner[0]) if listed else ()
+
+
 @functools.cache
 def hints(owner: type) -> dict[str, Any]:
     """Return field -> type of a dataclass, in the order of its fields."""
@@ -111,12 +122,12 @@ def hints(owner: type) -> dict[str, Any]:
     return {field.name: known[field.name] for field in dataclasses.fields(owner) if field.init}
 
 
-def options(line: Kind) -> tuple[str, ...]:
-    """Return the switches of a kind's reader: its keyword-only arguments."""
+def options(line: Kind) -> dict[str, Any]:
+    """Return name -> type of what a kind's reader takes beside the file: its keyword-only arguments."""
     if line.reader is None:
-        return ()
-    known = inspect.signature(line.reader).parameters.values()
-    return tuple(item.name for item in known if item.kind is inspect.Parameter.KEYWORD_ONLY)
+        return {}
+    known, types_ = inspect.signature(line.reader).parameters.values(), typing.get_type_hints(line.reader)
+    return {item.name: types_[item.name] for item in known if item.kind is inspect.Parameter.KEYWORD_ONLY}
 
 
 def _model(name: str, line: Kind) -> type[BaseModel]:
@@ -125,6 +136,7 @@ def _model(name: str, line: Kind) -> type[BaseModel]:
         for field in dataclasses.fields(line.cls)
         if field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
     ]
+    others = [field for field in hints(line.cls) if field not in required]
     keys: dict[str, Any] = {"kind": (Literal[name], ...)}
     for field, hint in hints(line.cls).items():
         optional = field not in required or line.reader is not None
@@ -132,8 +144,12 @@ def _model(name: str, line: Kind) -> type[BaseModel]:
     rules: dict[str, Any] = {}
     if line.reader is not None:
         keys["file"] = (StrictStr, MISSING)
-        keys |= dict.fromkeys(options(line), (StrictBool, MISSING))
-        either = functools.partial(quantities.either_file_or, required=list(required), options=options(line))
+        taken = options(line)
+        keys |= {option: (annotation(line.cls, option, hint), MISSING) for option, hint in taken.items()}
+        alone = tuple(option for option in taken if option not in hints(line.cls))
+        either = functools.partial(
+            quantities.either_file_or, required=required, others=others, options=tuple(taken), alone=alone
+        )
         rules["either"] = model_validator(mode="before")(either)
     depends = quantities.dependent(line.cls)
     if depends:

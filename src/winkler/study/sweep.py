@@ -10,10 +10,10 @@ import multiprocessing
 import os
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -24,7 +24,10 @@ from winkler.study.outcome import Failed, Solved, answers_of
 from winkler.study.study import Fields, Study
 from winkler.values import value
 
-__all__ = ["Task", "solve_points", "tasks"]
+__all__ = ["Task", "pooled", "solve_points", "tasks"]
+
+T = TypeVar("T")
+R = TypeVar("R")
 
 ONE_THREAD = (
     "OMP_NUM_THREADS",
@@ -111,19 +114,28 @@ def solve_points(study: Study, *, workers: int = 1) -> Iterator[Solved | Failed]
     if workers == 1 or len(todo) == 1:
         yield from map(solved, todo)
         return
+    yield from pooled(solved, todo, min(workers, len(todo)))
+
+
+def pooled(answer: Callable[[T], R], todo: list[T], workers: int) -> Iterator[R]:
+    """Yield ``answer(item)`` of every item, in their order, from so many processes with one thread each.
+
+    Raises
+    ------
+    InvalidInput
+        If a worker of another pool asks.
+    NotConverged
+        If a worker ends before its time.
+    """
     if getattr(multiprocessing.current_process(), "_inheriting", False):
         raise InvalidInput("workers: put the call of run(...) under `if __name__ == '__main__':`, as pools need it.")
-    yield from _pooled(todo, min(workers, len(todo)))
-
-
-def _pooled(todo: list[Task], workers: int) -> Iterator[Solved | Failed]:
     before = set(multiprocessing.active_children())
     pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), initializer=_left_alone)
     chunk = max(1, min(32, len(todo) // (8 * workers)))
     mine = set(before)
     try:
         with _quiet_start():
-            answers = pool.map(solved, todo, chunksize=chunk)
+            answers = pool.map(answer, todo, chunksize=chunk)
             mine = set(multiprocessing.active_children()) - before
         yield from answers
         pool.shutdown()

@@ -10,6 +10,7 @@ import numpy as np
 from winkler.plot.series import middle_scale, spoken, told
 from winkler.study import keys
 from winkler.study.archive import CSV
+from winkler.study.events import EVENTS, found_in
 from winkler.study.inputs import content_label, in_words, inputs, setting_told
 from winkler.study.markup import kept, number, safe, section, table
 from winkler.study.mathml import symbol
@@ -20,7 +21,7 @@ __all__ = ["answered", "asked", "expected", "failures", "settings_told"]
 
 ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
-CARDS = ("force", "depth", "radius", "stiffness")
+CARDS = ("force", "depth", "radius", "stiffness", "shift", "shear_force")
 """What stands in large letters at the top, if it was answered."""
 
 
@@ -45,11 +46,40 @@ def answered(outcome: Outcome) -> str:
     columns = outcome.table()
     rows = len(columns[0].content)
     if rows == 1:
-        return section("What came out", _cards(outcome), _single(columns))
+        return section("What came out", _cards(outcome), _single(columns), _events(outcome))
     cut = ""
     if rows > ROWS:
         cut = f"<p class='small'>{rows} rows, of which the first and last {ROWS // 2} are shown; {CSV} holds all.</p>"
-    return section("What came out", _many(columns, outcome), cut)
+    return section("What came out", _many(columns, outcome), cut, _events(outcome))
+
+
+def _events(outcome: Outcome) -> str:
+    """Return the tables of jumps, branches and limits; nothing if there are none."""
+    parts = []
+    for name, title in EVENTS.items():
+        found = found_in(outcome, name)
+        rows = [[*event] for _, events in found for event in events]
+        where = [settings_told(outcome, point.settings) for point, events in found for _ in events]
+        if not rows:
+            continue
+        scales = [
+            middle_scale(column[0].word.unit, [one.content for one in column]) for column in zip(*rows, strict=True)
+        ]
+        swept = ["point"] if outcome.study.sweep else []
+        heads = [
+            f"#{safe(one.name.replace('_', ' '))}" + (f"<br>[{safe(scale.unit)}]" if scale.unit else "")
+            for one, scale in zip(rows[0], scales, strict=True)
+        ]
+        lines = [
+            "<tr>"
+            + (f"<td>{safe(told_by)}</td>" if swept else "")
+            + "".join(_cell(one.content, scale.factor) for one, scale in zip(row, scales, strict=True))
+            + "</tr>"
+            for row, told_by in zip(rows[:ROWS], where, strict=False)
+        ]
+        more = f"<p class='small'>… and {len(rows) - ROWS} more; {name}.csv holds all.</p>" if len(rows) > ROWS else ""
+        parts.append(f"<h3>{safe(title)}</h3>{table([*swept, *heads], lines)}{more}")
+    return "".join(parts)
 
 
 def _cards(outcome: Outcome) -> str:

@@ -6,8 +6,9 @@ import json
 from typing import Any
 
 from winkler.study.catalogue import kinds, slot_of
-from winkler.study.explain import Key, example_study, keys_of, place_of, plain_symbol, summary
+from winkler.study.explain import Key, example_study, keys_of, place_of, plain_symbol, summary, table_at
 from winkler.study.quantities import sample
+from winkler.study.schema import hints
 
 __all__ = ["example_text", "inline", "template", "whole_text"]
 
@@ -16,14 +17,17 @@ WIDTH = 44
 SWEEP = {
     "force": '"problem.load.force" = { from = "1 N", to = "100 N", count = 9, spacing = "log" }',
     "depth": '"problem.load.depth" = { from = "1 um", to = "5 um", count = 9 }',
+    "law": '"problem.law.work" = ["20 mJ/m^2", "50 mJ/m^2", "100 mJ/m^2"]',
     "radius": '"problem.load.radius" = { from = "0.02 mm", to = "0.1 mm", count = 9 }',
 }
 
-TAIL = """
+FIELDS = """
 # [fields]                                  # fields to restore, in lengths or in contact radii a
 # r = {{ from = "0 a", to = "3 a", count = 61 }}
 # z = {{ from = "0.05 a", to = "3 a", count = 41 }}  # below the surface; leave it out for surface fields only
+"""
 
+OUTPUT = """
 # [output]
 # folder = "results/{name}"
 # figures = ["svg", "png"]
@@ -56,19 +60,30 @@ def _line(text: str, comment: str) -> str:
     return f"{text:<{WIDTH - 2}}  # {comment}" if comment else text
 
 
+def _heading(place: str) -> str:
+    """Return what stands above the table at a key; parts of lists have two brackets, and no number."""
+    path = ".".join(part for part in place.split(".") if not part.isdecimal())
+    return f"[[{path}]]" if place.rpartition(".")[2].isdecimal() else f"[{path}]"
+
+
 def _section(place: str, table: dict[str, Any]) -> list[str]:
     """Return the lines of one kind and of those inside it."""
     name = str(table["kind"])
-    lines = ["", _line(f"[{place}]", summary(kinds()[name].cls)), f"kind = {inline(name)}"]
+    lines = ["", _line(_heading(place), summary(kinds()[name].cls)), f"kind = {inline(name)}"]
     below: list[str] = []
     for key in keys_of(name):
         content = table.get(key.name)
         if isinstance(content, dict) and "kind" in content:
             below += _section(f"{place}.{key.name}", content)
+        elif isinstance(content, list) and all(isinstance(item, dict) and "kind" in item for item in content):
+            for number, item in enumerate(content):
+                below += _section(f"{place}.{key.name}.{number}", item)
         elif content is not None:
             lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
-        elif key.word.unit is not None and not key.required:
-            lines.append(_line(f"# {key.name} = {inline(sample(key.word.unit))}", f"{_comment(key)} (optional)"))
+        elif key.word.unit is not None and not key.required and key.name in hints(kinds()[name].cls):
+            such = sample(key.word.unit)
+            text = f"# {key.name} = {inline(such) if key.word.unit else such}"
+            lines.append(_line(text, f"{_comment(key)} (optional)"))
     return lines + below
 
 
@@ -86,7 +101,7 @@ def template(name: str, *, file: str = "study", **chosen: str) -> str:
     """
     table = example_study(name, **chosen)
     used = table["problem"]
-    load = used.get("load", {}).get("kind", "")
+    varied = used["load"]["kind"] if "load" in used else "law" if "law" in used else ""
     head = [
         f"# Run it:            winkler run {file}.toml",
         f"# What a kind takes: winkler show {name}",
@@ -94,7 +109,11 @@ def template(name: str, *, file: str = "study", **chosen: str) -> str:
         "",
         f"title = {inline(table['title'])}",
     ]
-    tail = ["", "# [sweep]", f"# {SWEEP[load]}", TAIL.format(name=file).rstrip("\n")] if load in SWEEP else []
+    tail = []
+    if varied in SWEEP:
+        tail = ["", "# [sweep]", f"# {SWEEP[varied]}"]
+        tail += [FIELDS.rstrip("\n").format()] if "load" in used else []  # only one load has fields to restore
+        tail += [OUTPUT.format(name=file).rstrip("\n")]
     return "\n".join([*head, *_section("problem", used), *tail]) + "\n"
 
 
@@ -107,9 +126,6 @@ def whole_text(name: str) -> str:
 def example_text(name: str) -> str:
     """Return the part of a study file that describes an example of a kind."""
     place = place_of(name)
-    table: Any = example_study(name)
-    for part in place.split("."):
-        table = table[part]
-    lines = _section(place, table)
+    lines = _section(place, table_at(example_study(name), place))
     title = [f'title = "{name.replace("_", " ")}"'] if slot_of(name) == "problem" else []
     return "\n".join([*title, *lines]).strip() + "\n"

@@ -15,10 +15,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.study.outcome import Outcome
+from winkler.study.outcome import Outcome, Provenance
 from winkler.study.reading import study_text
 
-__all__ = ["PROVENANCE", "holds_results", "placed", "write_outcome"]
+__all__ = ["PROVENANCE", "holds_results", "placed", "write_outcome", "write_provenance"]
 
 PROVENANCE = "provenance.json"
 """Marks a folder of results, and lists its files."""
@@ -37,7 +37,11 @@ def write_outcome(outcome: Outcome, folder: Path) -> None:
     if outcome.study.output.report or outcome.study.output.figures:
         write_report(outcome, folder)
     (folder / "study.toml").write_text(study_text(outcome.study), encoding="utf-8")
-    made = outcome.provenance
+    write_provenance(outcome.provenance, folder)
+
+
+def write_provenance(made: Provenance, folder: Path) -> None:
+    """Write provenance.json, with a list of everything that already lies in `folder`."""
     content = {
         "program": "winkler",
         "version": made.version,

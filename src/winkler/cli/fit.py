@@ -1,0 +1,184 @@
+"""``winkler fit``: fit measured curves, and write what they tell."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from winkler.study.fit_outcome import FitOutcome
+
+__all__ = ["fit"]
+
+SHOWN = 24
+"""Longer tables are cut."""
+
+
+def fit(
+    study: Annotated[Path, typer.Argument(help="A study file (TOML) with [fit].", show_default=False)],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study says another one."),
+    ] = None,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", "--yes", "-y", help="Replace results of an earlier run without asking.")
+    ] = False,
+    workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show nothing but errors.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Show the answers as JSON.")] = False,
+) -> int:
+    """Fit numbers of a model to one curve, a batch of files, or a force map.
+
+    The results are written whole or not at all; after Ctrl-C with what was fitted so far. If curves have no answer, the
+    exit code is that of the first one.
+
+    Example: winkler fit examples/studies/fit_gel.toml --output results/gel
+    """
+    from winkler.cli import terminal
+    from winkler.cli.run import may_overwrite
+    from winkler.errors import Interrupted, WinklerError
+    from winkler.study.fit_reading import read_fit_study
+    from winkler.study.fit_run import fit_curves, gather_fits, pieces
+    from winkler.study.fit_writing import write_fits
+    from winkler.study.writing import holds_results, placed
+
+    started = time.perf_counter()
+    asked = read_fit_study(study)
+    folder = output or Path(asked.output.folder or Path("results") / study.stem)
+    if holds_results(folder) and not overwrite:
+        overwrite = may_overwrite(folder)
+    results: list[Any] = []
+    done = 0
+    with placed(folder, overwrite=overwrite) as partial:
+        todo = pieces(asked)
+        stream = fit_curves(asked, todo, workers=workers)
+        try:
+            for many in terminal.tracked(stream, len(todo), hidden=quiet or as_json, doing="fitting"):
+                results += many
+                done += 1
+        except KeyboardInterrupt:
+            if not results:
+                raise
+        left = len(todo) - done
+        try:
+            outcome = gather_fits(asked, results, started=started, source=study.name, left=left)
+        except WinklerError as error:
+            raise type(error)(f"{study.name}: {error}") from None
+        write_fits(outcome, partial)
+    if as_json:
+        _print_json(outcome, folder)
+    elif not quiet:
+        _print(outcome, folder)
+    if left:
+        raise Interrupted(
+            f"interrupted; {len(results)} curves were done and are in {folder}, {left} of {len(todo)} "
+            f"{'files' if len(asked.sources) > 1 else 'curves'} are missing."
+        )
+    return outcome.refused[0].code if outcome.refused else 0
+
+
+def _print(outcome: FitOutcome, folder: Path) -> None:
+    from winkler.cli import terminal
+
+    out = terminal.console()
+    out.print(outcome.study.title)
+    _table(outcome, out)
+    for result in outcome.fitted[:SHOWN]:
+        for flag in result.fit.flags:
+            where = f"{result.name}, " if len(outcome.results) > 1 else ""
+            out.print(f"  {where}{flag}", soft_wrap=True)
+    if outcome.validity:
+        out.print("How far this can be trusted:")
+    for note in outcome.validity:
+        out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
+    if outcome.refused:
+        first = outcome.refused[0]
+        out.print(
+            f"{len(outcome.refused)} of {len(outcome.results)} curves have no answer; the first: {first.name}: "
+            f"{first.reason}",
+            soft_wrap=True,
+        )
+    out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
+
+
+def _table(outcome: FitOutcome, out: Any) -> None:
+    """Show a list for one curve, a table of numbers and errors for many."""
+    import numpy as np
+    from rich import box
+    from rich.table import Table
+
+    from winkler.plot.series import middle_scale, told
+    from winkler.study.explain import plain_symbol
+
+    study = outcome.study
+    if len(outcome.results) == 1:
+        fit = outcome.fitted[0].fit
+        table = Table("free", "symbol", "fitted", "standard error", "95 % interval", box=box.SIMPLE_HEAD)
+        for free in study.free:
+            word = study.word(free.key)
+            low, high = (told(end, word.unit, 5) for end in fit.interval(free.path))
+            number, error = told(fit.value(free.path), word.unit, 5), told(fit.error(free.path), word.unit, 3)
+            table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
+        out.print(table)
+        out.print(
+            f"{fit.curve.count} points, worth {fit.effective_count:.0f} independent ones; noise "
+            f"{told(fit.noise, 'N')}; chi-square per degree of freedom {fit.chi_square:.3g}.",
+            soft_wrap=True,
+        )
+        return
+    table = Table("curve", box=box.SIMPLE_HEAD)
+    columns = []
+    for free in study.free:
+        numbers, errors = outcome.numbers(free), outcome.errors(free)
+        scale = middle_scale(study.word(free.key).unit, np.fmax(np.abs(numbers), errors))
+        unit = f"\n[{scale.unit}]" if scale.unit else ""
+        table.add_column(f"{free.key.rpartition('.')[2]}{unit}", justify="right")
+        columns.append(
+            [
+                f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "-"
+                for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
+            ]
+        )
+    table.add_column("flags")
+    rows = len(outcome.results)
+    for row, result in enumerate(outcome.results):
+        if rows > SHOWN and row == SHOWN // 2:
+            table.add_row("...")
+        if rows <= SHOWN or row < SHOWN // 2 or row >= rows - SHOWN // 2:
+            flags = ", ".join(flag.name for flag in result.fit.flags) if hasattr(result, "fit") else "no answer"
+            table.add_row(result.name, *(column[row] for column in columns), flags)
+    out.print(table)
+
+
+def _print_json(outcome: FitOutcome, folder: Path) -> None:
+    import json
+
+    from winkler.cli.terminal import plain_numbers
+
+    made = outcome.provenance
+    content: dict[str, Any] = {
+        "title": outcome.study.title,
+        "folder": str(folder),
+        "version": made.version,
+        "hash": made.hash,
+        "seconds": made.seconds,
+        "columns": [
+            {"name": column.name, "unit": column.word.unit, "values": plain_numbers(column.content)}
+            for column in outcome.table()
+        ],
+        "flags": [
+            {"curve": result.name, "name": flag.name, "statement": flag.statement}
+            for result in outcome.fitted
+            for flag in result.fit.flags
+        ],
+        "failed": [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.refused],
+        "left": outcome.left,
+        "validity": [
+            {"standing": note.standing.value, "statement": note.statement, "source": note.source}
+            for note in outcome.validity
+        ],
+    }
+    print(json.dumps(content, indent=2, ensure_ascii=False))

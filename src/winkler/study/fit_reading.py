@@ -1,0 +1,183 @@
+"""Studies with ``[fit]`` read from TOML: the model, the files of curves, and what is free."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from pathlib import Path
+from typing import Any
+
+from winkler.errors import InvalidInput, WinklerError, suggest
+from winkler.fitting.parameters import found
+from winkler.fitting.task import OF_THE_CURVE
+from winkler.loading import Depth
+from winkler.study import keys
+from winkler.study.build import assembled
+from winkler.study.fitting import OF_A_CURVE, FitStudy, Free, word_of
+from winkler.study.reading import parsed, read_text
+from winkler.study.study import Output
+
+__all__ = ["FITTED", "parse_fit_study", "read_fit_study"]
+
+FITTED = ("indentation", "adhesive_indentation")
+"""Problems that can be the model of a curve."""
+PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
+PATTERN = re.compile(r"[*?\[]")
+OTHERS = ("sweep", "fields", "expect", "source", "grade")
+
+
+def read_fit_study(path: str | Path) -> FitStudy:
+    """Read a study file with a section ``[fit]``.
+
+    Parameters
+    ----------
+    path
+        A TOML file; the curves that it names lie relative to it.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake: file, key, what it was, what is allowed.
+    """
+    path = Path(path)
+    return parse_fit_study(read_text(path), file=path.name, folder=path.parent)
+
+
+def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitStudy:
+    """Return the study with ``[fit]`` that TOML `text` describes; parameters as for `parse_study`."""
+    from pydantic import ValidationError
+
+    from winkler.study import grammar, mistakes
+    from winkler.study.schema import MISSING
+
+    raw = parsed(text, file)
+    at = f"{file}: " if file else ""
+    if "fit" not in raw:
+        raise InvalidInput(f"{at}the study has no section [fit]; add it, or take `winkler run`.")
+    for name in OTHERS:
+        if name in raw:
+            raise InvalidInput(f"{at}a study with [fit] has no {name}; leave it out.")
+    _placeholder(raw, at)
+    try:
+        form: Any = grammar.study_form().model_validate(raw)
+    except ValidationError as error:
+        raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
+    problem = assembled(form.problem, folder=folder, file=file, key="problem")
+    problem = dataclasses.replace(problem, load=Depth(0.0))
+    given = {name: content for name, content in form.fit if content is not MISSING}
+    try:
+        return FitStudy(
+            title=form.title or Path(file).stem,
+            problem=problem,
+            sources=_sources(given.pop("curve"), folder),
+            free=_frees(given.pop("free"), problem),
+            output=Output()
+            if form.output is MISSING
+            else Output(**{name: content for name, content in form.output if content is not MISSING}),
+            text=text,
+            folder=str(folder),
+            **given,
+        )
+    except WinklerError as error:
+        raise type(error)(f"{at}{error}") from None
+
+
+def _placeholder(raw: dict[str, Any], at: str) -> None:
+    """Put a load into a problem without one, and refuse problems that are no model of a curve."""
+    problem = raw.get("problem")
+    if not isinstance(problem, dict):
+        return
+    kind = problem.get("kind")
+    if isinstance(kind, str) and kind not in FITTED:
+        from winkler.study.catalogue import CATALOGUE
+
+        if kind in CATALOGUE["problem"]:
+            raise InvalidInput(f"{at}problem.kind is '{kind}', which no curve can be fitted to; give {FITTED[0]} or "
+                               f"{FITTED[1]}.")  # fmt: skip
+    problem.setdefault("load", dict(PLACEHOLDER))
+
+
+def _sources(given: str, folder: Path) -> tuple[str, ...]:
+    """Return the files that `curve` names."""
+    path = folder / given
+    if path.is_file():
+        return (str(path),)
+    if path.is_dir():
+        found_ = [item for item in path.iterdir() if item.is_file() and not item.name.startswith(".")]
+        what = f"the folder '{given}' holds no files"
+    elif PATTERN.search(given):
+        if Path(given).is_absolute():
+            root = Path(Path(given).anchor)
+            found_ = [item for item in root.glob(str(Path(given).relative_to(root))) if item.is_file()]
+        else:
+            found_ = [item for item in folder.glob(given) if item.is_file()]
+        what = f"no file fits the pattern '{given}'"
+    else:
+        near = sorted(item.name for item in path.parent.iterdir()) if path.parent.is_dir() else []
+        hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
+        raise InvalidInput(
+            f"fit.curve is '{given}', which does not exist beside the study{hint}; give a file, a folder or a pattern "
+            "from there."
+        )
+    if not found_:
+        raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
+    return tuple(str(item) for item in sorted(found_, key=_in_numbers))
+
+
+def _in_numbers(path: Path) -> tuple[Any, ...]:
+    """Return what sorts curve2 before curve10."""
+    parts = re.split(r"(\d+)", path.as_posix())
+    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in parts)
+
+
+def _frees(raw: dict[str, Any], problem: Any) -> tuple[Free, ...]:
+    if not raw:
+        raise InvalidInput('fit.free is empty; name what is fitted, such as "problem.bed.medium.first.young" = true.')
+    return tuple(_free(key, content, problem) for key, content in raw.items())
+
+
+def _free(key: str, raw: Any, problem: Any) -> Free:
+    where = f'fit.free."{key}"' if "." in key else f"fit.free.{key}"
+    plain = re.sub(r"\[(\d+)\]", r".\1", key)
+    free = Free(plain)
+    if key in OF_A_CURVE:
+        unit = word_of(problem, key).unit or ""
+    elif not plain.startswith("problem."):
+        hint = suggest(key, OF_THE_CURVE)
+        raise InvalidInput(
+            f"{where} is neither a key of the problem, which begins with 'problem.', nor one of "
+            f"{', '.join(OF_THE_CURVE)}{hint}."
+        )
+    else:
+        try:
+            keys.content_at(problem, plain.removeprefix("problem."))
+            found(problem, free.path)
+        except InvalidInput as error:
+            sentence = str(error).removeprefix("free: ").replace(plain.removeprefix("problem."), key, 1)
+            raise InvalidInput(f"{where}: {sentence.removeprefix(f'the key {key!r}: ')}") from None
+        unit = word_of(problem, plain).unit or ""
+    if raw is True or raw == {}:
+        return free
+    texts = raw if isinstance(raw, list) else [raw]
+    if isinstance(raw, bool | dict) or len(texts) not in (1, 2) or (isinstance(raw, list) and len(raw) != 2):
+        raise InvalidInput(
+            f"{where} is {str(raw).lower() if isinstance(raw, bool) else raw!r}; give two bounds as a list, a start, "
+            "or true for neither; leave out what is not fitted."
+        )
+    numbers = tuple(
+        _number(text, unit, f"{where}[{place}]" if len(texts) == 2 else where) for place, text in enumerate(texts)
+    )
+    if len(numbers) == 2 and not numbers[0] < numbers[1]:
+        raise InvalidInput(f"{where}: the lower bound {texts[0]!r} is not below the upper one {texts[1]!r}.")
+    return Free(plain, numbers)
+
+
+def _number(raw: Any, unit: str, where: str) -> float:
+    from pydantic_core import PydanticCustomError
+
+    from winkler.study import quantities
+
+    try:
+        return float(quantities.number(raw, unit))
+    except PydanticCustomError as error:
+        raise InvalidInput(str((error.context or {})["sentence"]).replace(quantities.WHERE, where)) from None

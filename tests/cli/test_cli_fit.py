@@ -1,0 +1,166 @@
+"""``winkler fit``: what it writes, what it says, its exit codes, and what it keeps when it is stopped."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from winkler.cli import main
+from winkler.study.writing import PROVENANCE
+
+STUDY = """title = "Gel & bead"
+
+[problem]
+kind = "indentation"
+
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "5 um" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 kPa", poisson = 0.5 } }
+
+[fit]
+curve = "gel"
+part = "approach"
+
+[fit.free]
+"problem.bed.medium.first.young" = true
+contact_point = true
+
+[output]
+figures = []
+report = false
+"""
+
+
+def write_curve(path: Path, young: float, seed: int) -> None:
+    random = np.random.default_rng(seed)
+    way = np.linspace(-1e-6, 1e-6, 100)
+    force = 4.0 / 3.0 * young / 0.75 * np.sqrt(5e-6) * np.maximum(way, 0.0) ** 1.5 + 5e-12 * random.standard_normal(100)
+    rows = (f"{1e9 * d:.3f}, {1e9 * f:.6f}\n" for d, f in zip(way, force, strict=True))
+    path.write_text("depth [nm], force [nN]\n" + "".join(rows), encoding="utf-8")
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "gel.toml").write_text(STUDY, encoding="utf-8")
+    (tmp_path / "gel").mkdir()
+    for number in (1, 2, 3):
+        write_curve(tmp_path / "gel" / f"curve{number}.csv", 1e3 * (3 + number), number)
+    monkeypatch.setattr(sys, "stdin", open(os.devnull))  # noqa: SIM115 (nobody answers)
+    return tmp_path
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+
+
+CURVES = ["curves/gel_curve1.csv", "curves/gel_curve2.csv", "curves/gel_curve3.csv"]
+
+
+def test_a_batch(here, capsys):
+    assert main(["fit", "gel.toml"]) == 0
+    folder = here / "results" / "gel"
+    assert names(folder) == [*CURVES, "fit.csv", "fit.nc", PROVENANCE, "study.toml"]
+    content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
+    assert content["files"] == [*names(folder)[:-2], "study.toml", PROVENANCE]
+    assert re.fullmatch(r"[0-9a-f]{64}", content["hash"])
+    told = capsys.readouterr()
+    assert told.err == ""
+    assert "gel/curve3.csv" in told.out
+    assert main(["fit", "gel.toml"]) == 2
+    assert "already holds results" in capsys.readouterr().err
+    before = (folder / "fit.csv").read_bytes()
+    assert main(["fit", "gel.toml", "--overwrite", "--quiet"]) == 0
+    assert (folder / "fit.csv").read_bytes() == before
+    assert capsys.readouterr().out == ""
+
+
+def test_the_hash_knows_the_curves(here, capsys):
+    hashes = []
+    for seed in (3, 4):
+        write_curve(here / "gel" / "curve3.csv", 6e3, seed)
+        assert main(["fit", "gel.toml", "--json", "--overwrite"]) == 0
+        hashes.append(json.loads(capsys.readouterr().out)["hash"])
+    assert hashes[0] != hashes[1]
+
+
+def test_a_bad_file_has_its_line_and_its_code(here, capsys):
+    (here / "gel" / "bad.csv").write_text("?\n", encoding="utf-8")
+    assert main(["fit", "gel.toml", "--json"]) == 2
+    answer = json.loads(capsys.readouterr().out)
+    assert [item["curve"] for item in answer["failed"]] == ["gel/bad.csv"]
+    columns = {column["name"]: column["values"] for column in answer["columns"]}
+    assert columns["problem.bed.medium.first.young"][0] is None
+    assert columns["problem.bed.medium.first.young"][1:] == pytest.approx([4e3, 5e3, 6e3], rel=0.02)
+    assert columns["failure"][0].startswith("there is no table")
+
+
+def test_nothing_is_left_of_a_fit_without_an_answer(here, capsys):
+    for path in (here / "gel").iterdir():
+        path.write_text("?\n", encoding="utf-8")
+    assert main(["fit", "gel.toml"]) == 2
+    assert "none of the 3 curves can be fitted" in capsys.readouterr().err
+    assert not (here / "results").exists()
+
+
+def test_the_report_holds_what_made_the_numbers(here):
+    text = STUDY.replace("report = false", "report = true").replace('"gel"\npart', '"gel/curve1.csv"\npart')
+    (here / "gel.toml").write_text(text, encoding="utf-8")
+    assert main(["fit", "gel.toml", "--quiet"]) == 0
+    page = (here / "results" / "gel" / "report.html").read_text(encoding="utf-8")
+    for part in ("<svg", "Gel &amp; bead", "SHA-256", "95 % interval", "word for word", "without bounds", "Papers"):
+        assert part in page, part
+    assert "<script" not in page
+    assert "http" not in re.sub(r"https://doi\.org/|http://www\.w3\.org/", "", page)
+
+
+def test_run_sends_to_fit(here, capsys):
+    assert main(["run", "gel.toml"]) == 2
+    assert "`winkler fit gel.toml` fits it" in capsys.readouterr().err
+
+
+def test_what_was_fitted_before_a_stop_is_kept(here, monkeypatch, capsys):
+    from winkler.study import fit_run
+
+    plain = fit_run._fit_piece
+
+    def stopped(study, piece):
+        if piece.endswith("curve3.csv"):
+            raise KeyboardInterrupt
+        return plain(study, piece)
+
+    monkeypatch.setattr(fit_run, "_fit_piece", stopped)
+    assert main(["fit", "gel.toml"]) == 130
+    assert "2 curves were done" in capsys.readouterr().err
+    assert names(here / "results" / "gel") == [*CURVES[:2], "fit.csv", "fit.nc", PROVENANCE, "study.toml"]
+
+
+@pytest.mark.slow
+def test_workers_change_no_number_and_ctrl_c_leaves_none_behind(here):
+    for number in range(4, 40):
+        write_curve(here / "gel" / f"curve{number}.csv", 4e3, number)
+    command = [sys.executable, "-m", "winkler.cli", "fit", "gel.toml", "--quiet", "--output"]
+    assert subprocess.run([*command, "one"], check=False).returncode == 0
+    assert subprocess.run([*command, "two", "--workers", "2"], check=False).returncode == 0
+    assert (here / "one" / "fit.csv").read_bytes() == (here / "two" / "fit.csv").read_bytes()
+    for number in range(40, 400):
+        write_curve(here / "gel" / f"curve{number}.csv", 4e3, number)
+    running = subprocess.Popen([*command, "three", "--workers", "2"], stderr=subprocess.PIPE, text=True)
+    time.sleep(12.0)
+    running.send_signal(signal.SIGINT)
+    _, told = running.communicate(timeout=60)
+    assert running.returncode == 130, told
+    if "nothing was written" not in told:
+        assert (here / "three" / "fit.csv").stat().st_size > 0
+        assert "are missing" in told
+    assert not list(here.glob(".*partial*"))
