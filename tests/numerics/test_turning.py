@@ -65,7 +65,7 @@ def test_against_a_walk(levels):
         for leap in leaps:
             assert wave(leap.start) == pytest.approx(leap.level, abs=1e-12)
             assert leap.end in (0.0, END) or wave(leap.end) == pytest.approx(leap.level, abs=1e-12)
-            assert leap.index == 0
+            assert leap.aim == 0
         before = level
     np.testing.assert_allclose(found, walked(levels), atol=2.0 * END / 70_000 + 1e-4)
 
@@ -81,7 +81,7 @@ def test_many_levels_at_once_are_the_same_as_one_by_one():
         single.append(place)
         for leap in own:
             assert leap.start == pytest.approx(leaps[count].start, rel=1e-13)
-            assert leaps[count].index == index
+            assert leaps[count].aim == index
             count += 1
     assert count == len(leaps) >= 3
     np.testing.assert_allclose(together, single, rtol=1e-13, atol=1e-300)
