@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from winkler.cli.options import AsJson, Output, Overwrite, Quiet
+
 if TYPE_CHECKING:
     from winkler.study.fit_outcome import FitOutcome
 
@@ -19,16 +21,11 @@ SHOWN = 24
 
 def fit(
     study: Annotated[Path, typer.Argument(help="A study file (TOML) with [fit].", show_default=False)],
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study says another one."),
-    ] = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", "--yes", "-y", help="Replace results of an earlier run without asking.")
-    ] = False,
+    output: Output = None,
+    overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show nothing but errors.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Show the answers as JSON.")] = False,
+    quiet: Quiet = False,
+    as_json: AsJson = False,
 ) -> int:
     """Fit numbers of a model to one curve, a batch of files, or a force map.
 

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from winkler.cli.options import AsJson, Output, Overwrite, Quiet
+
 if TYPE_CHECKING:
     from winkler.study.outcome import Outcome
 
@@ -19,16 +21,11 @@ MISSED = 1
 
 def run(
     study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
-    output: Annotated[
-        Path | None,
-        typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study says another one."),
-    ] = None,
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", "--yes", "-y", help="Replace results of an earlier run without asking.")
-    ] = False,
+    output: Output = None,
+    overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that solve a sweep.")] = 1,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show nothing but errors.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Show the answers as JSON.")] = False,
+    quiet: Quiet = False,
+    as_json: AsJson = False,
 ) -> int:
     """Solve a study; write numbers, figures and a report.
 

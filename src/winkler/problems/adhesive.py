@@ -24,6 +24,7 @@ from winkler.problems import griffith
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.closure import at_end
 from winkler.problems.edge_states import EdgeStates, depth_under, end_of, force_under, margin, states_of
+from winkler.problems.picking import picked, single
 from winkler.problems.pull_off import PullOff, PullOffSolution
 from winkler.problems.widest import stable_counts, widest
 from winkler.validity import Note, Standing
@@ -218,12 +219,7 @@ class AdhesiveSolution:
     @property
     def pressed(self) -> Pressed:
         """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
-        if np.ndim(self.depth) != 0:
-            raise InvalidInput(
-                f"This solution holds {np.size(self.depth)} loads; pick one with solution.at(index) before asking for "
-                "its fields."
-            )
-        return self._states.pressed(float(self.depth), float(self.radius))
+        return self._states.pressed(single(self.depth, "fields"), float(self.radius))
 
     def at(self, index: int | tuple[int, ...]) -> AdhesiveSolution:
         """Return the solution of one load of an array.
@@ -238,23 +234,8 @@ class AdhesiveSolution:
         InvalidInput
             If there is no such load.
         """
-        try:
-            depth, force, radius = (
-                float(np.asarray(answer)[index]) for answer in (self.depth, self.force, self.radius)
-            )
-            stable = bool(np.asarray(self.stable)[index])
-        except (IndexError, TypeError):
-            raise InvalidInput(
-                f"solution.at: there is no load {index!r} in an answer of shape {np.shape(self.depth)}."
-            ) from None
-        load: Load
-        match self.problem.load:
-            case Depth():
-                load = Depth(depth)
-            case Force():
-                load = Force(force)
-            case _:
-                load = Radius(radius)
+        load, depth, force, radius = picked(self.problem.load, index, self.depth, self.force, self.radius)
+        stable = bool(np.asarray(self.stable)[index])
         problem = AdhesiveIndentation(self.problem.bed, self.problem.law, load)
         return AdhesiveSolution(problem, depth, force, radius, stable)
 

@@ -20,6 +20,7 @@ from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics import abel
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.closure import at_depth, at_force, at_radius
+from winkler.problems.picking import picked, single
 from winkler.problems.trust import indentation_notes
 from winkler.validity import Note
 from winkler.values import value
@@ -162,12 +163,7 @@ class IndentationSolution:
     @property
     def pressed(self) -> Pressed:
         """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
-        if np.ndim(self.depth) != 0:
-            raise InvalidInput(
-                f"This solution holds {np.size(self.depth)} loads; pick one with solution.at(index) before asking for "
-                "its line load or fields."
-            )
-        return Pressed(self.problem.bed, float(self.depth), float(self.radius))
+        return Pressed(self.problem.bed, single(self.depth, "line load or fields"), float(self.radius))
 
     def at(self, index: int | tuple[int, ...]) -> IndentationSolution:
         """Return the solution of one load of an array.
@@ -182,22 +178,7 @@ class IndentationSolution:
         InvalidInput
             If there is no such load.
         """
-        try:
-            depth, force, radius = (
-                float(np.asarray(answer)[index]) for answer in (self.depth, self.force, self.radius)
-            )
-        except (IndexError, TypeError):
-            raise InvalidInput(
-                f"solution.at: there is no load {index!r} in an answer of shape {np.shape(self.depth)}."
-            ) from None
-        load: Load
-        match self.problem.load:
-            case Depth():
-                load = Depth(depth)
-            case Force():
-                load = Force(force)
-            case _:
-                load = Radius(radius)
+        load, depth, force, radius = picked(self.problem.load, index, self.depth, self.force, self.radius)
         return IndentationSolution(Indentation(self.problem.bed, load), depth, force, radius)
 
     @property

@@ -30,7 +30,7 @@ from winkler.vocabulary import Word, word
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "netcdf_attributes", "write"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -153,13 +153,13 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     for place, axis in enumerate(study.sweep):
         told = _swept_word(outcome, axis.key)
         values = [item if told.unit is not None else keys.label(item) for item in axis.values]
-        coords[axis.key] = (("point",) if study.together else dims[place], np.array(values), _attributes(told))
+        coords[axis.key] = (("point",) if study.together else dims[place], np.array(values), netcdf_attributes(told))
     variables: dict[str, Any] = {}
     for name in outcome.answers:
         content = outcome.answer(name)
         across = () if content.shape[-1] == 1 else (ACROSS,)
         shown = content if across else content[..., 0]
-        variables[name] = ((*dims, *across), shown, _attributes(outcome.word(name)))
+        variables[name] = ((*dims, *across), shown, netcdf_attributes(outcome.word(name)))
     if outcome.failed:
         reasons = np.full(outcome.shape, "", dtype=object)
         for point in outcome.failed:
@@ -167,27 +167,15 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
         variables["failure"] = (dims, reasons.astype(str), {"long_name": "why a point has no answer"})
     _add_fields(outcome, dims, variables, coords)
     _add_events(outcome, dims, variables)
-    return xarray.Dataset(variables, coords, _provenance(outcome))
+    return xarray.Dataset(
+        variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
+    )
 
 
-def _attributes(told: Word) -> dict[str, str]:
+def netcdf_attributes(told: Word) -> dict[str, str]:
+    """Return what a NetCDF variable says of itself: unit, meaning and symbol of its word."""
     found = {"long_name": told.meaning, "symbol": told.symbol}
     return found if told.unit is None else {"units": told.unit or "1", **found}
-
-
-def _provenance(outcome: Outcome) -> dict[str, Any]:
-    made = outcome.provenance
-    return {
-        "title": outcome.study.title,
-        "program": "winkler",
-        "winkler_version": made.version,
-        "study_hash": made.hash,
-        "study": study_text(outcome.study),
-        "study_file": made.source,
-        "created": made.created,
-        "seconds": made.seconds,
-        **{f"{name}_version": number for name, number in made.packages if name != "winkler"},
-    }
 
 
 def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any], coords: dict[str, Any]) -> None:
@@ -204,7 +192,7 @@ def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
         for name in [*names, *(EXTRA if below else ())]:
             free = f"field_{name}" if name in outcome.answers else name
             content = _stacked(outcome, of_point, name, loads)
-            variables[free] = ((*outer, *inner), content, _attributes(word(owner, name)))
+            variables[free] = ((*outer, *inner), content, netcdf_attributes(word(owner, name)))
 
 
 def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any]) -> None:
@@ -215,7 +203,7 @@ def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
             content = np.full((*outcome.shape, count), np.nan)
             for point, events in found:
                 content[point.index][: len(events)] = [event[place].content for event in events]
-            variables[f"{name}_{one.name}"] = ((*dims, name), content, _attributes(one.word))
+            variables[f"{name}_{one.name}"] = ((*dims, name), content, netcdf_attributes(one.word))
 
 
 def _place_dims(
@@ -228,18 +216,18 @@ def _place_dims(
         told = word(owner, name)
         free = f"field_{name}" if name in outcome.answers else name
         if not asked.relative:
-            coords[free] = ((free,), asked.values, _attributes(told))
+            coords[free] = ((free,), asked.values, netcdf_attributes(told))
             dims.append(free)
             continue
         relative = f"{free}_over_a"
         meaning = Word(f"{told.symbol}/a", "", f"{told.meaning}, over the contact radius")
-        coords[relative] = ((relative,), asked.values, _attributes(meaning))
+        coords[relative] = ((relative,), asked.values, netcdf_attributes(meaning))
         dims.append(relative)
         loads = max(len(fields) for _, fields in of_point)
         content = _stacked(outcome, of_point, name, loads)
         if below:
             content = content[..., :, 0] if number == 0 else content[..., 0, :]
-        coords[free] = ((*outer, relative), content, _attributes(told))
+        coords[free] = ((*outer, relative), content, netcdf_attributes(told))
     return tuple(dims)
 
 

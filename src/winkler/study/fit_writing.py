@@ -21,7 +21,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.fits import Grid, grid_of
-from winkler.study.archive import heading
+from winkler.study.archive import heading, netcdf_attributes
 from winkler.study.fit_outcome import FitOutcome, Fitted
 from winkler.study.writing import write_provenance
 from winkler.vocabulary import Word
@@ -124,7 +124,7 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
     coords: dict[str, Any] = {}
     for column in outcome.table():
         target = coords if column.name in ("curve", "x", "y") else variables
-        target[column.name] = ("curve", column.content, _attributes(column.word))
+        target[column.name] = ("curve", column.content, netcdf_attributes(column.word))
     keys = np.array([free.key for free in outcome.study.free])
     coords |= {"free": ("free", keys), "other_free": ("other_free", keys)}
     order = [free.path for free in outcome.study.free]
@@ -142,8 +142,8 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
         correlation,
         {"units": "1", "long_name": "correlation of the errors of two numbers"},
     )
-    variables |= {name: (("curve", "point"), points[name], _attributes(word)) for name, word in POINTS.items()}
-    return xarray.Dataset(variables, coords, _origin(outcome))
+    variables |= {name: (("curve", "point"), points[name], netcdf_attributes(word)) for name, word in POINTS.items()}
+    return xarray.Dataset(variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text))
 
 
 def maps(outcome: FitOutcome, grid: Grid) -> xarray.Dataset:
@@ -153,26 +153,10 @@ def maps(outcome: FitOutcome, grid: Grid) -> xarray.Dataset:
     variables: dict[str, Any] = {}
     for column in outcome.table():
         if column.word.unit is not None and column.name not in ("x", "y"):
-            variables[column.name] = (("y", "x"), grid.laid(column.content), _attributes(column.word))
+            variables[column.name] = (("y", "x"), grid.laid(column.content), netcdf_attributes(column.word))
     place = {"units": "m", "long_name": "place on the sample"}
-    return xarray.Dataset(variables, {"x": ("x", grid.x, place), "y": ("y", grid.y, place)}, _origin(outcome))
-
-
-def _attributes(told: Word) -> dict[str, str]:
-    found = {"long_name": told.meaning, "symbol": told.symbol}
-    return found if told.unit is None else {"units": told.unit or "1", **found}
-
-
-def _origin(outcome: FitOutcome) -> dict[str, Any]:
-    made = outcome.provenance
-    return {
-        "title": outcome.study.title,
-        "program": "winkler",
-        "winkler_version": made.version,
-        "study_hash": made.hash,
-        "study": outcome.study.text,
-        "study_file": made.source,
-        "created": made.created,
-        "seconds": made.seconds,
-        **{f"{name}_version": number for name, number in made.packages if name != "winkler"},
-    }
+    return xarray.Dataset(
+        variables,
+        {"x": ("x", grid.x, place), "y": ("y", grid.y, place)},
+        outcome.provenance.attributes(outcome.study.title, outcome.study.text),
+    )

@@ -220,6 +220,20 @@ class Provenance:
     packages: tuple[tuple[str, str], ...]
     source: str = ""
 
+    def attributes(self, title: str, study: str) -> dict[str, Any]:
+        """Return what a NetCDF file says of its origin, with the title and the text of the study."""
+        return {
+            "title": title,
+            "program": "winkler",
+            "winkler_version": self.version,
+            "study_hash": self.hash,
+            "study": study,
+            "study_file": self.source,
+            "created": self.created,
+            "seconds": self.seconds,
+            **{f"{name}_version": number for name, number in self.packages if name != "winkler"},
+        }
+
 
 @value
 class Outcome:

@@ -1,0 +1,68 @@
+"""One load out of an array of loads, with its answers."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Depth, Force, Load, Radius
+from winkler.numerics.types import Quantity
+
+__all__ = ["picked", "single"]
+
+
+def picked(
+    load: Load, index: int | tuple[int, ...], depth: Quantity, force: Quantity, radius: Quantity
+) -> tuple[Load, float, float, float]:
+    """Return one load, of the kind that was prescribed, and its depth [m], force [N] and radius [m].
+
+    Parameters
+    ----------
+    load : Force, Depth or Radius
+        What was prescribed.
+    index : int or tuple of int
+        Which one.
+    depth, force, radius : float or ndarray
+        The answers, of one shape.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such load.
+    """
+    try:
+        d, f, a = (float(np.asarray(answer)[index]) for answer in (depth, force, radius))
+    except (IndexError, TypeError):
+        raise InvalidInput(
+            f"solution.at: there is no load {index!r} in an answer of shape {np.shape(depth)}."
+        ) from None
+    match load:
+        case Depth():
+            return Depth(d), d, f, a
+        case Force():
+            return Force(f), d, f, a
+        case _:
+            return Radius(a), d, f, a
+
+
+def single(depth: Quantity, wanted: str) -> float:
+    """Return the depth of a solution of one load; refuse an array of them, of which nothing can be drawn or restored.
+
+    Parameters
+    ----------
+    depth : float or ndarray
+        d [m].
+    wanted : str
+        What was asked for, as the sentence ends.
+
+    Raises
+    ------
+    InvalidInput
+        If there are many.
+    """
+    if np.ndim(depth) != 0:
+        raise InvalidInput(
+            f"This solution holds {np.size(depth)} loads; pick one with solution.at(index) before asking for its "
+            f"{wanted}."
+        )
+    return float(depth)
