@@ -58,7 +58,7 @@ def _shown(column: Column) -> tuple[str, list[str]]:
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]
     factor, unit = prefixed(column.content, column.word.unit)
-    return unit, [f"{number * factor:.6g}" if np.isfinite(number) else "-" for number in column.content]
+    return unit, ["-" if np.isnan(number) else f"{number * factor + 0.0:.6g}" for number in column.content]
 
 
 def answers(outcome: Outcome, out: Console) -> None:

@@ -206,7 +206,9 @@ def _range(raw: dict[str, Any], unit: str | None) -> Array:
                 f"{WHERE} has logarithmic spacing from {first:g} to {last:g}; both ends must have one sign, not zero."
             )
         return np.geomspace(first, last, count)
-    return np.linspace(first, last, count)
+    values = np.linspace(first, last, count)
+    # a range across zero meets it, not the rounding of its steps
+    return np.where(np.abs(values) < 1e-12 * np.ptp(values), 0.0, values)
 
 
 def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:

@@ -28,6 +28,8 @@ from winkler.validity import Note, Standing, worst
 
 __all__ = ["REPORT", "figure_element", "framed", "page", "papers", "trust", "write"]
 
+WIDE = 1.7
+"""Figures that are so many times as wide as high take both columns of the page."""
 REPORT = "report.html"
 
 MEANINGS = {
@@ -158,7 +160,10 @@ def figure_element(one: Shown) -> str:
     if one.picture is None:
         return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
     drawn = figures.svg_element(one, safe(f"{one.title}. {one.sentence}"))
-    return f"<figure>{caption}{drawn}</figure>"
+    width, height = one.picture.get_size_inches()
+    # panels side by side would be too small to read in one column of the page
+    kind = ' class="wide"' if width > WIDE * height else ""
+    return f"<figure{kind}>{caption}{drawn}</figure>"
 
 
 # --------------------------------------------------------------------------------------- formulas, trust, sources

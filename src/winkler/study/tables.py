@@ -150,7 +150,8 @@ def _same(content: np.ndarray, given: np.ndarray) -> bool:
 
 
 def _cell(content: float, factor: float) -> str:
-    text = f"{content / factor:.6g}".replace("-", "−") if np.isfinite(content) else "—"
+    # adding zero turns minus zero into zero
+    text = "—" if np.isnan(content) else f"{content / factor + 0.0:.6g}".replace("-", "−").replace("inf", "∞")
     return number(text)
 
 
