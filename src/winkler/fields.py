@@ -1,23 +1,49 @@
 r"""From the springs back to the body: pressure and displacement of the surface, stresses below it.
 
 ``restore(solution, r)`` gives the fields on the surface, ``restore(solution, r, z)`` those below it; both work on any
-solution that tells how its springs are displaced.
+solution that tells how its springs are displaced.  Of a sheared contact `restore` gives traction and slip on the
+surface; the field below it is not symmetric about the axis any more, and ``restore_body(solution, x, y, z)`` gives it.
 """
 
 from __future__ import annotations
 
-from typing import Protocol, overload
+import inspect
+from typing import Protocol, TypeGuard, overload
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
-from winkler.media.peak import greatest
+from winkler.foundation.sheared import ShearedSprings
+from winkler.foundation.sheared_fields import (
+    BodyFields,
+    ShearedFields,
+    body_of_pressed,
+    body_of_sheared,
+    sheared_surface,
+    shift_of_surface,
+)
+from winkler.media.peak import greatest, greatest_around
 from winkler.media.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
+from winkler.problems.torsion_states import TorsionState
 from winkler.values import value
 
-__all__ = ["PeakStress", "SubsurfaceFields", "SurfaceFields", "peak_stress", "restore"]
+__all__ = [
+    "PeakStress",
+    "PlacedStress",
+    "SubsurfaceFields",
+    "SurfaceFields",
+    "peak_stress",
+    "restore",
+    "restore_body",
+    "restore_shift",
+]
+
+
+SKIN = 1e-3
+"""Stresses of a twist are looked for below this depth, in contact radii."""
 
 
 class Restorable(Protocol):
@@ -26,6 +52,15 @@ class Restorable(Protocol):
     @property
     def pressed(self) -> Pressed:
         """The displacement of the springs."""
+        ...
+
+
+class Dragged(Protocol):
+    """A solution whose springs are known along the surface too."""
+
+    @property
+    def sheared(self) -> ShearedSprings:
+        """The displacement of the springs, across and along the surface."""
         ...
 
 
@@ -107,11 +142,35 @@ class PeakStress:
     z: float
 
 
+@value
+class PlacedStress:
+    """The greatest equivalent stress in a body under a sheared contact, and its place.
+
+    Parameters
+    ----------
+    von_mises : float
+        [Pa].
+    x, y, z : float
+        Where [m].
+    """
+
+    von_mises: float
+    x: float
+    y: float
+    z: float
+
+
 @overload
 def restore(solution: Restorable, r: ArrayLike) -> SurfaceFields: ...
 @overload
 def restore(solution: Restorable, r: ArrayLike, z: ArrayLike) -> SubsurfaceFields: ...
-def restore(solution: Restorable, r: ArrayLike, z: ArrayLike | None = None) -> SurfaceFields | SubsurfaceFields:
+@overload
+def restore(solution: Dragged, r: ArrayLike) -> ShearedFields: ...
+@overload
+def restore(solution: TorsionState, r: ArrayLike) -> TwistedFields: ...
+def restore(
+    solution: Restorable | Dragged | TorsionState, r: ArrayLike, z: ArrayLike | None = None
+) -> SurfaceFields | SubsurfaceFields | ShearedFields | TwistedFields:
     """Return the three-dimensional fields of a contact.
 
     Parameters
@@ -126,23 +185,104 @@ def restore(solution: Restorable, r: ArrayLike, z: ArrayLike | None = None) -> S
 
     Returns
     -------
-    SurfaceFields or SubsurfaceFields
+    SurfaceFields, SubsurfaceFields, ShearedFields or TwistedFields
+        The last two on the surface of a sheared or twisted contact.
 
     Raises
     ------
     InvalidInput
-        If r is negative or not finite, or the solution holds many loads.
+        If r is negative or not finite, the solution holds many loads, or z is given for a sheared or twisted contact.
     OutsideValidity
         If the field below the surface is not known for this medium, or the body there is rigid.
     """
     radii = _checked("r", r)
     if np.any(radii < 0.0):
         raise InvalidInput(f"restore: r = {np.min(radii):.6g} m is negative; distances from the axis are positive.")
-    pressed = solution.pressed
+    if _is_sheared(solution) or isinstance(solution, TorsionState):
+        if z is not None:
+            raise InvalidInput(
+                "restore: below a sheared or twisted contact the stress has all six components; ask "
+                "restore_body(solution, x, y, z)."
+            )
+        if isinstance(solution, TorsionState):
+            return twisted_surface(solution, radii)
+        return sheared_surface(solution.sheared, radii)
+    pressed = _pressed(solution)
     return _surface(pressed, radii) if z is None else _below(pressed, radii, _checked("z", z))
 
 
-def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress:
+def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
+    """Return stresses and displacements inside the bodies, in the axes x, y, z.
+
+    Parameters
+    ----------
+    solution
+        The answer to a problem, for one load; sheared, twisted or neither.
+    x, y, z : array_like
+        Places [m], broadcast against each other: x along the first component of a shear force, z positive in the first
+        body, negative in the second, zero just below the surface of the first.
+
+    Returns
+    -------
+    BodyFields
+
+    Raises
+    ------
+    InvalidInput
+        If a place is not finite, or the solution holds many loads; if a place lies on a twisted surface.
+    OutsideValidity
+        If the field is not known for this medium (that of a traction: for any but `HalfSpace`), or the body there is
+        rigid.
+
+    Notes
+    -----
+    The traction is that of the springs, along x everywhere; its stresses are exact.  That the surfaces slide where and
+    as the springs say is exact for nu = 0; otherwise the displacement across the load is neglected [1]_.
+
+    References
+    ----------
+    .. [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 3.6 and 7.2, doi:10.1017/CBO9781139171731
+    """
+    places = (_checked("x", x, "restore_body"), _checked("y", y, "restore_body"), _checked("z", z, "restore_body"))
+    if isinstance(solution, TorsionState):
+        return body_of_twisted(solution, *places)
+    if _is_sheared(solution):
+        return body_of_sheared(solution.sheared, *places)
+    return body_of_pressed(_pressed(solution), *places)
+
+
+def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
+    """Return how far a sheared contact drags the surfaces along, sum over both bodies.
+
+    Parameters
+    ----------
+    solution
+        The answer to a problem with a tangential load, at one point of its path.
+    x, y : array_like
+        Places on the surface [m].
+
+    Returns
+    -------
+    ndarray, (..., 2)
+        u_x and u_y [m].  For Poisson ratios above zero they depend on the direction: only the mean over each circle is
+        that of the springs.
+
+    Raises
+    ------
+    InvalidInput
+        If a place is not finite.
+    OutsideValidity
+        If the medium is not a homogeneous isotropic half-space.
+    """
+    places = np.broadcast_arrays(_checked("x", x, "restore_shift"), _checked("y", y, "restore_shift"))
+    return shift_of_surface(solution.sheared, *places)
+
+
+@overload
+def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress: ...
+@overload
+def peak_stress(solution: Dragged | TorsionState, *, below: bool = True) -> PlacedStress: ...
+def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = True) -> PeakStress | PlacedStress:
     """Return the greatest von Mises stress and its place.
 
     Parameters
@@ -154,10 +294,15 @@ def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress:
 
     Returns
     -------
-    PeakStress
-        Infinite at a sharp kink, edge or apex.
+    PeakStress or PlacedStress
+        The latter of a sheared contact, or of a twisted one, there below the surface by a thousandth of the contact
+        radius or more. Infinite at a sharp kink, edge or apex.
     """
-    pressed = solution.pressed
+    if isinstance(solution, TorsionState):
+        return _twisted_peak(solution, 1.0 if below else -1.0)
+    if _is_sheared(solution):
+        return _sheared_peak(solution.sheared, 1.0 if below else -1.0)
+    pressed = _pressed(solution)
     if pressed.radius == 0.0:
         return PeakStress(0.0, 0.0, 0.0)
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]
@@ -168,13 +313,61 @@ def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress:
     return PeakStress(place.value, place.r, sign * place.z)
 
 
-def _checked(word: str, given: ArrayLike) -> Array:
+def _is_sheared(solution: Restorable | Dragged | TorsionState) -> TypeGuard[Dragged]:
+    """Tell without asking for the springs themselves, which costs."""
+    return inspect.getattr_static(solution, "sheared", None) is not None
+
+
+def _pressed(solution: Restorable | Dragged | TorsionState) -> Pressed:
+    if inspect.getattr_static(solution, "pressed", None) is None:
+        raise InvalidInput(
+            f"restore: a {type(solution).__name__} holds no springs; give a solution for one load, or one state of a "
+            "path: solution.at(0)."
+        )
+    return solution.pressed  # type: ignore[union-attr]
+
+
+def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
+    pressed = sheared.pressed
+    if pressed.radius == 0.0:
+        return PlacedStress(0.0, 0.0, 0.0, 0.0)
+    sharp = [b for b, strength in pressed.kinks if strength != 0.0]
+    sharp += [part.radius for parts in sheared.components for part in parts if part.edge != 0.0]
+    if sharp:
+        return PlacedStress(float("inf"), sharp[0], 0.0, 0.0)
+    place = greatest_around(lambda x, y, z: _sided(sheared, x, y, z, sign).von_mises, pressed.radius)
+    return PlacedStress(place.value, place.x, place.y, sign * place.z)
+
+
+def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:
+    if state.radius == 0.0:
+        return PlacedStress(0.0, 0.0, 0.0, 0.0)
+    if any(strength != 0.0 for _, strength in state.springs.kinks) or state.springs.edge != 0.0:
+        return PlacedStress(float("inf"), state.radius, 0.0, 0.0)
+    place = greatest(
+        lambda r, z: body_of_twisted(state, r, np.zeros(r.shape), sign * _off(z, state.radius)).von_mises, state.radius
+    )
+    return PlacedStress(place.value, place.r, 0.0, sign * float(_off(np.array(place.z), state.radius)))
+
+
+def _off(z: Array, radius: float) -> Array:
+    """Return depths kept off the surface, where the field of a twist is not known."""
+    return np.maximum(z, SKIN * radius)
+
+
+def _sided(sheared: ShearedSprings, x: Array, y: Array, z: Array, sign: float) -> BodyFields:
+    """Return the fields in one body; z = 0 belongs to the second one if that is asked for."""
+    tiny = np.finfo(float).tiny
+    return body_of_sheared(sheared, x, y, z if sign > 0.0 else -np.maximum(z, tiny))
+
+
+def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
     try:
         numbers = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
-        raise InvalidInput(f"restore: {word} is {given!r}; give a number or an array in m.") from None
+        raise InvalidInput(f"{asker}: {word} is {given!r}; give a number or an array in m.") from None
     if not np.all(np.isfinite(numbers)):
-        raise InvalidInput(f"restore: {word} holds values that are not finite; give finite places in m.")
+        raise InvalidInput(f"{asker}: {word} holds values that are not finite; give finite places in m.")
     return numbers
 
 

@@ -1,6 +1,7 @@
-"""Loads: what is prescribed, one of force, depth or contact radius; sideways, a shift or a shear force.
+"""Loads: what is prescribed, a force, a depth or a radius; along the surface a shift, shear force, angle or torque.
 
-A load's value may be an array; the answer then has its shape.  Taken apart by ``match``.
+A load's value may be an array; the answer then has its shape.  Taken apart by ``match``.  How loads change with time is
+a `winkler.path.Path`.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Quantity
 from winkler.values import value
 
-__all__ = ["Depth", "Force", "Load", "Radius", "ShearForce", "Shift"]
+__all__ = ["Angle", "Depth", "Force", "Lateral", "Load", "Normal", "Radius", "ShearForce", "Shift", "Torque"]
 
 
 def _check(word: str, unit: str, given: Quantity) -> None:
@@ -86,7 +87,7 @@ class Shift:
     Parameters
     ----------
     shift : float or ndarray
-        u_x [m].
+        u_x [m]; on a path in the plane one row ``(u_x, u_y)`` for every point.
     """
 
     shift: Quantity
@@ -102,7 +103,7 @@ class ShearForce:
     Parameters
     ----------
     shear_force : float or ndarray
-        F_x [N].
+        F_x [N]; on a path in the plane one row ``(F_x, F_y)`` for every point.
     """
 
     shear_force: Quantity
@@ -111,5 +112,41 @@ class ShearForce:
         _check("shear_force", "N", self.shear_force)
 
 
+@value
+class Angle:
+    """A prescribed twist of the bodies against each other, about the axis of the contact.
+
+    Parameters
+    ----------
+    angle : float or ndarray
+        phi [rad].
+    """
+
+    angle: Quantity
+
+    def __post_init__(self) -> None:
+        _check("angle", "rad", self.angle)
+
+
+@value
+class Torque:
+    """A prescribed torque about the axis of the contact.
+
+    Parameters
+    ----------
+    torque : float or ndarray
+        M_z [N m].
+    """
+
+    torque: Quantity
+
+    def __post_init__(self) -> None:
+        _check("torque", "N m", self.torque)
+
+
 Load = Force | Depth | Radius
 """What may be prescribed."""
+Normal = Depth | Force
+"""What may be prescribed across the surface, along a path."""
+Lateral = Shift | ShearForce | Angle | Torque
+"""What may be prescribed along the surface."""

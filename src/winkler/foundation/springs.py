@@ -1,8 +1,17 @@
-r"""Springs: a bed sampled at places, for problems in which every spring remembers.
+r"""Springs: a bed as a row of separate springs, for problems in which every spring remembers.
 
-Between 0 and the reach stand n cells; each spring stands for its cell on both sides of the axis.  The load of a cell
-that the contact edge cuts counts only up to the edge: the force then converges with the second power of the cell width
-without jumping about as the edge moves through a cell; under a cone it is exact.
+Springs stand at places :math:`x_i`, under the gaps :math:`g_i`; together, pressed to a depth d, they bear
+
+.. math:: F(d) = \sum_i k_i\,(d-g_i)_+ ,
+
+a polygon with a corner wherever a spring comes into contact.  The stiffnesses :math:`k_i` are chosen so that the
+corners lie on the true force curve of the bed: they are the second differences of F over g.  So the force is exact when
+the last spring just touches, and of second order in the distance of the springs in between, under any profile, with a
+flat end (one spring stands for all of it), in any medium.
+
+Any sum over the springs, :math:`\sum k_i\,w(g_i)`, is then the integral of w over the bed with w taken as straight
+between the springs.  Where a displacement has a corner, at the edge of the contact or of a zone that sticks, the error
+is of second order too, and friction laws hold to the last digit.
 """
 
 from __future__ import annotations
@@ -19,73 +28,112 @@ __all__ = ["Springs"]
 
 @value
 class Springs:
-    """Independent springs in a row, symmetric about the axis.
+    """Independent springs in a row; each stands for both sides of the axis.
 
     Parameters
     ----------
     position : ndarray, (n,)
-        Places x of the springs [m], ascending, the middles of their cells.
-    width : ndarray, (n,)
-        Lengths of the cells [m].
+        Places x of the springs [m], ascending.
     gap : ndarray, (n,)
-        g(x) [m] under which they stand.
-    normal_stiffness, tangential_stiffness : ndarray, (n,)
-        Per length [Pa].
+        g(x) [m] under which they stand, ascending.
+    stiffness : ndarray, (n,)
+        Normal stiffness of every spring [N/m].
+    mindlin_ratio : ndarray, (n,)
+        Tangential over normal stiffness of every spring [-].
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), HalfSpace.between(Elastic(1.0, 0.0)))
+    >>> springs = Springs.of(bed, 0.5, 100)
+    >>> round(springs.force(0.25), 12)  # 4/3 E* a^3
+    0.166666666667
     """
 
     position: Array
-    width: Array
     gap: Array
-    normal_stiffness: Array
-    tangential_stiffness: Array
+    stiffness: Array
+    mindlin_ratio: Array
 
     @classmethod
     def of(cls, bed: Bed, reach: float, count: int) -> Springs:
-        """Return the springs of a bed in cells of equal width.
+        """Return the springs of a bed at equal distances, the last one at `reach`.
 
         Parameters
         ----------
         bed : Bed
         reach : float
-            Up to which x [m]; not beyond what is known of the bed, nor beyond its rim.
+            Up to which x [m]; not beyond what is known of the bed, nor beyond its rim.  Best the radius of the widest
+            contact.
         count : int
-            How many.
+            How many, at least two; under a flat end only the last one there is kept.
 
         Raises
         ------
         InvalidInput
-            If reach or count are not positive.
+            If reach is not positive or there are less than two.
         OutsideValidity
-            If the bed is not known that far.
+            If the bed is not known that far, or g falls.
         """
-        if not (reach > 0.0 and count >= 1):
-            raise InvalidInput(f"Springs: reach is {reach!r} m and count {count!r}; both must be positive.")
+        if not (reach > 0.0 and count >= 2):
+            raise InvalidInput(
+                f"Springs: reach is {reach!r} m and count {count!r}; give a positive reach and 2 springs or more."
+            )
         if reach > min(bed.reach, bed.rim):
             raise OutsideValidity(
                 f"Springs: the reach of {reach:.6g} m is beyond the bed's, {min(bed.reach, bed.rim):.6g} m; give less."
             )
-        width = reach / count
-        x = (np.arange(count) + 0.5) * width
-        return cls(x, np.full(count, width), bed.gap(x), bed.normal_stiffness(x), bed.tangential_stiffness(x))
+        start = _flat_end(bed, reach)
+        x = np.linspace(start, reach, count)
+        gap = bed.gap(x)
+        gap[0] = max(gap[0], 0.0)
+        if np.any(np.diff(gap) < 0.0):
+            raise OutsideValidity(
+                "Springs: g falls somewhere below the reach; the contact is no disc that grows, give a smaller reach."
+            )
+        kept = np.append(gap[1:] > gap[:-1], True)
+        x, gap = x[kept], gap[kept]
+        stiffness = bed.stiffness(x)
+        force = stiffness * gap - bed.gap_load(x)
+        chords = np.concatenate([[0.0], np.diff(force) / np.diff(gap), stiffness[-1:]])
+        place = _off_axis(x)
+        ratio = bed.tangential_stiffness(place) / bed.normal_stiffness(place)
+        return cls(x, gap, np.diff(chords), ratio)
 
-    def line_load(self, depth: float) -> Array:
-        """Load per length of every spring at a depth [N/m], zero where it does not touch."""
-        return self.normal_stiffness * np.maximum(depth - self.gap, 0.0)
+    @property
+    def tangential_stiffness(self) -> Array:
+        """Tangential stiffness of every spring [N/m]."""
+        return self.stiffness * self.mindlin_ratio
+
+    def density(self, bed: Bed) -> Array:
+        """c_N [Pa] of the bed at every spring."""
+        return bed.normal_stiffness(_off_axis(self.position))
 
     def force(self, depth: float) -> float:
-        """Normal force at a depth [N], both sides of the axis.
+        """Normal force at a depth [N].
 
-        The edge is where the straight line through the last two springs in contact reaches zero; error of second
-        order in the cell width for profiles that are smooth there.
+        Second order in the distance of the springs, exact when one of them just touches; beyond the last one only
+        where the bed ends with a rim.
         """
-        load = self.line_load(depth)
-        touching = np.flatnonzero(load > 0.0)
-        if not touching.size:
-            return 0.0
-        last = int(touching[-1])
-        fall = (load[last - 1] - load[last]) / (self.position[last] - self.position[last - 1]) if last else 0.0
-        if fall <= 0.0 or last == len(load) - 1 or touching.size != last + 1:
-            return 2.0 * float(load @ self.width)
-        # whole cells before the last spring in contact, then the triangle from its cell's start to the edge
-        top = load[last] + 0.5 * fall * self.width[last]
-        return 2.0 * float(load[:last] @ self.width[:last] + 0.5 * top * top / fall)
+        return float(self.stiffness @ np.maximum(depth - self.gap, 0.0))
+
+    def depth(self, force: Array) -> Array:
+        """Depth [m] at which the springs bear given normal forces (m,) [N], not negative."""
+        slopes = np.cumsum(self.stiffness)
+        corners = np.concatenate([[0.0], np.cumsum(slopes[:-1] * np.diff(self.gap))])
+        beyond = np.maximum(force - corners[-1], 0.0) / slopes[-1]
+        return np.asarray(np.interp(force, corners, self.gap) + beyond)
+
+
+def _flat_end(bed: Bed, reach: float) -> float:
+    """Return the radius up to which g vanishes."""
+    ends = [0.0, *(b for b, _ in bed.kinks if b < reach), reach]
+    return max(end for end in ends if end == 0.0 or float(bed.gap(np.array([end]))[0]) == 0.0)
+
+
+def _off_axis(x: Array) -> Array:
+    """Return places to ask for stiffnesses, which at the axis itself may vanish or diverge."""
+    return np.where(x > 0.0, x, 0.5 * x[min(1, x.size - 1)])

@@ -42,6 +42,11 @@ class HomogeneousMedium:
         raise NotImplementedError
 
     @property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa]."""
+        raise NotImplementedError
+
+    @property
     def notes(self) -> tuple[Note, ...]:
         """What is assumed."""
         raise NotImplementedError
@@ -151,6 +156,11 @@ class HalfSpace(HomogeneousMedium):
     def shear_modulus(self) -> float:
         """G* [Pa], 1/G* = sum of (2 - nu) / (4 G)."""
         return 1.0 / sum((2.0 - body.poisson) / (4.0 * body.shear) for body in self._elastic)
+
+    @property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa], 1/G_t = sum of 1/G."""
+        return 1.0 / sum(1.0 / body.shear for body in self._elastic)
 
     @property
     def mismatch(self) -> float:

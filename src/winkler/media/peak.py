@@ -1,4 +1,4 @@
-"""Where a stress is greatest below a contact: a coarse search over the meridian, then ever finer ones."""
+"""Where a stress is greatest below a contact: a coarse search over the meridian or the body, then ever finer ones."""
 
 from __future__ import annotations
 
@@ -9,10 +9,14 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Place", "greatest"]
+__all__ = ["Place", "Spot", "greatest", "greatest_around"]
 
 ZOOMS = 14
 """Rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
+
+
+TURNS = 24
+"""Directions about the axis of the coarse search."""
 
 
 class Place(NamedTuple):
@@ -20,6 +24,15 @@ class Place(NamedTuple):
 
     value: float
     r: float
+    z: float
+
+
+class Spot(NamedTuple):
+    """A greatest value and where it stands in the body."""
+
+    value: float
+    x: float
+    y: float
     z: float
 
 
@@ -52,3 +65,43 @@ def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Place:
     values = field(rr, zz)
     place = int(np.nanargmax(values))
     return Place(float(values[place]), float(rr[place]), float(zz[place]))
+
+
+def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float) -> Spot:
+    """Return the greatest value of a `field` without symmetry below a contact.
+
+    Parameters
+    ----------
+    field
+        Takes x, y and z of one shape [m], z >= 0 into the body; returns the quantity.
+    radius
+        Contact radius [m]; the search goes to 1.2 radii from the axis and 3 radii deep, and follows the greatest value
+        on the surface as well as the one below it.
+    """
+    r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 1.0, 1.05, 1.2]]) * radius
+    turn = np.arange(TURNS) / TURNS
+    c, s = np.cos(2.0 * np.pi * turn), np.sin(2.0 * np.pi * turn)
+    c[np.abs(s) < 1e-12] = np.sign(c[np.abs(s) < 1e-12])
+    s[np.abs(s) < 1e-12] = 0.0
+    x, y = np.outer(r, c).ravel(), np.outer(r, s).ravel()
+    on = _spot(field, x, y, np.zeros(1))
+    below = _spot(field, x, y, np.geomspace(0.02, 3.0, 18) * radius)
+    return max(_zoomed(field, on, radius), _zoomed(field, below, radius))
+
+
+def _zoomed(field: Callable[[Array, Array, Array], Array], best: Spot, radius: float) -> Spot:
+    wide, high = 0.15 * radius, max(0.3 * best.z, 0.02 * radius)
+    for _ in range(ZOOMS):
+        line = np.linspace(-1.0, 1.0, 5)
+        x, y = (part.ravel() for part in np.meshgrid(best.x + wide * line, best.y + wide * line))
+        found = _spot(field, x, y, np.unique(np.clip(best.z + high * line, 0.0, None)))
+        best = found if found.value >= best.value else best
+        wide, high = 0.5 * wide, 0.5 * high
+    return best
+
+
+def _spot(field: Callable[[Array, Array, Array], Array], x: Array, y: Array, z: Array) -> Spot:
+    across, along, deep = np.repeat(x, z.size), np.repeat(y, z.size), np.tile(z, x.size)
+    values = field(across, along, deep)
+    place = int(np.nanargmax(values))
+    return Spot(*(float(part[place]) for part in (values, across, along, deep)))

@@ -29,10 +29,11 @@ from winkler.media.punch_field import BodyField, Potentials, combine, punch_belo
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["field"]
+__all__ = ["field", "superposed_below", "superposed_on"]
 
 Indices = NDArray[np.intp]
 Place = Callable[[Indices, Array], tuple[Array, Array]]
+Punch = Callable[[Array, Array, Array, Array | None], tuple[Array, ...]]
 
 BLOCK = 20_000
 """Largest number of points at once."""
@@ -89,14 +90,11 @@ def field(displacement: Displacement, r: Array, z: Array, *, modulus: float, poi
     places, depths = radius.ravel(), depth.ravel()
     total = np.zeros((len(Potentials._fields), places.size))
     if displacement.radius > 0.0:
-        (below,), (surface,) = np.nonzero(depths > 0.0), np.nonzero(depths == 0.0)
-        for start in range(0, below.size, BLOCK):
-            block = below[start : start + BLOCK]
-            deep = np.maximum(depths[block], SHALLOWEST * displacement.radius)
-            total[:, block] = _below(displacement, places[block], deep)
-        for start in range(0, surface.size, BLOCK):
-            block = surface[start : start + BLOCK]
-            total[:, block] = _surface(displacement, places[block])
+        below, surface = depths > 0.0, depths == 0.0
+        total[:, below] = superposed_below(displacement, places[below], depths[below], punch_below)
+        v, v_z, psi_r_by_r = superposed_on(displacement, places[surface])
+        nothing = np.zeros(v.size)
+        total[:, surface] = [v, v_z, nothing, nothing, nothing, psi_r_by_r]
     potentials = Potentials(*(part.reshape(radius.shape) for part in total))
     return combine(potentials, radius, depth, modulus=modulus, poisson=poisson, shear=shear)
 
@@ -104,34 +102,61 @@ def field(displacement: Displacement, r: Array, z: Array, *, modulus: float, poi
 # ------------------------------------------------------------------------------------------------ below the surface
 
 
-def _below(displacement: Displacement, r: Array, z: Array) -> Array:
-    """Superpose the punches at points with z > 0; the rows are the fields of `Potentials`."""
-    total = displacement.edge * np.array(punch_below(r, z, np.asarray(displacement.radius)))
+def superposed_below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Array:
+    """Superpose flat punches at points below the surface.
+
+    Parameters
+    ----------
+    displacement : Displacement
+        u(x) of the springs, in contact.
+    r, z : ndarray, (n,)
+        Distance from the axis and depth [m], z > 0.
+    punch
+        Takes r, z, the radius t of punches and t - r where it is known better than by subtraction; returns the
+        potentials of punches under unit line load.
+
+    Returns
+    -------
+    ndarray, (m, n)
+        A row for every potential.
+    """
+    deep = np.maximum(z, SHALLOWEST * displacement.radius)
+    parts = [
+        _below(displacement, r[start : start + BLOCK], deep[start : start + BLOCK], punch)
+        for start in range(0, max(r.size, 1), BLOCK)
+    ]
+    return np.concatenate(parts, axis=1)
+
+
+def _below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Array:
+    total = np.array(punch(r, z, np.asarray(displacement.radius), None))
+    total *= displacement.edge
     waiting: list[tuple[Cluster, Indices]] = [(pile(displacement).root, np.arange(r.size))]
     while waiting:
         cluster, points = waiting.pop()
         if cluster.radii.size:
             middle, half = 0.5 * (cluster.lower + cluster.upper), 0.5 * (cluster.upper - cluster.lower)
             far = _distance((r[points] + 1j * z[points] - middle) / half) > FAR
-            total[:, points[far]] += _far(cluster, r[points[far]], z[points[far]])
+            total[:, points[far]] += _far(cluster, r[points[far]], z[points[far]], punch)
             waiting += [(child, points[~far]) for child in cluster.children if not np.all(far)]
         else:
             for panel in cluster.panels:
-                for group, part in _near(panel, r[points], z[points]):
+                for group, part in _near(panel, r[points], z[points], punch):
                     total[:, points[group]] += part
     return total
 
 
-def _far(cluster: Cluster, r: Array, z: Array) -> Array:
+def _far(cluster: Cluster, r: Array, z: Array, punch: Punch) -> Array:
     """Superpose the punches that stand for a cluster."""
-    parts = [np.zeros((len(Potentials._fields), 0))]
-    for start in range(0, r.size, step := max(CHUNK // cluster.radii.size, 1)):
-        flat = punch_below(r[start : start + step, None], z[start : start + step, None], cluster.radii)
+    parts = []
+    step = max(CHUNK // cluster.radii.size, 1)
+    for start in range(0, max(r.size, 1), step):
+        flat = punch(r[start : start + step, None], z[start : start + step, None], cluster.radii, None)
         parts.append(np.array([part @ cluster.weights for part in flat]))
     return np.concatenate(parts, axis=1)
 
 
-def _near(panel: Panel, r: Array, z: Array) -> Iterator[tuple[Indices, Array]]:
+def _near(panel: Panel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indices, Array]]:
     """Integrate one panel, in groups of points that share a rule."""
     s, lower, upper, rank = panel.base, panel.lower, panel.upper, panel.series.size
     square, product = (r - s) * (r + s) - z * z, r * z  # p + iq = sqrt((r + iz)^2 - s^2)
@@ -149,7 +174,7 @@ def _near(panel: Panel, r: Array, z: Array) -> Iterator[tuple[Indices, Array]]:
         t = np.hypot(s, y) if s > 0.0 else y
         excess = (offset * (y + p[i]) + share[i]) / (r[i] + t)
         weights = panel.weight(y) * measure
-        return np.array([np.sum(part * weights, axis=1) for part in punch_below(r[i], z[i], t, excess)])
+        return np.array([np.sum(part * weights, axis=1) for part in punch(r[i], z[i], t, excess)])
 
     straight = distance > STRAIGHT
     for i, nodes, weights in _groups(np.flatnonzero(straight), np.ones(r.size, dtype=int), count):
@@ -201,8 +226,14 @@ def _rule(parts: int, count: int) -> tuple[Array, Array]:
 # ------------------------------------------------------------------------------------------------ on the surface
 
 
+def superposed_on(displacement: Displacement, r: Array) -> Array:
+    """Superpose the punches at points of the surface, r of shape ``(n,)``; the rows are V, V_z and psi_r / r."""
+    return np.concatenate(
+        [_surface(displacement, r[start : start + BLOCK]) for start in range(0, max(r.size, 1), BLOCK)], axis=1
+    )
+
+
 def _surface(displacement: Displacement, r: Array) -> Array:
-    """Superpose the punches at points with z = 0; the rows are the fields of `Potentials`."""
     panels, a = pile(displacement).panels, displacement.radius
     total = np.zeros((3, r.size))  # V, V_z and psi_r/r
     for panel in panels:
@@ -221,8 +252,7 @@ def _surface(displacement: Displacement, r: Array) -> Array:
     if np.any(axis):
         v_z[axis] -= 2.0 * _tip(displacement, panels[0])
         psi_r_by_r[axis] = -0.5 * v_z[axis]
-    nothing = np.zeros(r.size)
-    return np.array([v, v_z, nothing, nothing, nothing, psi_r_by_r])
+    return np.array([v, v_z, psi_r_by_r])
 
 
 def _above(panel: Panel, r: Array, p: Array) -> Array:

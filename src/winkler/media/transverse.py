@@ -14,6 +14,7 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
+from winkler.media.twist_field import twist_constants
 from winkler.numerics.types import Array
 from winkler.validity import Note, Standing
 from winkler.values import value
@@ -88,6 +89,12 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     def shear_modulus(self) -> float:
         """G* [Pa]."""
         return 1.0 / (_compliances(self.first)[1] + _compliances(self.second)[1])
+
+    @property
+    def torsional_modulus(self) -> float:
+        """G_t [Pa], 1/G_t = sum of 1/sqrt(C44 C66)."""
+        turned = [twist_constants(body)[0] for body in (self.first, self.second) if not isinstance(body, Rigid)]
+        return 1.0 / sum(1.0 / modulus for modulus in turned)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Refused: stresses inside an anisotropic body are not known to winkler."""

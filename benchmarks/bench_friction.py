@@ -1,0 +1,86 @@
+"""Springs that stick and slip: how many of them go through a step in a second, and what a whole problem takes.
+
+Run it:  pytest benchmarks -m bench --benchmark-only
+The fastest round counts: one core, arrays in the fastest memory, at whatever clock that core runs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.laws.friction import Coulomb
+from winkler.numerics.slip_kernels import march_line
+from winkler.numerics.slip_plane import march_plane
+from winkler.path import Path
+from winkler.problems.spring_march import SpringMarch
+
+pytestmark = pytest.mark.bench
+
+STEPS = 1000
+TIME = np.arange(STEPS + 1.0)
+
+
+def row(count: int) -> tuple[np.ndarray, ...]:
+    """Return gaps, stiffnesses and bounds per depth of springs that are all in contact at unit depth."""
+    x = np.linspace(0.0, 1.0, count, endpoint=False)
+    return x * x, np.full(count, 1.0 / count), np.full(count, 0.4)
+
+
+@pytest.mark.parametrize("count", [500, 4000])
+@pytest.mark.parametrize("pressing", ["held", "pumped"])
+def bench_springs_along_a_line(benchmark, below, count, pressing):
+    """A fretting loop, at constant depth or with a depth that changes too: 2e9, or 1e9, springs and steps a second."""
+    gap, stiffness, slope = row(count)
+    depth = np.ones(STEPS + 1) if pressing == "held" else 1.0 + 0.1 * np.sin(0.07 * TIME)
+    shift = 0.3 * np.sin(0.13 * TIME)
+    u = np.zeros(count)
+    force, stored, lost = np.zeros((3, STEPS))
+
+    def run():
+        march_line(u, gap, stiffness, slope, depth, shift, force, stored, lost)
+
+    benchmark.pedantic(run, rounds=200, warmup_rounds=5)
+    assert lost.min() >= 0.0
+    rate = 2e9 if pressing == "held" else 1e9
+    below(count * STEPS / rate, f"{count} springs, {STEPS} steps of a loop, depth {pressing}")
+
+
+@pytest.mark.parametrize("amplitude", [0.1, 0.3])
+def bench_springs_in_the_plane(benchmark, below, amplitude):
+    """A circular way; the shift of sliding is 0.4: an eighth, or half, of the springs slip in every step."""
+    count = 500
+    gap, stiffness, slope = row(count)
+    depth = np.ones(STEPS + 1)
+    shift = amplitude * np.column_stack([np.cos(0.13 * TIME), np.sin(0.13 * TIME)])
+    u, slips, bound = np.zeros((2, count)), np.zeros(count, dtype=bool), slope * (depth[:, np.newaxis] - gap)
+    force, stored, lost = np.zeros((STEPS, 2)), np.zeros(STEPS), np.zeros(STEPS)
+
+    def run():
+        march_plane(u, slips, gap, stiffness, bound, 1.0, depth, shift, force, stored, lost)
+
+    benchmark.pedantic(run, rounds=100, warmup_rounds=3)
+    assert lost.min() >= 0.0
+    rate = 1.8e8 if amplitude == 0.1 else 8e7
+    below(count * STEPS / rate, f"{count} springs, {STEPS} steps of a circle, radius {amplitude / 0.4:.0%} of sliding")
+
+
+LOOPS = {
+    "shift": (lambda full: wk.Shift(0.5 * full * np.sin(0.1 * TIME)), 5e-3),
+    "shear force": (lambda full: wk.ShearForce(60.0 * np.sin(0.1 * TIME)), 30e-3),
+    "plane": (lambda full: wk.Shift(0.5 * full * np.column_stack([np.sin(0.1 * TIME), np.cos(0.07 * TIME)])), 25e-3),
+}
+
+
+@pytest.mark.parametrize("name", LOOPS)
+def bench_a_loop_of_a_thousand_steps(benchmark, below, steel_on_steel, name):
+    """From bed, law and path to forces and energies: 500 springs, 1,000 steps."""
+    bed = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel)
+    depth = wk.Indentation(bed, wk.Force(1000.0)).solve().depth
+    lateral, most = LOOPS[name]
+    full = 0.3 * depth * steel_on_steel.modulus / steel_on_steel.shear_modulus
+    problem = SpringMarch(bed, Coulomb(0.3), Path(TIME, wk.Depth(depth), lateral(full)), 500)
+    trace = benchmark.pedantic(problem.solve, rounds=20, warmup_rounds=2)
+    assert np.all(np.diff(trace.dissipation) >= 0.0)
+    below(most, f"500 springs, {STEPS} steps, {name}")

@@ -1,0 +1,85 @@
+"""The state of many contacts, saved and restored: a discrete element run that stops may go on with its memory."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.problems.contacts import Contacts
+
+__all__ = ["read_contacts", "write_contacts"]
+
+FORMAT = "winkler contacts 1"
+WORDS = tuple(field.name for field in dataclasses.fields(Contacts))
+
+
+def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
+    """Save contacts with their memory; a file of that name is replaced only once the new one is whole.
+
+    Parameters
+    ----------
+    contacts : Contacts
+        What is saved, to the last digit.
+    path : str or path
+        The file, of NumPy's kind ``.npz``.
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such folder, or its file cannot be written.
+    """
+    path = Path(path)
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with partial.open("wb") as file:
+            np.savez(file, format=np.array(FORMAT), **{word: getattr(contacts, word) for word in WORDS})
+            file.flush()
+            os.fsync(file.fileno())
+        partial.replace(path)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise InvalidInput(
+            f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
+        ) from None
+    except BaseException:
+        partial.unlink(missing_ok=True)
+        raise
+    return path
+
+
+def read_contacts(path: str | os.PathLike[str]) -> Contacts:
+    """Return contacts as they were saved.
+
+    Parameters
+    ----------
+    path : str or path
+        A file that `write_contacts` wrote.
+
+    Returns
+    -------
+    Contacts
+
+    Raises
+    ------
+    InvalidInput
+        If the file is missing, broken, or of another kind.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            found = {word: stored[word] for word in ("format", *WORDS)}
+    except (OSError, ValueError, KeyError, EOFError, TypeError, zipfile.BadZipFile) as error:
+        raise InvalidInput(
+            f"{path}: no contacts can be read from it ({error}); give a file of write_contacts."
+        ) from None
+    if str(found.pop("format")) != FORMAT:
+        raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
+    return Contacts(**found)

@@ -1,0 +1,330 @@
+r"""Kernels: springs that stick and slip while the bodies move to and fro, step by step.
+
+A spring under the gap :math:`\gamma` is in contact while the depth d exceeds it.  Displaced by u it bears
+:math:`|u|\le b`; in one direction, with Coulomb friction, :math:`b=\beta(d-\gamma)`.  Over a step in which depth and
+shift U change in proportion to each other it does the following, and this is followed exactly, however long the step:
+
+- in contact all the time, it moves by the whole change of U, and is held back by the bound at the end of the step: a
+  spring that reaches the bound stays on it, since both move at constant rates;
+- coming into contact, it moves by what is left of the step from then on;
+- leaving, its bound closes upon it; it ends at rest, and what it stored is lost, but for what it gives back on the way.
+
+A spring that is held back by s loses :math:`s\,(b_1-\tfrac12\beta\,\Delta d\,s/\sigma)` per stiffness,
+:math:`\sigma=|\Delta U|-\beta\,\Delta d` being the rate at which motion and bound close upon each other.
+
+Springs stand in rising order of gap.  Arrays of a block: depth and shift have one point more than there are steps; what
+comes out (force, energy stored at the end of a step, energy lost in it) one number for each step.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.jit import compiled
+from winkler.numerics.types import Array
+
+__all__ = ["march_line", "pull_line"]
+
+CHUNK = 1024
+"""Springs that go through all steps of a block together: few enough to stay in the fastest memory."""
+LEAST = 1e-300
+"""Instead of nothing, below a fraction bar."""
+CLOSE = 1e-14
+"""Relative error of a prescribed force."""
+MOST = 200
+"""Steps of the search for the motion that gives it."""
+
+
+@compiled
+def _slide(
+    u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, moved: float
+) -> tuple[float, float, float]:
+    """Move springs at a constant depth; return their force, twice what they store, and what they lose."""
+    pull = 0.0
+    held = 0.0
+    loss = 0.0
+    for i in range(u.size):
+        bound = slope[i] * (depth - gap[i])
+        trial = u[i] + moved
+        v = trial if trial < bound else bound
+        v = v if v > -bound else -bound
+        u[i] = v
+        part = stiffness[i] * v
+        pull += part
+        held += part * v
+        loss += stiffness[i] * abs(trial - v) * bound
+    return pull, held, loss
+
+
+@compiled
+def _slide_alike(
+    u: Array, gap: Array, stiffness: Array, slope: float, depth: float, moved: float
+) -> tuple[float, float, float]:
+    """Do what `_slide` does for springs with bounds that rise alike."""
+    pull = 0.0
+    held = 0.0
+    loss = 0.0
+    for i in range(u.size):
+        bound = slope * (depth - gap[i])
+        trial = u[i] + moved
+        v = trial if trial < bound else bound
+        v = v if v > -bound else -bound
+        u[i] = v
+        part = stiffness[i] * v
+        pull += part
+        held += part * v
+        loss += stiffness[i] * abs(trial - v) * bound
+    return pull, held, loss
+
+
+@compiled
+def _press(
+    u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float
+) -> tuple[float, float, float]:
+    """Move springs that stay in contact while the depth has changed by `sunk`."""
+    pull = 0.0
+    held = 0.0
+    loss = 0.0
+    for i in range(u.size):
+        bound = slope[i] * (depth - gap[i])
+        closing = slope[i] * sunk
+        trial = u[i] + moved
+        v = trial if trial < bound else bound
+        v = v if v > -bound else -bound
+        u[i] = v
+        part = stiffness[i] * v
+        pull += part
+        held += part * v
+        s = abs(trial - v)
+        rate = (moved if trial > 0.0 else -moved) - closing
+        rate = rate if rate > s else s + LEAST
+        loss += stiffness[i] * s * (bound - 0.5 * closing * (s / rate))
+    return pull, held, loss
+
+
+@compiled
+def _press_alike(
+    u: Array, gap: Array, stiffness: Array, slope: float, depth: float, sunk: float, moved: float
+) -> tuple[float, float, float]:
+    """Do what `_press` does for springs with bounds that rise alike: without a division for every spring."""
+    closing = slope * sunk
+    up = 1.0 / max(moved - closing, LEAST)
+    down = 1.0 / max(-moved - closing, LEAST)
+    pull = 0.0
+    held = 0.0
+    loss = 0.0
+    for i in range(u.size):
+        bound = slope * (depth - gap[i])
+        trial = u[i] + moved
+        v = trial if trial < bound else bound
+        v = v if v > -bound else -bound
+        u[i] = v
+        part = stiffness[i] * v
+        pull += part
+        held += part * v
+        s = abs(trial - v)
+        part_of_step = s * (up if trial > 0.0 else down)
+        part_of_step = part_of_step if part_of_step < 1.0 else 1.0
+        loss += stiffness[i] * s * (bound - 0.5 * closing * part_of_step)
+    return pull, held, loss
+
+
+@compiled
+def _enter(
+    u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float
+) -> tuple[float, float, float]:
+    """Move springs that come into contact: each by what is left of the step from then on."""
+    pull = 0.0
+    held = 0.0
+    loss = 0.0
+    for i in range(u.size):
+        bound = slope[i] * (depth - gap[i])
+        trial = moved * ((depth - gap[i]) / sunk)
+        v = trial if trial < bound else bound
+        v = v if v > -bound else -bound
+        u[i] = v
+        part = stiffness[i] * v
+        pull += part
+        held += part * v
+        loss += 0.5 * stiffness[i] * abs(trial - v) * bound
+    return pull, held, loss
+
+
+@compiled
+def _leave(u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float) -> float:
+    """Move springs that lose contact, from a depth on, and set them at rest; return what they lose."""
+    loss = 0.0
+    for i in range(u.size):
+        closing = slope[i] * (gap[i] - depth)
+        way = moved * ((gap[i] - depth) / sunk)
+        trial = u[i] + way
+        u[i] = 0.0
+        s = abs(trial)
+        rate = (way if trial > 0.0 else -way) - closing
+        rate = rate if rate > s else s + LEAST
+        loss -= 0.5 * stiffness[i] * closing * s * (s / rate)
+    return loss
+
+
+@compiled
+def march_line(
+    u: Array,
+    gap: Array,
+    stiffness: Array,
+    slope: Array,
+    depth: Array,
+    shift: Array,
+    force: Array,
+    stored: Array,
+    lost: Array,
+) -> None:
+    """Move springs along a line; u (n,) is changed in place.
+
+    `slope` (n,) is beta of every spring: how fast its bound rises with the depth.
+    """
+    steps = force.size
+    for t in range(steps):
+        force[t] = 0.0
+        stored[t] = 0.0
+        lost[t] = 0.0
+    for start in range(0, gap.size, CHUNK):
+        end = min(start + CHUNK, gap.size)
+        v, g, k, b = u[start:end], gap[start:end], stiffness[start:end], slope[start:end]
+        before = np.searchsorted(g, depth[0])
+        alike = b.min() == b.max()
+        for t in range(steps):
+            sunk = depth[t + 1] - depth[t]
+            moved = shift[t + 1] - shift[t]
+            if sunk == 0.0:
+                if alike:
+                    pull, held, loss = _slide_alike(v[:before], g[:before], k[:before], b[0], depth[t], moved)
+                else:
+                    pull, held, loss = _slide(v[:before], g[:before], k[:before], b[:before], depth[t], moved)
+            else:
+                after = np.searchsorted(g, depth[t + 1])
+                stay = min(before, after)
+                if alike:
+                    pull, held, loss = _press_alike(v[:stay], g[:stay], k[:stay], b[0], depth[t + 1], sunk, moved)
+                else:
+                    pull, held, loss = _press(v[:stay], g[:stay], k[:stay], b[:stay], depth[t + 1], sunk, moved)
+                if after > before:
+                    more, further, waste = _enter(
+                        v[before:after],
+                        g[before:after],
+                        k[before:after],
+                        b[before:after],
+                        depth[t + 1],
+                        sunk,
+                        moved,
+                    )
+                    pull += more
+                    held += further
+                    loss += waste
+                elif after < before:
+                    loss += _leave(
+                        v[after:before],
+                        g[after:before],
+                        k[after:before],
+                        b[after:before],
+                        depth[t],
+                        sunk,
+                        moved,
+                    )
+                before = after
+            force[t] += pull
+            stored[t] += 0.5 * held
+            lost[t] += loss
+
+
+@compiled
+def _pull(
+    u: Array, gap: Array, stiffness: Array, slope: Array, first: float, depth: float, moved: float
+) -> tuple[float, float]:
+    """Return the force if the bodies moved, and how fast it would still rise."""
+    before, after = np.searchsorted(gap, first), np.searchsorted(gap, depth)
+    pull = 0.0
+    rise = 0.0
+    for i in range(after):
+        share = 1.0 if i < before else (depth - gap[i]) / (depth - first)
+        bound = slope[i] * (depth - gap[i])
+        trial = (u[i] if i < before else 0.0) + share * moved
+        if trial > bound:
+            pull += stiffness[i] * bound
+        elif trial < -bound:
+            pull -= stiffness[i] * bound
+        else:
+            pull += stiffness[i] * trial
+            rise += stiffness[i] * share
+    return pull, rise
+
+
+@compiled
+def _wanted(
+    u: Array, gap: Array, stiffness: Array, slope: Array, first: float, depth: float, target: float, close: float
+) -> float:
+    """Return by how much the bodies move until the force is `target`; not a number if it never is."""
+    if gap.size == 0 or depth <= gap[0]:
+        return 0.0 if target == 0.0 else math.nan
+    most = slope.max() * ((depth - gap[0]) + max(first - gap[0], 0.0))
+    low = -most
+    high = most
+    moved = 0.0
+    for _ in range(MOST):
+        pull, rise = _pull(u, gap, stiffness, slope, first, depth, moved)
+        short = target - pull
+        if abs(short) <= close:
+            return moved
+        if short > 0.0:
+            low = moved
+        else:
+            high = moved
+        guess = moved + short / rise if rise > 0.0 else math.inf
+        if not (low < guess < high):
+            guess = 0.5 * (low + high)
+            if guess in (low, high):
+                break
+        moved = guess
+    # the force is a rising line with corners: what is left is what the last digits of the way decide
+    pull, rise = _pull(u, gap, stiffness, slope, first, depth, moved)
+    return moved if abs(target - pull) <= 1e3 * close else math.nan
+
+
+@compiled
+def pull_line(
+    u: Array,
+    gap: Array,
+    stiffness: Array,
+    slope: Array,
+    depth: Array,
+    target: Array,
+    shift: Array,
+    force: Array,
+    stored: Array,
+    lost: Array,
+) -> int:
+    """Do what `march_line` does for prescribed forces `target` (steps,); shift (steps + 1,) is filled after its first.
+
+    Returns the number of steps that could be done; one less than asked for where the springs bear no such force.
+    """
+    for t in range(target.size):
+        scale = abs(target[t])
+        for i in range(gap.size):
+            scale += stiffness[i] * abs(u[i])
+        moved = _wanted(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], CLOSE * scale)
+        if math.isnan(moved):
+            return t
+        shift[t + 1] = shift[t] + moved
+        march_line(
+            u,
+            gap,
+            stiffness,
+            slope,
+            depth[t : t + 2],
+            shift[t : t + 2],
+            force[t : t + 1],
+            stored[t : t + 1],
+            lost[t : t + 1],
+        )
+    return int(target.size)

@@ -1,0 +1,43 @@
+"""Many independent pieces of work, shared out among the cores; what they run must let other threads run meanwhile."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+
+__all__ = ["shared_out"]
+
+FEWEST = 256
+"""Pieces that are not worth a thread of their own."""
+
+
+def shared_out(work: Callable[[slice], None], count: int) -> None:
+    """Do all pieces from 0 to `count`, a run of neighbours on each core.
+
+    Parameters
+    ----------
+    work : callable
+        Takes the slice of pieces it is to do; kernels are compiled by a first call with none.
+    count : int
+        How many there are.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> squares = np.zeros(5)
+    >>> def work(part):
+    ...     squares[part] = np.arange(5.0)[part] ** 2
+    >>> shared_out(work, 5)
+    >>> squares
+    array([ 0.,  1.,  4.,  9., 16.])
+    """
+    work(slice(0, 0))
+    cores = 1 if sys.platform == "emscripten" else min(os.cpu_count() or 1, max(count // FEWEST, 1))
+    if cores == 1:
+        work(slice(0, count))
+        return
+    edges = [count * core // cores for core in range(cores + 1)]
+    with ThreadPoolExecutor(cores) as pool:
+        list(pool.map(work, [slice(*pair) for pair in zip(edges[:-1], edges[1:], strict=True)]))

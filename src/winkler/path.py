@@ -1,0 +1,199 @@
+"""A path: how the bodies are pressed and moved along the surface, point after point.
+
+Between two points everything that is prescribed changes in proportion to time.  Before the first point the bodies are
+pressed straight down as far as its normal load says, and then moved along the surface as its lateral load says.  A path
+that is told in steps (go there, wait, oscillate) is a `winkler.program.Program`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
+from winkler.numerics.swings import sine, swings
+from winkler.numerics.types import Array
+from winkler.values import frozen_array, value
+
+__all__ = ["Path", "numbers_of"]
+
+PER_CYCLE = 40
+"""Points of one oscillation."""
+
+
+@value
+class Path:
+    """A normal load and a lateral load over time.
+
+    Parameters
+    ----------
+    time : ndarray, (steps,)
+        When [s], never falling.
+    normal : Depth or Force
+        ``(steps,)``, or one number that holds all the time.
+    lateral : Shift, ShearForce, Angle or Torque, optional
+        ``(steps,)``, for a shift or a shear force in the plane ``(steps, 2)``, or one number that holds all the time;
+        no shift unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If the lengths differ, or time falls.
+
+    Examples
+    --------
+    >>> Path([0.0, 1.0, 2.0], Force(100.0), Shift([0.0, 1e-6, -1e-6])).across
+    array([100., 100., 100.])
+    """
+
+    time: Array
+    normal: Normal
+    lateral: Lateral = Shift(0.0)
+
+    def __post_init__(self) -> None:
+        try:
+            times = np.asarray(self.time, dtype=float)
+        except (TypeError, ValueError):
+            times = np.empty(0)
+        if times.ndim != 1 or not times.size or not np.all(np.isfinite(times)) or np.any(np.diff(times) < 0.0):
+            raise InvalidInput("Path: time must be a row of finite numbers in s that never fall.")
+        if not isinstance(self.normal, Depth | Force):
+            raise InvalidInput(f"Path: normal is a {type(self.normal).__name__}; give Depth([...]) or Force([...]).")
+        if not isinstance(self.lateral, Shift | ShearForce | Angle | Torque):
+            raise InvalidInput(
+                f"Path: lateral is a {type(self.lateral).__name__}; give Shift, ShearForce, Angle or Torque."
+            )
+        object.__setattr__(self, "time", frozen_array(times))
+        for word in ("normal", "lateral"):
+            object.__setattr__(self, word, _spread(word, getattr(self, word), times.size))
+
+    @classmethod
+    def through(cls, normal: Normal, lateral: Lateral) -> Path:
+        """Return the path through points that are reached one second after the other.
+
+        Nothing that is computed from friction alone depends on how fast the points are reached.
+
+        Parameters
+        ----------
+        normal : Depth or Force
+            ``(steps,)``, or one number that holds all the time.
+        lateral : Shift, ShearForce, Angle or Torque
+            ``(steps,)``, in the plane ``(steps, 2)``, or one number that holds all the time.
+
+        Returns
+        -------
+        Path
+
+        Raises
+        ------
+        InvalidInput
+            If the lengths differ.
+
+        Examples
+        --------
+        >>> Path.through(Depth([1e-6, 2e-6, 1e-6]), Shift(0.0)).time
+        array([0., 1., 2.])
+        """
+        counts = [len(row) for row in (np.atleast_1d(numbers_of(normal)), np.atleast_1d(numbers_of(lateral)))]
+        return Path(np.arange(max(counts), dtype=float), normal, lateral)
+
+    @classmethod
+    def oscillation(
+        cls,
+        *,
+        depth: float = math.nan,
+        force: float = math.nan,
+        amplitude: float | Lateral,
+        cycles: float = 1.0,
+        frequency: float = 1.0,
+        count: int = PER_CYCLE,
+    ) -> Path:
+        """Return a harmonic oscillation along the surface under a steady normal load, from the middle on.
+
+        Parameters
+        ----------
+        depth, force : float
+            The steady normal load, a depth [m] or a force [N]: one of both.
+        amplitude : float, Shift, ShearForce, Angle or Torque
+            How far to each side; a plain number is a shift [m].
+        cycles : float, optional
+            How many.
+        frequency : float, optional
+            Cycles per second [Hz].
+        count : int, optional
+            Points of one cycle, evenly spaced in time, beside the turning points, which are always among them.
+
+        Returns
+        -------
+        Path
+
+        Raises
+        ------
+        InvalidInput
+            If a number is missing, not positive where it must be, or both depth and force are given.
+
+        Examples
+        --------
+        >>> Path.oscillation(depth=1e-6, amplitude=0.5, cycles=1, count=4).along
+        array([ 0. ,  0.5,  0. , -0.5,  0. ])
+        """
+        if math.isnan(depth) == math.isnan(force):
+            raise InvalidInput("Path: an oscillation takes one steady normal load; give either depth or force.")
+        swing = amplitude if isinstance(amplitude, Shift | ShearForce | Angle | Torque) else Shift(amplitude)
+        size = numbers_of(swing)
+        if size.ndim != 0:
+            raise InvalidInput(
+                f"Path: the amplitude of an oscillation has the shape {size.shape}; give one number, or in the plane a "
+                "Program with Oscillate."
+            )
+        turns = swings(cycles, count)
+        if not (math.isfinite(frequency) and frequency > 0.0):
+            raise InvalidInput(f"Path: the frequency is {frequency!r}; it must be positive and finite, in Hz.")
+        normal = Force(force) if math.isnan(depth) else Depth(depth)
+        return Path(turns / frequency, normal, type(swing)(size * sine(turns)))
+
+    @property
+    def across(self) -> Array:
+        """What is prescribed across the surface, ``(steps,)``: depths [m] or forces [N]."""
+        return numbers_of(self.normal)
+
+    @property
+    def along(self) -> Array:
+        """What is prescribed along the surface, ``(steps,)`` or ``(steps, 2)``: [m], [N], [rad] or [N m]."""
+        return numbers_of(self.lateral)
+
+    @property
+    def in_plane(self) -> bool:
+        """Whether the lateral load has two components."""
+        return self.along.ndim == 2
+
+
+def numbers_of(load: Normal | Lateral) -> Array:
+    """Return the numbers of a load [SI].
+
+    Parameters
+    ----------
+    load : Depth, Force, Shift, ShearForce, Angle or Torque
+        Any of them.
+
+    Returns
+    -------
+    ndarray
+        In the shape in which they were given.
+    """
+    match load:
+        case Depth(numbers) | Force(numbers) | Shift(numbers) | ShearForce(numbers) | Angle(numbers) | Torque(numbers):
+            return np.asarray(numbers, dtype=float)
+
+
+def _spread(word: str, load: Normal | Lateral, steps: int) -> Normal | Lateral:
+    numbers = numbers_of(load)
+    planar = isinstance(load, Shift | ShearForce) and numbers.shape == (steps, 2)
+    if not planar and numbers.shape not in ((), (steps,)):
+        raise InvalidInput(
+            f"Path: {word} has the shape {numbers.shape} for {steps} points in time; give one number for each, or one "
+            "for all."
+        )
+    return type(load)(frozen_array(numbers if numbers.ndim else np.full(steps, float(numbers))))

@@ -1,0 +1,311 @@
+"""The steps of a path that is told in words: start, go there, wait, oscillate, run round a circle, follow a table.
+
+Every step goes on from where the one before it ended, and leaves as it is what it does not mention.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
+from winkler.numerics.swings import sine, swings
+from winkler.numerics.types import Array
+from winkler.path import PER_CYCLE, Path, numbers_of
+from winkler.values import value
+
+__all__ = ["Circle", "Follow", "Hold", "Kept", "Oscillate", "Ramp", "Rows", "Start", "Step"]
+
+
+class Rows(NamedTuple):
+    """Points after the present one: seconds since then, loads ``(points,)`` and ``(points, 2)``."""
+
+    seconds: Array
+    across: Array
+    along: Array
+
+
+@value
+class Kept:
+    """A load that stays as it is."""
+
+
+@value
+class Start:
+    """Where the path begins.
+
+    Parameters
+    ----------
+    normal : Depth or Force
+        One number; it says what drives the normal motion in all steps.
+    lateral : Shift, ShearForce, Angle or Torque, optional
+        One number, in the plane two; it says what drives the lateral motion in all steps.
+
+    Raises
+    ------
+    InvalidInput
+        If a load is of another kind or an array.
+    """
+
+    normal: Normal
+    lateral: Lateral = Shift(0.0)
+
+    def __post_init__(self) -> None:
+        _check_loads("Start", self.normal, self.lateral)
+
+    def rows(self, across: float, along: Array) -> Rows:
+        """Return the one point."""
+        return Rows(np.zeros(1), np.array([_one(self.normal)]), _pair(self.lateral)[None])
+
+
+@value
+class Ramp:
+    """Go straight to a load.
+
+    Parameters
+    ----------
+    normal : Depth, Force or Kept, optional
+        Where to, one number.
+    lateral : Shift, ShearForce, Angle, Torque or Kept, optional
+        Where to, one number, in the plane two.
+    duration : float, optional
+        How long it takes [s], zero or more.
+    count : int, optional
+        In how many equal parts the way is told; at least one.
+
+    Raises
+    ------
+    InvalidInput
+        If a load is of another kind or an array, or a number out of bounds.
+    """
+
+    normal: Normal | Kept = Kept()
+    lateral: Lateral | Kept = Kept()
+    duration: float = 1.0
+    count: int = 1
+
+    def __post_init__(self) -> None:
+        _check_loads("Ramp", self.normal, self.lateral)
+        _check_numbers("Ramp", count=self.count, duration=self.duration)
+
+    def rows(self, across: float, along: Array) -> Rows:
+        """Return `count` points on the way, the last of them there."""
+        part = np.arange(1, self.count + 1) / self.count
+        high = across if isinstance(self.normal, Kept) else _one(self.normal)
+        far = along if isinstance(self.lateral, Kept) else _pair(self.lateral)
+        return Rows(
+            part * self.duration,
+            (1.0 - part) * across + part * high,
+            (1.0 - part)[:, None] * along + part[:, None] * far,
+        )
+
+
+@value
+class Hold:
+    """Wait.
+
+    Parameters
+    ----------
+    duration : float, optional
+        How long [s], zero or more.
+
+    Raises
+    ------
+    InvalidInput
+        If the duration is negative or not finite.
+    """
+
+    duration: float = 1.0
+
+    def __post_init__(self) -> None:
+        _check_numbers("Hold", duration=self.duration)
+
+    def rows(self, across: float, along: Array) -> Rows:
+        """Return the one point at the end."""
+        return Rows(np.array([self.duration]), np.array([across]), along[None])
+
+
+@value
+class Oscillate:
+    """Oscillate about where one is.
+
+    Along the surface A sin(2 pi f t + phase), across it A sin(2 pi ratio f t), both about the present loads.  With a
+    phase the path first goes at once to where the oscillation begins.
+
+    Parameters
+    ----------
+    normal : Depth, Force or Kept, optional
+        Amplitude of the normal load.
+    lateral : Shift, ShearForce, Angle, Torque or Kept, optional
+        Amplitude along the surface; in the plane two numbers, along whose direction the oscillation goes.
+    cycles : float, optional
+        How many, along the surface.
+    frequency : float, optional
+        f [Hz], along the surface.
+    ratio : float, optional
+        Frequency of the normal load over that along the surface.
+    phase : float, optional
+        By which the lateral load is ahead [rad].
+    count : int, optional
+        Points of one cycle of the faster of both, beside the turning points, which are always among them.
+
+    Raises
+    ------
+    InvalidInput
+        If a load is of another kind or an array, or a number out of bounds.
+    """
+
+    normal: Normal | Kept = Kept()
+    lateral: Lateral | Kept = Kept()
+    cycles: float = 1.0
+    frequency: float = 1.0
+    ratio: float = 1.0
+    phase: float = 0.0
+    count: int = PER_CYCLE
+
+    def __post_init__(self) -> None:
+        _check_loads("Oscillate", self.normal, self.lateral)
+        _check_numbers("Oscillate", count=self.count, frequency=self.frequency)
+        if not math.isfinite(self.phase):
+            raise InvalidInput(f"Oscillate: the phase is {self.phase!r}; give a finite number in rad.")
+        swings(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
+
+    def rows(self, across: float, along: Array) -> Rows:
+        """Return the points of all cycles."""
+        lead = self.phase / (2.0 * math.pi)
+        waves = () if isinstance(self.lateral, Kept) else ((1.0, lead),)
+        waves = (*waves, *(() if isinstance(self.normal, Kept) else ((self.ratio, 0.0),)))
+        turns = swings(self.cycles, self.count, waves or ((1.0, 0.0),))
+        high = 0.0 if isinstance(self.normal, Kept) else _one(self.normal)
+        far = np.zeros(2) if isinstance(self.lateral, Kept) else _pair(self.lateral)
+        return Rows(
+            turns / self.frequency,
+            across + high * sine(self.ratio * turns),
+            along + far * sine(turns + lead)[:, None],
+        )
+
+
+@value
+class Circle:
+    """Run round a circle about where one is: at once out along x, then round from x towards y.
+
+    Parameters
+    ----------
+    lateral : Shift or ShearForce
+        Radius of the circle, one positive number.
+    cycles : float, optional
+        How many times.
+    frequency : float, optional
+        Rounds per second [Hz].
+    count : int, optional
+        Points of one round.
+
+    Raises
+    ------
+    InvalidInput
+        If the radius is of another kind, or a number out of bounds.
+    """
+
+    lateral: Shift | ShearForce
+    cycles: float = 1.0
+    frequency: float = 1.0
+    count: int = PER_CYCLE
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.lateral, Shift | ShearForce):
+            raise InvalidInput(
+                f"Circle: lateral is {type(self.lateral).__name__}; give its radius as Shift(U) or ShearForce(F)."
+            )
+        size = numbers_of(self.lateral)
+        if size.ndim != 0 or not size > 0.0:
+            raise InvalidInput(f"Circle: the radius is {size}; give one positive number.")
+        _check_numbers("Circle", count=self.count, frequency=self.frequency)
+        swings(self.cycles, self.count)
+
+    def rows(self, across: float, along: Array) -> Rows:
+        """Return the points of all rounds."""
+        turns = swings(self.cycles, self.count)
+        round_ = np.stack([sine(turns + 0.25), sine(turns)], axis=1)
+        return Rows(turns / self.frequency, np.full(turns.size, across), along + _one(self.lateral) * round_)
+
+
+@value
+class Follow:
+    """Follow another path, such as a measured one, with its own loads; its first moment is now.
+
+    Parameters
+    ----------
+    path : Path
+        With loads of the same kinds, and the same number of directions along the surface.
+    cycles : int, optional
+        How many times, one after the other.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no path, or the number is not a whole one, at least one.
+    """
+
+    path: Path
+    cycles: int = 1
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.path, Path):
+            raise InvalidInput(f"Follow: the path is {type(self.path).__name__}; give a Path or a Program.")
+        if isinstance(self.cycles, bool) or not isinstance(self.cycles, int) or self.cycles < 1:
+            raise InvalidInput(f"Follow: cycles is {self.cycles!r}; give a whole number, at least 1.")
+
+    def rows(self, across: float, along: Array) -> Rows:
+        """Return its points; where the present one is its first, that is not told twice."""
+        path = self.path
+        plane = path.along if path.in_plane else np.stack([path.along, np.zeros(path.time.size)], axis=1)
+        times = path.time - path.time[0]
+        seconds = np.concatenate([times + number * times[-1] for number in range(self.cycles)])
+        rows = Rows(seconds, np.tile(path.across, self.cycles), np.tile(plane, (self.cycles, 1)))
+        told = (seconds[0] == 0.0) and rows.across[0] == across and bool(np.all(rows.along[0] == along))
+        return Rows(*(part[int(told) :] for part in rows)) if len(seconds) > 1 else rows
+
+
+Step = Start | Ramp | Hold | Oscillate | Circle | Follow
+"""What a `winkler.program.Program` is made of."""
+
+
+def _one(load: Normal | Lateral) -> float:
+    return float(numbers_of(load))
+
+
+def _pair(load: Lateral) -> Array:
+    numbers = numbers_of(load)
+    return numbers if numbers.ndim else np.array([float(numbers), 0.0])
+
+
+def _check_loads(owner: str, normal: object, lateral: object) -> None:
+    kept = owner != "Start"
+    told = ", or leave it out" if kept else ""
+    if not isinstance(normal, Depth | Force) and not (kept and isinstance(normal, Kept)):
+        raise InvalidInput(f"{owner}: normal is {type(normal).__name__}; give Depth(d) or Force(F){told}.")
+    if not isinstance(lateral, Shift | ShearForce | Angle | Torque) and not (kept and isinstance(lateral, Kept)):
+        raise InvalidInput(
+            f"{owner}: lateral is {type(lateral).__name__}; give Shift, ShearForce, Angle or Torque{told}."
+        )
+    if isinstance(normal, Depth | Force) and numbers_of(normal).ndim:
+        raise InvalidInput(f"{owner}: normal has the shape {numbers_of(normal).shape}; give one number.")
+    if isinstance(lateral, Shift | ShearForce | Angle | Torque):
+        shape = numbers_of(lateral).shape
+        if shape != () and not (shape == (2,) and isinstance(lateral, Shift | ShearForce)):
+            raise InvalidInput(
+                f"{owner}: lateral has the shape {shape}; give one number, or for a shift or a shear force in the "
+                "plane two."
+            )
+
+
+def _check_numbers(owner: str, *, count: int = 1, duration: float = 0.0, frequency: float = 1.0) -> None:
+    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+        raise InvalidInput(f"{owner}: count is {count!r}; give a whole number of points, at least 1.")
+    if not isinstance(duration, int | float) or not 0.0 <= duration < math.inf:
+        raise InvalidInput(f"{owner}: duration is {duration!r}; give zero or a positive, finite number in s.")
+    if not isinstance(frequency, int | float) or not 0.0 < frequency < math.inf:
+        raise InvalidInput(f"{owner}: frequency is {frequency!r}; it must be positive and finite, in Hz.")

@@ -1,0 +1,60 @@
+"""What many contacts went through, and how far that can be trusted."""
+
+from __future__ import annotations
+
+from winkler.numerics.types import Array
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["PLANE", "SPRINGS", "UNCOUPLED", "ContactTrace"]
+
+POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
+SPRINGS = Note(
+    Standing.APPROXIMATE,
+    "The shear force is that of a row of springs: with n of them in the contact, sliding all over is right to 1/4n^2, "
+    "the stiffness while nothing slips to 1/2n.",
+    "sums of midpoints; comparison with the exact solver of one direction",
+)
+PLANE = Note(
+    Standing.APPROXIMATE,
+    "Where the direction of the motion changes, the springs follow the vector rule, which is not exact even for "
+    "tractions along the motion; its error is of first order in the steps.",
+    POPOV,
+)
+UNCOUPLED = Note(
+    Standing.APPROXIMATE,
+    "Shear, twist and rolling are uncoupled: each may use up the whole friction, and partial slip in twist and in "
+    "rolling is left out; no exact law of them together is known.",
+    POPOV,
+)
+
+
+@value
+class ContactTrace:
+    """What many contacts went through, step by step.
+
+    Parameters
+    ----------
+    depth : ndarray, (contacts, steps)
+        d [m] after every step.
+    force : ndarray, (contacts, steps)
+        F_N [N].
+    shear_force : ndarray, (contacts, steps, 2)
+        [N].
+    torque : ndarray, (contacts, steps)
+        M_z [N m].
+    rolling_moment : ndarray, (contacts, steps, 2)
+        [N m].
+    stored_energy : ndarray, (contacts, steps)
+        Of shear, twist and rolling [J].
+    dissipation : ndarray, (contacts, steps)
+        Heat since the beginning [J].
+    """
+
+    depth: Array
+    force: Array
+    shear_force: Array
+    torque: Array
+    rolling_moment: Array
+    stored_energy: Array
+    dissipation: Array

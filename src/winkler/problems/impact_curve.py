@@ -1,0 +1,208 @@
+r"""The frictionless curve of a bed as an impact runs through it: stiffness, force and energy over the depth.
+
+:math:`K(d)=k(a(d))` is laid on panels that resolve it to rounding, and integrated twice,
+
+.. math:: F(d) = \int_0^d K\,\mathrm d\gamma , \qquad W(d) = \int_0^d F\,\mathrm d\gamma .
+
+All springs that share one gap :math:`\gamma=g(x)` touch and part together, so that sums over springs are moments of
+:math:`\mathrm dK`:
+
+.. math:: \int_0^d(d-\gamma)\,\mathrm dK = F, \qquad \int_0^d (d-\gamma)^2\,\mathrm dK = 2W .
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_left, bisect_right
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.loading import Depth
+from winkler.numerics.chebyshev import fit_panels
+from winkler.numerics.types import Array
+from winkler.problems.closure import at_depth, at_end
+from winkler.problems.indentation import Indentation
+
+__all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]
+
+MARGIN = 1e-3
+"""How far beyond the greatest depth the curve is known, for the trial steps of the march."""
+STRIDE = 1.3
+SMALLEST = 1e-15
+"""A radius [m] below which no contact of a body without end is looked for."""
+LIKENESS = 1e-9
+"""Springs whose ratio of stiffnesses differs by less are alike."""
+
+
+class NormalCurve(NamedTuple):
+    """K, F and W of one bed, read at one depth after the other.
+
+    Parameters
+    ----------
+    edges : list of float
+        Ends of the panels [m].
+    rows : list of ndarray, (degree + 3, 3)
+        Chebyshev coefficients of K [N/m], F [N] and W [J] on every panel.
+    orders : ndarray
+        0, 1, 2 ...
+    """
+
+    edges: list[float]
+    rows: list[Array]
+    orders: Array
+
+    def at(self, depth: float) -> tuple[float, float, float]:
+        """Return K [N/m], F [N] and W [J] at a depth [m]; all zero before touch."""
+        if depth < 0.0:
+            return 0.0, 0.0, 0.0
+        edges = self.edges
+        panel = min(bisect_right(edges, depth), len(edges) - 1) - 1
+        low, high = edges[panel], edges[panel + 1]
+        t = (2.0 * depth - low - high) / (high - low)
+        angle = math.acos(t) if -1.0 < t < 1.0 else (0.0 if t > 0.0 else math.pi)
+        stiffness, force, work = (np.cos(angle * self.orders) @ self.rows[panel]).tolist()
+        return stiffness, force, work
+
+    def between(self, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
+        r"""Return the sums of d - gap [N] and of its square [J] over the springs from a gap to a depth.
+
+        From K alone, which a narrow ring needs: over it F and W hardly differ from their tangents,
+
+        .. math:: \int_c^d (K-K(c))\,\mathrm d\gamma , \qquad 2\int_c^d (d-\gamma)(K-K(c))\,\mathrm d\gamma .
+
+        Parameters
+        ----------
+        gap, stiffness : float
+            c [m], and K [N/m] there.
+        depth : float
+            d [m].
+        """
+        if depth <= gap:
+            return 0.0, 0.0
+        edges = self.edges
+        first, last = bisect_right(edges, gap), bisect_left(edges, depth)
+        cuts = [gap, *edges[first:last], depth]
+        linear = square = 0.0
+        for low, high in pairwise(cuts):
+            middle, half = 0.5 * (low + high), 0.5 * (high - low)
+            panel = min(max(bisect_right(edges, middle), 1), len(edges) - 1) - 1
+            start, stop = edges[panel], edges[panel + 1]
+            place = middle + half * PLACES
+            t = np.clip((2.0 * place - start - stop) / (stop - start), -1.0, 1.0)
+            excess = half * WEIGHTS * (np.cos(np.outer(np.arccos(t), self.orders)) @ self.rows[panel][:, 0] - stiffness)
+            linear += float(np.sum(excess))
+            square += 2.0 * float(excess @ (depth - place))
+        return linear, square
+
+
+PLACES, WEIGHTS = np.polynomial.legendre.leggauss(10)
+"""Exact for the panels' polynomials, times a straight line."""
+
+
+def normal_curve(bed: Bed, depth: float) -> NormalCurve:
+    """Return the curve of a bed up to a depth [m] and a little beyond.
+
+    Raises
+    ------
+    OutsideValidity
+        If a contact on the way is no disc.
+    NotConverged
+        If the profile is too rough.
+    """
+    end = _limit(bed)
+    last = min(depth * (1.0 + MARGIN), end)
+    kinks = np.array([b for b, _ in bed.kinks if b < min(bed.reach, bed.rim)])
+    breaks = bed.gap(kinks) if kinks.size else kinks
+    if math.isfinite(bed.rim) and bed.rim <= bed.reach:
+        breaks = np.append(breaks, at_end(bed)[0])
+    inner = breaks[(breaks > 1e-12 * last) & (breaks < (1.0 - 1e-12) * last)]
+    edges = np.unique(np.concatenate([[0.0], inner, [last]]))
+
+    def stiffness(depths: Array) -> Array:
+        _, radius = at_depth(bed, depths.ravel())
+        return np.asarray(bed.stiffness(radius).reshape(depths.shape))
+
+    greatest = float(stiffness(np.array([last]))[0])
+    first = fit_panels(stiffness, edges, 1e-15 * greatest)
+    second = first.integral
+    third = second.integral
+    count = third.coefficients.shape[1]
+    rows = [
+        np.stack([np.pad(each, (0, count - each.size)) for each in (one, two, three)], axis=1)
+        for one, two, three in zip(first.coefficients, second.coefficients, third.coefficients, strict=True)
+    ]
+    return NormalCurve(first.edges.tolist(), rows, np.arange(count, dtype=float))
+
+
+def _limit(bed: Bed) -> float:
+    """Return the depth beyond which nothing is known of the bed [m]."""
+    if math.isfinite(bed.rim) and bed.rim <= bed.reach:
+        return math.inf
+    return at_end(bed)[0]
+
+
+def deepest(bed: Bed, energy: float) -> float:
+    """Return the depth at which a bed has stored an energy [J].
+
+    Raises
+    ------
+    OutsideValidity
+        If the profile ends before.
+    """
+    from scipy.optimize import brentq
+
+    end = _limit(bed)
+
+    def excess(depth: float) -> float:
+        return float(Indentation(bed, Depth(depth)).solve().energy) / energy - 1.0
+
+    if math.isfinite(end) and excess(end) < 0.0:
+        raise OutsideValidity(
+            f"Impact: {energy:.6g} J press the body beyond its reach ({bed.reach:.6g} m, reached at a depth of "
+            f"{end:.6g} m); describe more of the profile, or give a slower or lighter body."
+        )
+    low = high = min(rough_depth(bed, energy), end)
+    while excess(low) > 0.0:
+        low /= STRIDE
+    while high < end and excess(high) < 0.0:  # with small steps: what is pressed far too deep may be no disc
+        high = min(STRIDE * high, end)
+    return float(brentq(excess, low, high, xtol=1e-300, rtol=1e-14))
+
+
+def rough_depth(bed: Bed, energy: float) -> float:
+    """Return a depth [m] of the order of that at which a bed has stored an energy [J]."""
+    end = min(bed.reach, bed.rim)
+    radius = np.array([1e-6 * end if math.isfinite(end) else SMALLEST])
+    while radius[0] < end:
+        gap = bed.gap(radius)
+        if 0.4 * float(((bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)[0]) >= energy:
+            break
+        radius = np.minimum(2.0 * radius, end)
+    depth = float(bed.gap(0.999 * radius)[0])
+    if radius[0] == bed.rim:
+        depth += math.sqrt(2.0 * energy / float(bed.stiffness(radius)[0]))
+    return depth
+
+
+def stiffness_ratio(bed: Bed, radius: float) -> float:
+    """Return c_T / c_N of the springs up to a radius [m].
+
+    Raises
+    ------
+    OutsideValidity
+        If it is not the same for all of them: springs of one gap then no longer stick and slip together.
+    """
+    place = radius * np.linspace(0.0, 1.0, 33)[1:]
+    ratio = bed.tangential_stiffness(place) / bed.normal_stiffness(place)
+    least, greatest = float(np.min(ratio)), float(np.max(ratio))
+    if greatest - least > LIKENESS * greatest:
+        raise OutsideValidity(
+            f"Impact: the springs' tangential stiffness is between {least:.4g} and {greatest:.4g} of their normal "
+            "one; an oblique impact is answered where that ratio is the same everywhere, on homogeneous and power-law "
+            "media: give such a medium, or a lateral and angular velocity of zero."
+        )
+    return least

@@ -1,0 +1,51 @@
+"""What every impact says about itself, and which numbers it refuses."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array
+from winkler.validity import Note, Standing
+
+__all__ = ["PLANAR", "SLOW", "checked_count", "checked_positive", "gravity_note"]
+
+MINDLIN = "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731"
+MAW = "N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5"
+FEWEST, MOST = 2, 1_000_000
+
+SLOW = Note(
+    Standing.ASYMPTOTIC,
+    "The contact force is that of slow motion; what waves and vibrations carry away is small as long as the impact is "
+    "slow against the speed of sound, and lasts long against a vibration of the body.",
+    MINDLIN,
+)
+PLANAR = Note(
+    Standing.ASYMPTOTIC,
+    "Tractions are taken along the motion (Cattaneo-Mindlin); within that, sticking, sliding and turning back are "
+    "followed exactly. Spin about the normal is left out.",
+    MAW,
+)
+
+
+def gravity_note(force: Array) -> Note:
+    """Return what was left out, against the forces of the contact [N]."""
+    return Note(
+        Standing.ASYMPTOTIC,
+        f"Gravity and other forces are left out: they must be small against the {np.max(force):.4g} N of the contact.",
+        "equations of motion",
+    )
+
+
+def checked_positive(owner: str, word: str, unit: str, number: float) -> None:
+    """Refuse what is no positive, finite number."""
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+        raise InvalidInput(f"{owner}: {word} is {number!r}; give a positive number in {unit}.")
+
+
+def checked_count(owner: str, count: int) -> None:
+    """Refuse what is no sensible number of moments."""
+    if isinstance(count, bool) or not isinstance(count, int) or not FEWEST <= count <= MOST:
+        raise InvalidInput(f"{owner}: count is {count!r}; give a whole number of moments from {FEWEST} to {MOST}.")

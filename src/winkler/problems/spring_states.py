@@ -1,0 +1,195 @@
+r"""What the springs of a sheared contact are at one point of its path, and how far they can be trusted."""
+
+from __future__ import annotations
+
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.sheared import ShearedSprings
+from winkler.foundation.springs import Springs
+from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.numerics.types import Array, Quantity
+from winkler.path import Path
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
+
+ALIKE = 1e-9
+"""Ratios of stiffness that differ by less are equal."""
+
+
+@runtime_checkable
+class OwnLaw(Protocol):
+    """A law of friction of one's own, spoken to its implementer: how much springs bear along the surface.
+
+    It is asked once for many steps, and holds for every spring by itself.  Make it a value (frozen, equal by content).
+    """
+
+    def shear_bound(self, line_load: Array) -> Array:
+        """Return the greatest load along the surface [N/m] of springs under a load [N/m]; same shape, not negative."""
+        ...
+
+
+SpringLaw = Coulomb | StaticKinetic | OwnLaw
+"""How springs may rub."""
+
+
+class Shearing(Protocol):
+    """What `march` needs of a problem: a bed, a friction law and a path."""
+
+    @property
+    def bed(self) -> Bed:
+        """The springs."""
+        ...
+
+    @property
+    def law(self) -> SpringLaw:
+        """The friction."""
+        ...
+
+    @property
+    def path(self) -> Path:
+        """The motion."""
+        ...
+
+
+@value
+class SpringState:
+    """The springs at one point of the path.
+
+    Parameters
+    ----------
+    bed : Bed
+        Profile and medium.
+    springs : Springs
+        The row.
+    time, depth, force, radius : float
+        t [s], d [m], F_N [N], a [m].
+    shift, shear_force : float or ndarray, (2,)
+        u_x [m] and F_x [N]; vectors in the plane.
+    stick_radius : float
+        Up to where nothing slips [m].
+    stored_energy, dissipation : float
+        Of the tangential displacement, and lost since the beginning [J].
+    displacement : ndarray, (n,) or (n, 2)
+        u_t of every spring [m].
+    """
+
+    bed: Bed
+    springs: Springs
+    time: float
+    depth: float
+    force: float
+    radius: float
+    shift: Quantity
+    shear_force: Quantity
+    stick_radius: float
+    stored_energy: float
+    dissipation: float
+    displacement: Array
+
+    @property
+    def pressed(self) -> Pressed:
+        """The springs' displacement across the surface."""
+        return Pressed(self.bed, self.depth, self.radius)
+
+    @property
+    def sheared(self) -> ShearedSprings:
+        """The springs' displacement along the surface, straight between them: fields are restored from it.
+
+        Raises
+        ------
+        OutsideValidity
+            In a layered medium, where tractions are not those of pressed contacts.
+        """
+        spread = ratio_spread(self.springs)
+        if spread > ALIKE:
+            raise OutsideValidity(
+                "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
+                f"{100.0 * spread:.2g} %), as in layered media; tractions cannot be restored there, only forces."
+            )
+        inner = self.springs.gap < self.depth
+        depths = np.append(self.springs.gap[inner], self.depth)
+        radii = np.append(self.springs.position[inner], self.radius)
+        moved = self.displacement[inner]
+        moved = np.concatenate([moved, np.zeros((1, *moved.shape[1:]))])
+        width = np.diff(depths).reshape(-1, *(1,) * (moved.ndim - 1))
+        chords = np.concatenate([np.diff(moved, axis=0) / width, np.zeros((1, *moved.shape[1:]))])
+        factors = np.diff(chords, axis=0)
+        ratio = float(self.springs.mindlin_ratio[0]) if depths.size > 1 else 1.0
+        return ShearedSprings(self.pressed, ratio, self.shift, depths[1:], radii[1:], factors, np.zeros(factors.shape))
+
+
+IN_PLANE = Note(
+    Standing.APPROXIMATE,
+    "In the plane every spring slips along its own displacement; forces and energies are sensible, but the traction "
+    "restored over the contact is not admissible everywhere: it exceeds the coefficient times the pressure by 5 % "
+    "after two strokes at a right angle, and grows like a logarithm at the edge of the stick zone of a circle.",
+    "measured on a sphere, each stroke or the circle's radius half the shift of gross slip; tests/problems/"
+    "test_spring_march.py",
+)
+
+DROPPING = Note(
+    Standing.APPROXIMATE,
+    "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump, "
+    "forces and energies are of first order in the distance of the springs, and restored tractions are singular there.",
+    "property of the rule; the theory of Cattaneo and Mindlin knows one coefficient only",
+)
+OF_SPRINGS = Note(
+    Standing.APPROXIMATE,
+    "The law of friction bounds the load of every spring, not the traction at every point: only where the bound is in "
+    "proportion to the load are the two the same.",
+    "Coulomb friction is the case in which they are: M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, "
+    "doi:10.1016/S0020-7683(97)00154-6",
+)
+
+
+def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[Note, ...]:
+    """Return how far a march of springs can be trusted.
+
+    Parameters
+    ----------
+    springs : Springs
+        The row.
+    law : Coulomb, StaticKinetic or OwnLaw
+        Friction.
+    in_plane : bool
+        Whether the bodies move in more than one direction.
+    """
+    count = max(springs.gap.size, 1)
+    notes = [
+        Note(
+            Standing.ASYMPTOTIC,
+            f"{count} springs: shear force and energies are of second order in their distance; under a sphere the "
+            f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force.",
+            "compared with the exact solution for one direction, tests/convergence/test_order_springs.py",
+        )
+    ]
+    if isinstance(law, StaticKinetic) and law.static_coefficient > law.kinetic_coefficient:
+        notes.append(DROPPING)
+    elif not isinstance(law, Coulomb | StaticKinetic):
+        notes.append(OF_SPRINGS)
+    if in_plane:
+        notes.append(IN_PLANE)
+    spread = ratio_spread(springs)
+    if spread > ALIKE:
+        notes.append(
+            Note(
+                Standing.APPROXIMATE,
+                "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
+                f"{100.0 * spread:.2g} %): tangential tractions then differ in shape from pressures, and a bound for "
+                "every spring is not the same as a bound for every point of the surface.",
+                "theory of flat punches on layered media; no error bound is known",
+            )
+        )
+    return tuple(notes)
+
+
+def ratio_spread(springs: Springs) -> float:
+    """Return by how much the ratio of tangential to normal stiffness differs between springs, in parts of it."""
+    ratio = springs.mindlin_ratio
+    return float(np.ptp(ratio) / np.max(ratio)) if ratio.size else 0.0

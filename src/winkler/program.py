@@ -1,0 +1,101 @@
+"""A path told in steps: start, go there, wait, oscillate, run round a circle, follow a table."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Depth, Lateral, Normal, Shift
+from winkler.numerics.types import Array
+from winkler.path import Path, numbers_of
+from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Rows, Start, Step
+from winkler.values import value
+
+__all__ = ["Program"]
+
+
+@value
+class Program(Path):
+    """A path that is told in steps.
+
+    Parameters
+    ----------
+    steps : tuple of Start, Ramp, Hold, Oscillate, Circle, Follow
+        A Start first, the others in any order.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no Start at the beginning, one later on, or a step is driven by other kinds of loads than the Start.
+
+    Examples
+    --------
+    Pressed on in one second, then rubbed to and fro.
+
+    >>> from winkler.loading import Force
+    >>> path = Program([Start(Force(0.0)), Ramp(Force(10.0)), Oscillate(lateral=Shift(1e-6), count=4)])
+    >>> path.time, path.across
+    (array([0.  , 1.  , 1.25, 1.5 , 1.75, 2.  ]), array([ 0., 10., 10., 10., 10., 10.]))
+    >>> path.along * 1e6
+    array([ 0.,  0.,  1.,  0., -1.,  0.])
+    """
+
+    time: Array = dataclasses.field(init=False, repr=False, default_factory=lambda: np.zeros(1))
+    normal: Normal = dataclasses.field(init=False, repr=False, default=Depth(0.0))
+    lateral: Lateral = dataclasses.field(init=False, repr=False, default=Shift(0.0))
+    steps: tuple[Step, ...]
+
+    def __post_init__(self) -> None:
+        begun = self._begun()
+        time, across, along = 0.0, 0.0, np.zeros(2)
+        parts: list[Rows] = []
+        for step in self.steps:
+            rows = step.rows(across, along)
+            if parts and rows.seconds[0] == 0.0 and rows.across[0] == across and np.all(rows.along[0] == along):
+                rows = Rows(*(part[1:] for part in rows))  # where an oscillation begins, one is already
+            if rows.seconds.size:
+                parts.append(rows._replace(seconds=time + rows.seconds))
+                time, across, along = float(parts[-1].seconds[-1]), float(rows.across[-1]), rows.along[-1]
+        plane = np.concatenate([part.along for part in parts])
+        content = {
+            "time": np.concatenate([part.seconds for part in parts]),
+            "normal": type(begun.normal)(np.concatenate([part.across for part in parts])),
+            "lateral": type(begun.lateral)(plane if any(map(_in_plane, self.steps)) else plane[:, 0]),
+        }
+        for word, row in content.items():
+            object.__setattr__(self, word, row)
+        Path.__post_init__(self)
+
+    def _begun(self) -> Start:
+        """Return the start, after checking that all steps go on from it."""
+        steps = self.steps
+        known = Start | Ramp | Hold | Oscillate | Circle | Follow
+        if not isinstance(steps, tuple) or not steps or not isinstance(steps[0], Start):
+            raise InvalidInput("Program: the first step must be a Start, which says where the path begins.")
+        begun = steps[0]
+        for number, step in enumerate(steps[1:], start=2):
+            where = f"Program: step {number} ({type(step).__name__})"
+            if not isinstance(step, known):
+                raise InvalidInput(f"{where} is no step; give Ramp, Hold, Oscillate, Circle or Follow.")
+            if isinstance(step, Start):
+                raise InvalidInput(f"{where} begins anew; one path has one Start, use a Ramp to go somewhere.")
+            source = step.path if isinstance(step, Follow) else step
+            for word in ("normal", "lateral"):
+                load, first = getattr(source, word, Kept()), getattr(begun, word)
+                if not isinstance(load, Kept) and type(load) is not type(first):
+                    raise InvalidInput(
+                        f"{where} is driven by {type(load).__name__} where the path began with "
+                        f"{type(first).__name__}; one path is driven by one kind of {word} load throughout."
+                    )
+        return begun
+
+
+def _in_plane(step: Step) -> bool:
+    if isinstance(step, Circle):
+        return True
+    if isinstance(step, Follow):
+        return step.path.in_plane
+    load = getattr(step, "lateral", Kept())
+    return not isinstance(load, Kept) and numbers_of(load).shape == (2,)

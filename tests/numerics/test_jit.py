@@ -1,0 +1,73 @@
+"""Kernels are compiled when they are called, and only then."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from winkler.numerics import jit
+from winkler.numerics.jit import Kernel, compiled
+
+
+@compiled
+def square(x: float) -> float:
+    return x * x
+
+
+@compiled
+def squares(numbers: np.ndarray) -> float:
+    """Sum up squares."""
+    total = 0.0
+    for i in range(numbers.size):
+        total += square(numbers[i])
+    return total
+
+
+@compiled
+def quotient(x: float, y: float) -> float:
+    return x / y
+
+
+def test_a_kernel_may_call_kernels_of_its_file():
+    assert squares(np.array([1.0, 2.0, 3.0])) == 14.0
+    assert squares.machine is not squares.function
+    assert isinstance(square, Kernel)
+
+
+def test_it_keeps_its_name():
+    assert squares.__name__ == "squares"
+    assert squares.__doc__ == "Sum up squares."
+
+
+def test_division_by_zero_and_infinities_are_numbers():
+    assert quotient(1.0, 0.0) == np.inf
+    assert np.isnan(quotient(0.0, 0.0))
+    assert np.isnan(quotient(np.inf, np.inf))
+
+
+def test_in_a_browser_the_source_runs_as_it_is(monkeypatch):
+    monkeypatch.setattr(jit, "INTERPRETED", True)
+    plain = Kernel(squares.function)
+    assert plain(np.array([1.0, 2.0, 3.0])) == 14.0
+    divide = Kernel(quotient.function)
+    assert divide(np.float64(1.0), np.float64(0.0)) == np.inf
+
+
+def test_a_mistake_is_not_hidden():
+    with pytest.raises(TypeError):
+        squares()
+
+
+def test_nothing_is_compiled_on_import():
+    code = (
+        "import sys, numpy as np\n"
+        "from winkler.numerics.slip_kernels import march_line\n"
+        "assert 'numba' not in sys.modules\n"
+        "one, none = np.ones(1), np.zeros(1)\n"
+        "march_line(one, none, one, one, np.ones(2), np.zeros(2), none.copy(), none.copy(), none.copy())\n"
+        "assert 'numba' in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
