@@ -65,6 +65,18 @@ PATH = """[problem.path]
 kind = "depth"
 depth = [{ from = "-5 nm", to = "5 nm", count = 11 }, { from = "5 nm", to = "-5 nm", count = 11 }]
 """
+RUBBED = """[problem.law]
+kind = "coulomb"
+coefficient = 0.3
+
+[problem.path]
+kind = "program"
+steps = [
+    { kind = "start", normal = { kind = "force", force = "100 N" } },
+    { kind = "ramp", lateral = { kind = "shift", shift = "0.2 um" } },
+    { kind = "oscillate", lateral = { kind = "shift", shift = "0.1 um" }, cycles = 2.0 },
+]
+"""
 BASES = {
     "half_space": BASE,
     "coated": BASE.replace(HALF_SPACE, COATED),
@@ -73,6 +85,7 @@ BASES = {
     "measured": BASE.replace(BED, MEASURED),
     "adhesive": BASE.replace('"indentation"', '"adhesive_indentation"') + LAW,
     "cycle": BASE.partition("[problem.load]")[0].replace('"indentation"', CYCLE) + PATH + LAW,
+    "rubbed": BASE.partition("[problem.load]")[0].replace('"indentation"', '"tangential"') + RUBBED,
 }
 """Name -> the study that is spoilt; a case that names none spoils the first one."""
 WRONG = tomllib.loads((Path(__file__).parent / "wrong_studies.toml").read_text(encoding="utf-8"))["wrong"]

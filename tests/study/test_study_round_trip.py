@@ -36,7 +36,7 @@ def test_every_kind_comes_back(name):
 @pytest.mark.parametrize("name", list(kinds()))
 def test_a_form_has_the_keys_of_its_class(name):
     line = kinds()[name]
-    fields = [field.name for field in dataclasses.fields(line.cls)]
+    fields = [field.name for field in dataclasses.fields(line.cls) if field.init]
     read = {"kind", "file", *options(line)} - set(fields)
     known = [key for key in form(name).model_fields if key not in read]
     assert known == fields == list(hints(line.cls))
@@ -47,6 +47,10 @@ def test_names_of_kinds_are_unique():
     names = [name for slot in CATALOGUE.values() for name in slot]
     assert len(names) == len(set(names)) == len(forms())
     assert not set(REFUSED) & set(names)
+
+
+ELSEWHERE = {wk.BallImpacts, wk.ContactTrace, wk.Contacts, wk.TwistedFields}
+"""Thousands of contacts at once, arrays that no study file holds; and restored fields, which are answers."""
 
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():
@@ -62,7 +66,7 @@ def test_the_catalogue_knows_every_public_value_that_a_study_could_name():
         and item.__module__.startswith(folders)
         and not any(field.name == "problem" for field in dataclasses.fields(item))  # an answer knows what was asked
     }
-    assert asked <= kept
+    assert asked - ELSEWHERE <= kept
 
 
 @given(number=positive)

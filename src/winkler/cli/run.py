@@ -47,8 +47,9 @@ def run(
     if holds_results(folder) and not overwrite:
         overwrite = may_overwrite(folder)
     with placed(folder, overwrite=overwrite) as partial:
-        points = solve_points(asked, workers=workers)
-        watched = terminal.tracked(points, math.prod(asked.shape), hidden=quiet or as_json)
+        many, hidden = math.prod(asked.shape), quiet or as_json
+        points = solve_points(asked, workers=workers, watch=terminal.marching(hidden=hidden or many > 1))
+        watched = terminal.tracked(points, many, hidden=hidden)
         try:
             outcome = gather(asked, watched, started=started, source=study.name)
         except WinklerError as error:
@@ -80,6 +81,9 @@ def may_overwrite(folder: Path) -> bool:
 def _code(outcome: Outcome) -> int:
     if outcome.failed:
         return outcome.failed[0].code
+    stopped = [point.code for point in outcome.solved if point.code]
+    if stopped:
+        return stopped[-1]
     return 0 if all(verdict.passed for verdict in outcome.verdicts) else MISSED
 
 
@@ -96,6 +100,9 @@ def _print(outcome: Outcome, folder: Path) -> None:
     if outcome.failed:
         first = outcome.failed[0]
         out.print(f"{len(outcome.failed)} of {len(outcome.points)} points have no answer; the first: {first.reason}")
+    for point in outcome.solved:
+        if point.stopped:
+            out.print(point.stopped)
     out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
 
 

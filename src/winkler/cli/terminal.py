@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
 
     from winkler.study.outcome import Column, Outcome
 
-__all__ = ["answers", "console", "notes", "plain_numbers", "prefixed", "tracked"]
+__all__ = ["answers", "console", "marching", "notes", "plain_numbers", "prefixed", "tracked"]
 
 T = TypeVar("T")
 
@@ -111,6 +112,15 @@ def plain_numbers(content: Any) -> Any:
     if isinstance(content, float):
         return content if math.isfinite(content) else None
     return content
+
+
+def marching(*, hidden: bool) -> Callable[[Iterable[T], int], Iterator[T]]:
+    """Return what shows a bar over the points of a path."""
+    return functools.partial(_marching, hidden=hidden)
+
+
+def _marching(states: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
+    yield from tracked(states, total, hidden=hidden, doing="marching")
 
 
 def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solving") -> Iterator[T]:

@@ -18,6 +18,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
+from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.loading import Force
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.depth_graded import DepthGradedHalfSpace
@@ -36,6 +37,16 @@ from winkler.plot.curves import (
 )
 from winkler.plot.extent import around, checked_extent, typical
 from winkler.plot.fits import fit_picture
+from winkler.plot.friction_damping import bimodal_sheet, damping_sheet, relaxation_sheet
+from winkler.plot.friction_impact import adhesive_impact_sheet, impact_sheet
+from winkler.plot.friction_sheets import (
+    body_sheet,
+    sheared_sheet,
+    tangential_sheet,
+    tangential_state_sheet,
+    torsion_sheet,
+    twist_sheet,
+)
 from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness, is_varied, typical_width
 from winkler.plot.method import Contact, draw_bed_makeup, headline
 from winkler.plot.outline import draw_profile
@@ -47,21 +58,33 @@ from winkler.plot.stresses import draw_along, draw_field, draw_stress
 from winkler.problems.adhesive import AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.bimodal import BimodalDampingSolution
+from winkler.problems.damping import FrictionDampingSolution
 from winkler.problems.equilibrium import EquilibriumCurve
+from winkler.problems.impact import ImpactSolution
+from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.relaxation import RelaxationDamperSolution
+from winkler.problems.spring_states import SpringState
+from winkler.problems.tangential import TangentialSolution
+from winkler.problems.tangential_states import TangentialState
+from winkler.problems.torsion import TorsionSolution
+from winkler.problems.torsion_states import TorsionState
 from winkler.problems.yielding import YieldOnsetSolution
 from winkler.profiles.profile import Shape
 from winkler.staircase import Staircase
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from winkler.plot.picture import Picture
 
 __all__ = ["draw"]
 
 DRAWN = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated or graded half-space, a solution of "
-    "Indentation, YieldOnset or a problem of adhesion, restored fields, a Staircase, or a Fit"
+    "Indentation, YieldOnset or a problem of adhesion or friction, restored fields, a Staircase, or a Fit"
 )
 CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
 
@@ -85,8 +108,12 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - a solution of ``AdhesiveIndentation`` for one load: the body in its dent, the springs, stretched at the edge,
           the pressure, and the states of equilibrium around it; for many loads the curves over the depth
         - solutions of ``Equilibrium``, ``AdhesiveCycle``, ``AdhesiveShear``, ``PullOff``: their curves, branches, jumps
+        - a solution of ``Tangential`` or ``Torsion``: the loop, forces and energies along the path, and how the last
+          contact sticks and slips; of one state of ``Tangential`` the springs, traction, slip and stress
+        - solutions of ``FrictionDamping``, ``BimodalDamping``, ``RelaxationDamper``: the loss over amplitude or phase
+        - solutions of ``Impact`` and ``AdhesiveImpact``: forces, velocities, contact and energies over time
         - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
-        - ``SurfaceFields``, ``SubsurfaceFields``: what was restored
+        - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: what was restored
         - ``Staircase``: Jaeger's picture of flat punches
         - a ``Fit``: the curve with its model, and the residuals
     extent : float, optional
@@ -251,6 +278,37 @@ def _sticking(item: Any, *, extent: float | None = None) -> Picture:
     if extent is not None:
         raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
     return SHEETS[type(item)](item)
+
+
+FRICTION: dict[type, Callable[[Any], Picture]] = {
+    TangentialSolution: tangential_sheet,
+    TorsionSolution: torsion_sheet,
+    TorsionState: twist_sheet,
+    FrictionDampingSolution: damping_sheet,
+    BimodalDampingSolution: bimodal_sheet,
+    RelaxationDamperSolution: relaxation_sheet,
+    ImpactSolution: impact_sheet,
+    AdhesiveImpactSolution: adhesive_impact_sheet,
+    ShearedFields: sheared_sheet,
+    BodyFields: body_sheet,
+}
+"""Sheets of answers with friction that have no extent."""
+
+
+def _rubbing(item: Any, *, extent: float | None = None) -> Picture:
+    if extent is not None:
+        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
+    return FRICTION[type(item)](item)
+
+
+for _kind in FRICTION:
+    draw.register(_kind)(_rubbing)
+
+
+@draw.register(TangentialState)
+@draw.register(SpringState)
+def _dragged(item: TangentialState | SpringState, *, extent: float | None = None) -> Picture:
+    return tangential_state_sheet(item, checked_extent(extent))
 
 
 @draw.register(YieldOnsetSolution)

@@ -5,8 +5,9 @@
     results.nc     every answer over the axes of the sweep, and every restored field; read it with xarray
     results.csv    one row per point and load: what was varied, then the answers; units in the header
     surface.csv    the fields on the surface, if [fields] asked for them
-    jumps.csv, branches.csv, limit.csv
-                   one row per jump of an adhesive cycle or curve, stable branch, or limit of a sheared contact
+    jumps.csv, branches.csv, limit.csv, stages.csv
+                   one row per jump of an adhesive cycle or curve, stable branch, limit of a sheared contact, or stage
+                   of sticking and sliding in an impact
 
 All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only.
 """

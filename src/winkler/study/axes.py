@@ -111,7 +111,7 @@ class _Target:
         from winkler.study import mistakes, quantities, schema
 
         if self.is_number:
-            if self.field in quantities.ENDLESS and raw == quantities.INFINITE:
+            if quantities.endless(self.cls, self.field) and raw == quantities.INFINITE:
                 return float("inf")
             if isinstance(raw, dict):  # a range stands for many values, here is place for one
                 raise InvalidInput(f'{where} is a table; give one quantity, such as "{quantities.sample(self.unit)}".')

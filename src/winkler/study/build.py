@@ -124,6 +124,8 @@ def unbuild(content: Any) -> dict[str, Any]:
         raise InvalidInput(f"{type(content).__name__} is not in the catalogue, so that no study file can name it.")
     table: dict[str, Any] = {"kind": name}
     for field in dataclasses.fields(content):
+        if not field.init:  # follows from the others
+            continue
         inside = getattr(content, field.name)
         if field.default is not dataclasses.MISSING and _same(inside, field.default):
             continue
@@ -153,7 +155,7 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
         unit = quantities.settled(
             unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
         )
-    if field in quantities.ENDLESS and math.isinf(content):
+    if quantities.endless(cls, field) and math.isinf(content):
         return quantities.INFINITE
     if isinstance(content, int | float):
         return written_number(float(content), unit)
@@ -173,8 +175,12 @@ def written_number(number: float, unit: str) -> Any:
 
 def written_numbers(numbers: np.ndarray, unit: str) -> Any:
     """Return a list of SI numbers as a study file writes it."""
+    if numbers.ndim == 2:
+        return [[written_number(float(number), unit) for number in row] for row in numbers]
     if numbers.ndim != 1:
-        raise InvalidInput(f"an array of shape {numbers.shape} cannot be written in a study file; give a list.")
+        raise InvalidInput(
+            f"an array of shape {numbers.shape} cannot be written in a study file; give a list, or a list of rows."
+        )
     if unit and len(numbers) > SHORT:
         return {"values": [float(number) for number in numbers], "unit": unit}
     return [written_number(float(number), unit) for number in numbers]

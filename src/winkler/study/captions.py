@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.bimodal import BimodalDampingSolution
+from winkler.problems.damping import FrictionDampingSolution
 from winkler.problems.equilibrium import EquilibriumCurve
+from winkler.problems.impact import ImpactSolution
+from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.relaxation import RelaxationDamperSolution
+from winkler.problems.tangential import TangentialSolution
+from winkler.problems.torsion import TorsionSolution
 
 __all__ = ["CAPTIONS", "SHOWN_WHOLE", "STUCK"]
 
@@ -76,5 +83,20 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
         "Up to the shift at which no contact radius holds any more.",
     ),
     PullOffSolution: ("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
+    TangentialSolution: (
+        "tangential",
+        "The contact along its path",
+        "The loop of the shear force, forces and energies over time, and how the last contact sticks and slips.",
+    ),
+    TorsionSolution: (
+        "torsion",
+        "The contact along its path",
+        "The loop of the torque, forces and energies over time, and how the last contact sticks and slips.",
+    ),
+    FrictionDampingSolution: ("damping", "What friction damps", "Loss, stiffness and loss factor over the amplitude."),
+    BimodalDampingSolution: ("damping", "What friction damps", "Loss in every closed cycle of depth and shift."),
+    RelaxationDamperSolution: ("damping", "What relaxation damps", "Damper and spring, as the depth oscillates."),
+    ImpactSolution: ("impact", "The impact", "Forces, velocities, contact and energies over time."),
+    AdhesiveImpactSolution: ("impact", "The impact", "Force, velocity, contact and energies over time."),
 }
 """Answers that are curves -> the stem of the picture, its title, one sentence."""

@@ -17,9 +17,11 @@ from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
 from winkler.io.bed_table import read_bed
 from winkler.io.grading_table import read_grading
+from winkler.io.path_table import read_path
 from winkler.io.profile_table import read_profile
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.loading import Depth, Force, Radius, ShearForce, Shift
+from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.loading import Angle, Depth, Force, Radius, ShearForce, Shift, Torque
 from winkler.materials.depth_grading import (
     DepthGrading,
     ExponentialGrading,
@@ -35,12 +37,23 @@ from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.medium import Medium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.path import Path
+from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Start
 from winkler.problems.adhesive import AdhesiveIndentation
 from winkler.problems.adhesive_cycle import AdhesiveCycle
 from winkler.problems.adhesive_shear import AdhesiveShear
+from winkler.problems.bimodal import BimodalDamping
+from winkler.problems.damping import FrictionDamping
 from winkler.problems.equilibrium import Equilibrium
+from winkler.problems.impact import Impact
+from winkler.problems.impact_adhesive import AdhesiveImpact
 from winkler.problems.indentation import Indentation
+from winkler.problems.particle import ElasticPlasticParticle
 from winkler.problems.pull_off import PullOff
+from winkler.problems.relaxation import RelaxationDamper
+from winkler.problems.spring_states import OwnLaw
+from winkler.problems.tangential import Tangential
+from winkler.problems.torsion import Torsion
 from winkler.problems.yielding import YieldOnset
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.composite import Sum
@@ -62,8 +75,9 @@ from winkler.profiles.profile import Profile
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
+from winkler.program import Program
 
-__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "Kind", "kind_of", "kinds", "slot_of"]
+__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "kind_of", "kinds", "slot_of"]
 
 
 class Kind(NamedTuple):
@@ -75,18 +89,21 @@ class Kind(NamedTuple):
     reader: Callable[..., Any] | None = None
     """Reads the value from the file that the key ``file`` names, in place of the other keys; its keyword-only
     arguments are keys that go with the file."""
-    within: dict[str, Any] | None = None
+    within: dict[str, Any] | list[dict[str, Any]] | None = None
     """What an example study puts in its place, with the kind inside, where the kind alone would have no answer."""
+    problem: str = ""
+    """Which problem an example study asks, where the first that has a place for the kind would refuse it."""
 
 
 def _kind(
     cls: type,
     *cites: str,
     reader: Callable[..., Any] | None = None,
-    within: dict[str, Any] | None = None,
+    within: dict[str, Any] | list[dict[str, Any]] | None = None,
+    problem: str = "",
     **example: Any,
 ) -> Kind:
-    return Kind(cls, example, cites, reader, within)
+    return Kind(cls, example, cites, reader, within, problem)
 
 
 WAVY_BALL = {
@@ -100,6 +117,17 @@ WAVY_BALL = {
 THERE_AND_BACK = [
     {"from": "-5 nm", "to": "5 nm", "count": 41},
     {"from": "5 nm", "to": "-5 nm", "count": 41},
+]
+PRESSED = {"kind": "start", "normal": {"kind": "force", "force": "100 N"}}
+TO_AND_FRO = [
+    PRESSED,
+    {"kind": "ramp", "normal": {"kind": "force", "force": "200 N"}, "duration": "1 s"},
+    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "0.5 um"}, "cycles": 2.0},
+    {"kind": "hold", "duration": "1 s"},
+]
+TWIST = [
+    {**PRESSED, "lateral": {"kind": "angle", "angle": "0 rad"}},
+    {"kind": "oscillate", "lateral": {"kind": "angle", "angle": "2 mrad"}, "cycles": 1.25},
 ]
 STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
 
@@ -210,6 +238,8 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
         "short_range": _kind(ShortRange, "johnson_kendall_roberts_1971", work="50 mJ/m^2"),
         "dugdale": _kind(Dugdale, "maugis_1992", work="50 mJ/m^2", strength="1 MPa"),
         "derjaguin_muller_toporov": _kind(DerjaguinMullerToporov, "derjaguin_1975", work="50 mJ/m^2"),
+        "coulomb": _kind(Coulomb, coefficient=0.3),
+        "static_kinetic": _kind(StaticKinetic, problem="tangential", static_coefficient=0.4, kinetic_coefficient=0.3),
     },
     "load": {
         "force": _kind(Force, force="100 N"),
@@ -219,6 +249,8 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
     "lateral": {
         "shift": _kind(Shift, shift="1 nm"),
         "shear_force": _kind(ShearForce, shear_force="1 mN"),
+        "angle": _kind(Angle, problem="torsion", angle="1 mrad"),
+        "torque": _kind(Torque, problem="torsion", torque="1 mN m"),
     },
     "problem": {
         "indentation": _kind(Indentation, "popov_hess_2015", "galin_1946", "sneddon_1965", "jaeger_1995"),
@@ -242,6 +274,14 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
             "guduru_2007",
             path={"kind": "depth", "depth": THERE_AND_BACK},
         ),
+        "tangential": _kind(Tangential, path={"kind": "program", "steps": TO_AND_FRO}),
+        "torsion": _kind(Torsion, path={"kind": "program", "steps": TWIST}),
+        "elastic_plastic_particle": _kind(
+            ElasticPlasticParticle,
+            curvature_radius="1 mm",
+            solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},
+            path={"kind": "depth", "depth": ["20 um", "40 um", "0 um"]},
+        ),
         "adhesive_shear": _kind(
             AdhesiveShear,
             "popov_hess_2015",
@@ -249,12 +289,64 @@ CATALOGUE: dict[str, dict[str, Kind]] = {
             normal={"kind": "force", "force": "100 N"},
             lateral={"kind": "shear_force", "shear_force": "1 mN"},
         ),
+        "friction_damping": _kind(
+            FrictionDamping,
+            normal={"kind": "force", "force": "100 N"},
+            amplitude={"kind": "shift", "shift": "0.5 um"},
+        ),
+        "bimodal_damping": _kind(
+            BimodalDamping,
+            depth="3 um",
+            depth_amplitude="1 um",
+            shift_amplitude="0.5 um",
+            phase="90 deg",
+        ),
+        "relaxation_damper": _kind(RelaxationDamper, depth="3 um", depth_amplitude="1 um", frequency="100 Hz"),
+        "impact": _kind(
+            Impact,
+            mass="33 g",
+            velocity="1 m/s",
+            lateral_velocity="0.5 m/s",
+            inertia="1.3e-6 kg m^2",
+            lever="10 mm",
+        ),
+        "adhesive_impact": _kind(
+            AdhesiveImpact,
+            law={"kind": "short_range", "work": "50 mJ/m^2"},
+            mass="33 g",
+            velocity="1 mm/s",
+        ),
+    },
+    "path": {
+        "path": _kind(
+            Path,
+            reader=read_path,
+            time=["0 s", "1 s", "2 s"],
+            normal={"kind": "force", "force": "100 N"},
+            lateral={"kind": "shift", "shift": ["0 um", "0.5 um", "-0.5 um"]},
+        ),
+        "program": _kind(Program, steps=TO_AND_FRO),
+    },
+    "step": {
+        "start": _kind(Start, normal={"kind": "force", "force": "100 N"}),
+        "ramp": _kind(Ramp, normal={"kind": "force", "force": "200 N"}),
+        "hold": _kind(Hold),
+        "oscillate": _kind(Oscillate, lateral={"kind": "shift", "shift": "0.5 um"}),
+        "circle": _kind(
+            Circle,
+            within=[PRESSED, {"kind": "circle", "lateral": {"kind": "shift", "shift": "0.5 um"}}],
+            lateral={"kind": "shift", "shift": "0.5 um"},
+        ),
+        "follow": _kind(Follow, within=[PRESSED, {"kind": "follow", "path": {"kind": "path"}, "cycles": 2}]),
     },
 }
 """Slot -> kind -> class; kinds are unique over all slots."""
 
 SLOTS: dict[Any, str] = {Profile: "profile", Medium: "medium", Bed: "bed", DepthGrading: "grading"}
 """Protocol -> slot: what may stand where a class asks for this contract."""
+
+UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw})
+"""What a study file does not name where a class takes it: a load that stays, left out; a law that is a function."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}
 """Kinds that people ask for and that cannot be answered; making one raises the reason."""

@@ -1,4 +1,5 @@
-"""What an answer tells beside its rows: the jumps of a cycle, the branches of a curve, the limit of a sheared contact.
+"""What an answer tells beside its rows: the jumps of a cycle, the branches of a curve, the limit of a sheared contact,
+the stages of an impact.
 
 Each is a list of small values; here every one becomes a row of numbers with names and words, for tables and archives.
 """
@@ -17,6 +18,7 @@ EVENTS = {
     "limit": "Where the contact loses its hold",
     "branches": "Stable branches",
     "jumps": "Jumps",
+    "stages": "Sticking and sliding",
 }
 """Attribute of a solution -> what a table of it is called."""
 

@@ -18,6 +18,7 @@ __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_sy
 
 GREEK = {
     "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ", "nu": "ν", "phi": "φ", "sigma": "σ", "tau": "τ",
+    "beta": "β", "eta": "η", "kappa": "κ", "omega": "ω", "varphi": "φ", "ell": "ℓ",
     "Delta": "Δ", "infty": "∞",
 }  # fmt: skip
 
@@ -113,7 +114,7 @@ def _takes(cls: type, field: str, hint: Any) -> str:
     unit = quantities.unit_of(cls, field)
     one = f"quantity [{unit}]" if unit else "number"
     if hint is float:
-        return f'{one} or "{quantities.INFINITE}"' if field in quantities.ENDLESS else one
+        return f'{one} or "{quantities.INFINITE}"' if quantities.endless(cls, field) else one
     return f"{one}, list or range" if float in inner and Ellipsis not in inner else f"list of {one}"
 
 
@@ -152,8 +153,15 @@ def place_of(name: str) -> str:
     if slot_of(name) == "problem":
         return "problem"
     holder, field = _holder(name)
-    number = "" if allowed_kinds(hints(kinds()[holder].cls)[field]) else ".0"
+    number = "" if allowed_kinds(hints(kinds()[holder].cls)[field]) else f".{_number(holder, field, name)}"
     return f"{place_of(holder)}.{field}{number}"
+
+
+def _number(holder: str, field: str, name: str) -> int:
+    """Return the place of a kind in the list of an example."""
+    listed = kinds()[name].within or kinds()[holder].example.get(field, ())
+    there = [item["kind"] for item in listed] if isinstance(listed, list) else []
+    return there.index(name) if name in there else 0
 
 
 def table_at(table: Any, place: str) -> Any:
@@ -166,7 +174,7 @@ def table_at(table: Any, place: str) -> Any:
 def _holder(name: str) -> tuple[str, str]:
     """Return a kind of another slot that holds `name`, and the key; a key that has it by default comes first."""
     found = [
-        (holder, field, _by_default(holder, field, name))
+        (holder, field, _by_default(holder, field, name) and slot_of(holder) not in ("path", "step"))
         for holder, line in kinds().items()
         for field, hint in hints(line.cls).items()
         if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
@@ -201,7 +209,7 @@ def example_study(name: str, **chosen: str) -> dict[str, Any]:
 def _problem_with(name: str) -> str:
     """Return the first problem that has a place for a kind."""
     while slot_of(name) != "problem":
-        name = _holder(name)[0]
+        name = kinds()[name].problem or _holder(name)[0]
     return name
 
 
@@ -215,7 +223,7 @@ def _placed(table: dict[str, Any], kind: str) -> bool:
         present, listed = table.get(places[0]), not allowed_kinds(known[places[0]])
         there = [item["kind"] for item in (present if isinstance(present, list) else [present]) if item]
         if kind not in there:
-            example = completed(kinds()[kind].within or {"kind": kind})
-            table[places[0]] = [example] if listed else example
+            example = _completed(kinds()[kind].within or {"kind": kind})
+            table[places[0]] = [example] if listed and not isinstance(example, list) else example
         return True
     return any(_placed(inside, kind) for inside in table.values() if isinstance(inside, dict) and "kind" in inside)

@@ -23,8 +23,16 @@ from winkler.problems.adhesive import AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
 from winkler.problems.equilibrium import EquilibriumCurve
+from winkler.problems.impact import ImpactSolution
+from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.particle import ParticleSolution
 from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.spring_states import SpringState
+from winkler.problems.tangential import TangentialSolution
+from winkler.problems.tangential_states import TangentialState
+from winkler.problems.torsion import TorsionSolution
+from winkler.problems.torsion_states import TorsionState
 from winkler.study import keys
 from winkler.study.captions import CAPTIONS, SHOWN_WHOLE, STUCK
 from winkler.study.inputs import content_label, setting_told
@@ -49,6 +57,23 @@ __all__ = [
 MOST_CURVES = 24
 """More curves are not drawn into one figure; the table holds all."""
 MOST_BARS = 40
+MARCHED = (TangentialState, SpringState, TorsionState)
+"""What a load of an answer is that marched along a path."""
+LOOPS: dict[type, tuple[tuple[str, str], ...]] = {
+    TangentialSolution: (
+        ("shift", "shear_force"),
+        ("shift_x", "shear_force_x"),
+        ("shift_y", "shear_force_y"),
+        ("time", "dissipation"),
+    ),
+    TorsionSolution: (("angle", "torque"), ("time", "dissipation")),
+    ImpactSolution: (("time", "force"), ("time", "shear_force"), ("time", "angular_velocity")),
+    AdhesiveImpactSolution: (("time", "force"), ("time", "velocity")),
+    ParticleSolution: (("depth", "force"),),
+}
+"""Answers along a path or over time: what is drawn over what, for a sweep."""
+ALONG = ("shift", "depth")
+"""What many answers to one question are drawn over: the first of these that was answered."""
 
 STICKING = (AdhesiveSolution, AdhesiveCycleSolution, AdhesiveShearSolution, EquilibriumCurve, PullOffSolution)
 
@@ -91,14 +116,19 @@ def shown_point(outcome: Outcome) -> Solved:
 def shown_contact(point: Solved) -> Contact | None:
     """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
     solution = point.each[-1]
+    if isinstance(solution, MARCHED):
+        solution = point.solution  # the whole path
     if isinstance(solution, IndentationSolution):
         return solution
     if isinstance(solution, STICKING):
         return contact_of(solution)
+    inside = getattr(solution, "contact", None)
+    if isinstance(inside, IndentationSolution):
+        return inside
     bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
-    if bed is None or not isinstance(depth, float):
+    if bed is None or not isinstance(depth, float | np.ndarray):
         return None
-    return Indentation(bed, Depth(depth)).solve()
+    return Indentation(bed, Depth(float(np.max(depth)))).solve()
 
 
 def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
@@ -106,7 +136,7 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
     wanted = pictures_of(contact) if contact is not None else ()
-    if type(shown_point(outcome).solution) in SHEETS:  # its own picture has F(d), along which the edge did come here
+    if type(shown_point(outcome).solution) in SHEETS:  # its own picture has F(d), as the edge came here
         wanted = tuple(name for name in wanted if name != "force")
     captions = CAPTIONS | (STUCK if isinstance(contact, AdhesiveSolution) else {})
     for name, make in ((name, make) for name, make in PICTURES.items() if name in wanted):
@@ -136,9 +166,13 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
     if any(isinstance(point.solution, EquilibriumCurve | AdhesiveCycleSolution) for point in outcome.solved):
         yield from _side_by_side(outcome)
         return
+    loops = next((LOOPS[type(point.solution)] for point in outcome.solved if type(point.solution) in LOOPS), ())
+    if loops:
+        yield from _loops(outcome, loops)
+        return
     if len(next(iter(columns.values()))) > len(outcome.points):
-        over = "shift" if "shift" in columns else "depth"
-        yield from _over(outcome, over) if over in columns else ()
+        over = next((name for name in ALONG if name in columns), "")
+        yield from _over(outcome, over) if over else ()
         return
     if len(outcome.points) < 2:
         return
@@ -205,7 +239,7 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
 def _sheets(outcome: Outcome) -> Iterator[Shown]:
     """Yield the picture of an answer that is a curve by itself: of the last point."""
     point = shown_point(outcome)
-    if type(point.solution) in SHEETS:
+    if type(point.solution) in SHOWN_WHOLE:
         name, title, sentence = SHOWN_WHOLE[type(point.solution)]
         where = settings_of(outcome, point)
         sentence = f"{sentence} Shown is {where}." if where else sentence
@@ -234,6 +268,22 @@ def _side_by_side(outcome: Outcome) -> Iterator[Shown]:
         picture = family_picture(along, of, labels, ordered=False)
         title = _capital(f"{spoken(what)} over {spoken(name)}")
         yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
+
+
+def _loops(outcome: Outcome, loops: tuple[tuple[str, str], ...]) -> Iterator[Shown]:
+    """Yield answers along paths over each other, one curve for every point of the sweep, in its order."""
+    points = outcome.solved[:MOST_CURVES]
+    if len(points) < 2 and type(points[0].solution) in SHOWN_WHOLE:
+        return  # the picture of the answer itself has them
+    labels = [settings_of(outcome, point) for point in points]
+    for over, what in loops:
+        if over in outcome.answers and what in outcome.answers:
+            along, of = (
+                [Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what)
+            )
+            picture = family_picture(along, of, labels, ordered=False)
+            title = _capital(f"{spoken(what)} over {spoken(over)}")
+            yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
 def _cut(outcome: Outcome) -> str:

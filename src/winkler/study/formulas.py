@@ -7,13 +7,20 @@ from typing import Any, NamedTuple
 
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
-from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale
+from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale
 from winkler.media.coated import LayeredMedium
 from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.problems.adhesive_cycle import AdhesiveCycle
 from winkler.problems.adhesive_shear import AdhesiveShear
+from winkler.problems.bimodal import BimodalDamping
+from winkler.problems.damping import FrictionDamping
+from winkler.problems.impact import Impact
+from winkler.problems.impact_adhesive import AdhesiveImpact
+from winkler.problems.relaxation import RelaxationDamper
+from winkler.problems.tangential import Tangential
+from winkler.problems.torsion import Torsion
 from winkler.problems.yielding import YieldOnset
 
 __all__ = ["Formula", "formulas_of"]
@@ -185,6 +192,38 @@ SHEARED = Formula(
 )
 
 
+HELD = Formula(
+    "Along the surface every spring follows the body until it slides; it slides where its load reaches μ times that "
+    "across the surface",
+    r"q_x(x) = c_T(x)\,u_t(x), \quad |c_T\,u_t| \le \mu\,c_N\left(d-g(x)\right)",
+)
+TWISTED = Formula(
+    "A spring at x is turned by φ x, as long as it does not slide",
+    r"q(x) = 8G_t\,\phi\,x, \quad \frac{1}{G_t} = \frac{1}{G_1} + \frac{1}{G_2}",
+)
+TWIST_BOUND = Formula(
+    "It slides where its load reaches what the pressure of all rings farther out lets it bear",
+    r"|q(x)| \le 4\mu\,x\int_x^a \frac{p(r)}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
+)
+TORQUE = Formula("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
+SHIFTED = Formula("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
+LOSS = Formula("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
+SWUNG = Formula(
+    "Depth and shift swing together",
+    r"d = d_0 + A_z\cos(n\theta), \quad u_x = A_x\cos(m\theta+\varphi)",
+)
+RELAXED = Formula(
+    "A spring that parts in every cycle lets go of what the slow motion has put into it, once in a cycle of the "
+    "duration T; the others are a spring along the surface",
+    r"F_x = k_x\,u_x + c\,\dot{u}_x, \quad k_x = 2\int_0^{a_{min}} c_T\,\mathrm{d}x",
+)
+STRUCK = Formula("The force stops the body and throws it back", r"m\,\ddot{d} = -F_N")
+THROWN = Formula(
+    "and along the surface it slows the body and turns it",
+    r"m\,\dot{v}_x = -F_x, \quad I\,\dot{\omega} = \ell\,F_x, \quad \dot{u}_x = v_x - \omega\,\ell",
+)
+
+
 def _sticking(problem: Any) -> tuple[Formula, ...]:
     """Return how springs, edge and force go together under the law of a problem."""
     match problem.law:
@@ -197,6 +236,27 @@ def _sticking(problem: Any) -> tuple[Formula, ...]:
         case _:
             found = [STRETCHED, GRIFFITH, STUCK_FORCE]
     return (*found, STABLE, *([LOST] if isinstance(problem, AdhesiveCycle) else []))
+
+
+def _rubbed(problem: Any) -> tuple[Formula, ...]:
+    """Return how springs hold and slide along the surface, and what follows; nothing if they are not moved along it."""
+    match problem:
+        case Tangential():
+            return (HELD, SHIFTED)
+        case Torsion():
+            return (TWISTED, TWIST_BOUND, TORQUE)
+        case FrictionDamping():
+            return (HELD, SHIFTED, LOSS)
+        case BimodalDamping():
+            return (HELD, SWUNG, LOSS)
+        case RelaxationDamper():
+            return (RELAXED,)
+        case Impact():
+            return (HELD, SHIFTED, STRUCK, *([THROWN] if problem.sliding_velocity else []))
+        case AdhesiveImpact():
+            return (STRUCK,)
+        case _:
+            return ()
 
 
 def _restored(problem: Any) -> tuple[Formula, ...]:
@@ -217,20 +277,22 @@ def formulas_of(problem: Any) -> tuple[Formula, ...]:
     if bed is None:
         return ()
     pinned = math.isfinite(bed.rim)
-    sticks = hasattr(problem, "law")
+    sticks = isinstance(getattr(problem, "law", None), AdhesionLaw)
     varied = [*_sticking(problem)] if sticks else [VARIED_PINNED if pinned else VARIED, VARIED_FORCE]
+    rubbed = _rubbed(problem)
     onset = [ONSET] if isinstance(problem, YieldOnset) else []
     if isinstance(medium, HomogeneousMedium):
         found = [MODULUS, *([TRANSVERSE] if isinstance(medium, TransverselyIsotropicHalfSpace) else [])]
         found.append(BACK if isinstance(bed, PlaneFoundation) else PLANE)
         if sticks:
-            return (*found, *varied, *_restored(problem))
+            return (*found, *varied, *_restored(problem), *rubbed)
         found += [PINNED if pinned else SPRINGS, FORCE, PRESSURE, SURFACE]
-        return (*found, *([MISES] if isinstance(medium, HalfSpace) else []), *onset)
+        return (*found, *([MISES] if isinstance(medium, HalfSpace) else []), *onset, *rubbed)
     if isinstance(bed, MeasuredBed):
-        return (MEASURED, *varied)
+        return (MEASURED, *varied, *rubbed)
     if isinstance(medium, GradedHalfSpace):
-        return (GRADED_SPRINGS, GRADED_PROFILE, *varied, GRADED_PRESSURE)
+        return (GRADED_SPRINGS, GRADED_PROFILE, *varied, GRADED_PRESSURE, *rubbed)
     if isinstance(medium, LayeredMedium):
-        return (TOP, COMPLIANCE, PUNCHES, LAYERED_SPRINGS, LAYERED_PROFILE, *varied, SUPERPOSED, STRESSES, *onset)
+        found = [TOP, COMPLIANCE, PUNCHES, LAYERED_SPRINGS, LAYERED_PROFILE]
+        return (*found, *varied, SUPERPOSED, STRESSES, *onset, *rubbed)
     return ()

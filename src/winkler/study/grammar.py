@@ -14,7 +14,7 @@ from winkler.study.catalogue import CATALOGUE
 from winkler.study.correcting import CORRECTIONS
 from winkler.study.quantities import WHERE, wrong
 from winkler.study.schema import FORBID, MISSING, choice, forms
-from winkler.study.study import Expectation, Places
+from winkler.study.study import Expectation, Places, named
 from winkler.vocabulary import GLOSSARY
 
 __all__ = ["SECTIONS", "expectation", "section_keys", "study_form", "unit_of_quantity"]
@@ -157,12 +157,14 @@ def expectation(table: dict[str, Any]) -> Expectation:
 def unit_of_quantity(name: str) -> str:
     """Return the unit of an expected quantity; of a path such as ``problem.bed.medium.modulus``, that of its end.
 
+    A number at the end is a place among many answers, ``shear_force.-1`` the last one.
+
     Raises
     ------
     InvalidInput
         If the glossary does not know it.
     """
-    last = name.rpartition(".")[2]
+    last = named(name)
     known = sorted({key for key, word in GLOSSARY.items() if word.unit is not None})
     if last not in known:
         raise InvalidInput(f"quantity is '{name}'{suggest(last, known)}; give a quantity of the glossary.")

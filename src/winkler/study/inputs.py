@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.path_steps import Kept
 from winkler.plot.series import scale_of, spoken, told
 from winkler.study import keys
 from winkler.study.catalogue import kind_of
@@ -27,12 +28,14 @@ ROLES = {
     "on": "What carries them is {adjective}.",
     "grading": "The body below is graded: {plain}.",
     "load": "Prescribed: {plain}.",
+    "path": "The path: {plain}.",
+    "law": "Law: {plain}.",
 }
 """What a part of a problem is called; other parts are told by their name."""
 
 GROUPS = {"first": "body below (z > 0)", "second": "body above (z < 0)", "on": "what carries the layers"}
 
-PARTS = {"layers": "layer"}
+PARTS = {"layers": "layer", "steps": "step"}
 """What one of a list is called, where the name of the list is a plural."""
 
 LABELS = {"measured": "measured profile"}
@@ -85,6 +88,8 @@ def _rows(content: Any, path: str, group: str, swept: dict[str, Axis]) -> Iterat
     below: list[tuple[Any, str, str]] = []
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
+        if not field.init or isinstance(inside, Kept):  # what follows from the others, and what was not told
+            continue
         entry = word(owner, field.name)
         key = f"{path}.{field.name}"
         name = _name(owner, field.name)
@@ -225,6 +230,8 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
         key = f"{path}.{field.name}"
+        if not field.init or isinstance(inside, Kept):
+            continue
         if key in swept:
             parts.append(f"{_name(type(content).__name__, field.name)} varied")
         elif dataclasses.is_dataclass(inside):

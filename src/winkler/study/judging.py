@@ -67,6 +67,11 @@ def _along(solution: Any, path: str) -> Quantity:
     """Return the number at a path of public attributes of the solution, ``problem.bed.medium.modulus``."""
     content = solution
     for part in path.split("."):
+        if isinstance(content, np.ndarray) and part.removeprefix("-").isdecimal():
+            if not -len(content) <= int(part) < len(content):
+                raise InvalidInput(f"expect: quantity '{path}' asks for one of {len(content)} numbers; count from 0.")
+            content = content[int(part)].item() if content.ndim == 1 else content[int(part)]
+            continue
         if part.startswith("_") or not hasattr(content, part):
             known = [key for key in dir(content) if not key.startswith("_") and not callable(getattr(content, key))]
             raise InvalidInput(_unknown(part, known, f"a part of {type(content).__name__}"))

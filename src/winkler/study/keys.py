@@ -41,7 +41,7 @@ def _step(content: Any, part: str, key: str) -> tuple[Any, Any]:
             return int(part), content[int(part)]
         raise InvalidInput(f"the key '{key}': '{part}' is no number from 0 to {len(content) - 1}, a part of the list.")
     if dataclasses.is_dataclass(content):
-        fields = [field.name for field in dataclasses.fields(content)]
+        fields = [field.name for field in dataclasses.fields(content) if field.init]
         if part in fields:
             return part, getattr(content, part)
         known = f"; known are {', '.join(fields)}" if fields else "; nothing is adjustable there"

@@ -1,8 +1,8 @@
 r"""Formulas for web pages: the house's LaTeX becomes MathML, which browsers show without any script or font of ours.
 
 A small part of LaTeX is understood: letters, numbers, signs, ``_`` and ``^``, primes, groups, ``\frac``, ``\sqrt``,
-``\int``, ``\sum``, ``\mathrm``, ``\text``, growing brackets by ``\left`` and ``\right``, Greek letters and some signs.
-Anything else is refused, so that a page never shows half a formula.
+``\int``, ``\oint``, ``\sum``, ``\dot``, ``\mathrm``, ``\text``, growing brackets by ``\left`` and ``\right``, Greek
+letters and some signs.  Anything else is refused, so that a page never shows half a formula.
 """
 
 from __future__ import annotations
@@ -19,14 +19,15 @@ TOKEN = re.compile(r"\\[A-Za-z]+|\\[,;! ]|\d+(?:\.\d+)?|[A-Za-z]|\S")
 LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "kappa": "κ", "lambda": "λ",
     "mu": "μ", "nu": "ν", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "xi": "ξ", "psi": "ψ",
-    "omega": "ω",
+    "omega": "ω", "eta": "η", "varphi": "φ", "ell": "ℓ",
     "Delta": "Δ", "Gamma": "Γ", "Phi": "Φ", "Omega": "Ω", "infty": "∞", "partial": "∂",
 }  # fmt: skip
 SIGNS = {
     "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "cdot": "·", "times": "×", "pm": "±", "to": "→", "dots": "…",
     "quad": "\u2003", ",": "\u2009", ";": "\u2005", " ": " ", "!": "",
 }  # fmt: skip
-BIG = {"int": "∫", "sum": "∑"}
+BIG = {"int": "∫", "oint": "∮", "sum": "∑"}
+ABOVE = {"dot": "˙", "ddot": "¨"}
 UPRIGHT = ("mathrm", "text")
 NAMED = ("max", "min", "ln", "log", "sin", "cos", "tan", "arcsin", "arccos", "arctan")
 
@@ -164,6 +165,8 @@ class _Reader:
             return f"<mfrac>{self.group()}{self.group()}</mfrac>"
         if name == "sqrt":
             return f"<msqrt>{self.group()}</msqrt>"
+        if name in ABOVE:
+            return f'<mover accent="true"><mrow>{self.group()}</mrow><mo>{ABOVE[name]}</mo></mover>'
         if name in UPRIGHT:
             return self.upright(name)
         if name == "left":

@@ -50,7 +50,8 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
     -------
     dict
         Name -> float or array in SI units, in the order in which the class states them.  Arrays that are not as long
-        as the first one are no rows of the answer, and left out; `winkler.study.events` has what they tell.
+        as the first one are no rows of the answer, and left out; `winkler.study.events` has what they tell.  Rows of
+        two numbers, a direction in the plane, are two answers: ``shift_x``, ``shift_y``.
     """
     owner = type(solution)
     names = [field.name for field in dataclasses.fields(solution)]
@@ -78,6 +79,8 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
         ):
             rows = content.shape
             answers[name] = np.asarray(content, dtype=float) + 0.0  # no minus before a zero
+        elif isinstance(content, np.ndarray) and rows is not None and content.shape == (*rows, 2):
+            answers |= {f"{name}_{axis}": content[:, place] + 0.0 for place, axis in enumerate("xy")}
     return answers
 
 
@@ -102,7 +105,10 @@ class Column:
 
 @value
 class Solved:
-    """A point of the study that was solved; see the module for its parts."""
+    """A point of the study that was solved; see the module for its parts.
+
+    A march that ended before the end of its path says why in `stopped`; `code` is then what the command line returns.
+    """
 
     index: tuple[int, ...]
     settings: tuple[Any, ...]
@@ -111,6 +117,8 @@ class Solved:
     found: tuple[tuple[str, Quantity], ...]
     surface: tuple[Any, ...] = ()
     subsurface: tuple[Any, ...] = ()
+    stopped: str = ""
+    code: int = 0
 
     @property
     def answers(self) -> dict[str, Array]:
@@ -130,6 +138,9 @@ class Solved:
 
 
 def _loads(solution: Any) -> Iterator[Any]:
+    if hasattr(solution, "states"):  # a march: one state for every point of its path
+        yield from solution.states
+        return
     shape = max(
         (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
     )

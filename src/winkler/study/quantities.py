@@ -22,12 +22,14 @@ from winkler.vocabulary import word
 
 __all__ = [
     "ENDLESS",
+    "ENDLESS_OF",
     "GRIDS",
     "INDEXED",
     "INFINITE",
     "WHERE",
     "dependent",
     "either_file_or",
+    "endless",
     "grid",
     "indexed",
     "named",
@@ -71,8 +73,10 @@ GRIDS: frozenset[tuple[str, str]] = frozenset({("Designed", "slopes")})
 
 
 INFINITE = "infinite"
-ENDLESS: frozenset[str] = frozenset({"machine_stiffness"})
+ENDLESS: frozenset[str] = frozenset({"machine_stiffness", "inertia"})
 """Fields that may be infinite, written as that word."""
+ENDLESS_OF: frozenset[tuple[str, str]] = frozenset({("Coulomb", "coefficient")})
+"""The same, of one class alone."""
 
 
 def wrong(sentence: str, *key: str) -> NoReturn:
@@ -88,6 +92,11 @@ def sample(unit: str) -> str:
 def unit_of(owner: type, field: str) -> str | None:
     """Return the unit of a field after the glossary; None if it is no quantity."""
     return word(owner.__name__, field).unit
+
+
+def endless(owner: type, field: str) -> bool:
+    """Return whether a number may be infinite."""
+    return field in ENDLESS or (owner.__name__, field) in ENDLESS_OF
 
 
 def dependent(owner: type) -> tuple[str, ...]:
@@ -171,8 +180,18 @@ def number_or_infinite(raw: Any, unit: str | None) -> Any:
 
 
 def number_or_numbers(raw: Any, unit: str | None) -> Any:
-    """Return one quantity or an array of them, in SI units."""
+    """Return one quantity or an array of them, in SI units; a list of lists is an array of rows."""
+    if isinstance(raw, list) and any(isinstance(row, list) for row in raw):
+        return _table_of(raw, unit)
     return numbers(raw, unit) if isinstance(raw, list | dict) else number(raw, unit)
+
+
+def _table_of(rows: list[Any], unit: str | None) -> Array:
+    """Return rows of quantities, such as loads in the plane."""
+    if not all(isinstance(row, list) and row and len(row) == len(rows[0]) for row in rows):
+        one = sample(unit or "")
+        wrong(f'{WHERE} is a list of rows that differ; give rows of one length, such as [["{one}", "{one}"]].')
+    return np.array([[_inside(item, unit, f"[{i}][{j}]") for j, item in enumerate(row)] for i, row in enumerate(rows)])
 
 
 def _inside(raw: Any, unit: str | None, below: str) -> float:

@@ -12,8 +12,15 @@ from typing import Any
 from winkler.plot.series import told
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.bimodal import BimodalDampingSolution
+from winkler.problems.damping import FrictionDampingSolution
 from winkler.problems.equilibrium import EquilibriumCurve
+from winkler.problems.impact import ImpactSolution
+from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.relaxation import RelaxationDamperSolution
+from winkler.problems.tangential import TangentialSolution
+from winkler.problems.torsion import TorsionSolution
 from winkler.study import figures
 from winkler.study.archive import CSV, NETCDF
 from winkler.study.citing import cite
@@ -44,6 +51,13 @@ OF_MANY: dict[type, str] = {
     EquilibriumCurve: "the widest stable contact of the curve",
     PullOffSolution: "the contact just before it comes apart",
     AdhesiveShearSolution: "the contact under the last load, its springs along the surface left out",
+    FrictionDampingSolution: "the contact under its normal load, its springs along the surface left out",
+    BimodalDampingSolution: "the contact at its greatest depth, its springs along the surface left out",
+    RelaxationDamperSolution: "the contact at its greatest depth, its springs along the surface left out",
+    TangentialSolution: "the contact at its greatest depth, its springs along the surface left out",
+    TorsionSolution: "the contact at its greatest depth, its twist left out",
+    ImpactSolution: "the contact at its greatest depth, its springs along the surface left out",
+    AdhesiveImpactSolution: "the contact at its greatest depth, without the attraction",
 }
 """Which contact is shown of an answer that holds many."""
 
@@ -149,7 +163,7 @@ def _which(outcome: Outcome) -> str:
     which = OF_MANY.get(type(point.solution))
     if which and contact is not None:
         where.append(f"{which}, at a depth of {told(float(contact.depth), 'm')}")
-    if len(point.each) > 1 and contact is not None:
+    if len(point.each) > 1 and contact is not None and not which:
         where.append(f"load {len(point.each)} of {len(point.each)}, a force of {told(float(contact.force), 'N')}")
     return f"<p>Shown is {safe('; '.join(where))}.</p>" if where else ""
 

@@ -30,7 +30,7 @@ from pydantic import (
 
 from winkler.numerics.types import Array
 from winkler.study import mistakes, quantities
-from winkler.study.catalogue import CATALOGUE, SLOTS, Kind, kinds
+from winkler.study.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
 
 __all__ = [
     "FORBID",
@@ -80,7 +80,7 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     if (owner.__name__, field) in quantities.GRIDS:
         return _checked(quantities.grid)
     if hint is float:
-        taken = quantities.number_or_infinite if field in quantities.ENDLESS else quantities.number
+        taken = quantities.number_or_infinite if quantities.endless(owner, field) else quantities.number
         return _checked(functools.partial(taken, unit=unit))
     if hint == Array:
         return _checked(functools.partial(quantities.numbers, unit=unit))
@@ -103,7 +103,7 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
     if hint in SLOTS:
         return tuple(CATALOGUE[SLOTS[hint]])
     if typing.get_origin(hint) in (Union, types.UnionType):
-        parts = [allowed_kinds(part) for part in typing.get_args(hint)]
+        parts = [allowed_kinds(part) for part in typing.get_args(hint) if part not in UNWRITTEN]
         return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
     return tuple(name for name, line in kinds().items() if isinstance(hint, type) and issubclass(line.cls, hint))
 

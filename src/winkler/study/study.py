@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -19,7 +20,7 @@ from winkler.numerics.types import Array, Quantity
 from winkler.values import value
 from winkler.vocabulary import GLOSSARY
 
-__all__ = ["Axis", "Expectation", "Fields", "Output", "Places", "Study"]
+__all__ = ["Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"]
 
 PICTURES = ("svg", "png", "pdf")
 """Formats that figures can be written in."""
@@ -129,6 +130,17 @@ class Output:
                 )
 
 
+def named(quantity: str) -> str:
+    """Return the word of the glossary at the end of a path; a number behind it is a place among many answers.
+
+    Examples
+    --------
+    >>> named("problem.bed.medium.modulus"), named("shear_force.-1")
+    ('modulus', 'shear_force')
+    """
+    return re.sub(r"\.-?\d+$", "", quantity).rpartition(".")[2]
+
+
 @value
 class Expectation:
     """One ``[[expect]]``: a number that must come out.
@@ -156,7 +168,7 @@ class Expectation:
     scale: float = 0.0
 
     def __post_init__(self) -> None:
-        if self.quantity.rpartition(".")[2] not in GLOSSARY:
+        if named(self.quantity) not in GLOSSARY:
             raise InvalidInput(f"expect: '{self.quantity}' is no quantity of the glossary.")
         if not np.all(np.isfinite(self.expected)):
             raise InvalidInput(f"expect: the expected {self.quantity} is not finite; give finite numbers.")
@@ -172,7 +184,7 @@ class Expectation:
     @property
     def unit(self) -> str:
         """Unit of the quantity; of a path, that of its end."""
-        return GLOSSARY[self.quantity.rpartition(".")[2]].unit or ""
+        return GLOSSARY[named(self.quantity)].unit or ""
 
 
 @value

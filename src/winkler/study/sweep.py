@@ -20,6 +20,7 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, WinklerError
 from winkler.fields import restore
 from winkler.study import keys
+from winkler.study.marching import INTERRUPTED, MARCHES, March, Watch, marched, unwatched
 from winkler.study.outcome import Failed, Solved, answers_of
 from winkler.study.study import Fields, Study
 from winkler.values import value
@@ -70,11 +71,12 @@ def tasks(study: Study) -> list[Task]:
     return points
 
 
-def solved(task: Task) -> Solved | Failed:
+def solved(task: Task, watch: Watch = unwatched) -> Solved | Failed:
     """Solve one point; an error of the physics becomes a `Failed`, any other one is a mistake of ours and is raised."""
     index, settings, problem, fields = task.index, task.settings, task.problem, task.fields
     try:
-        solution = problem.solve()
+        march = marched(problem, watch) if type(problem) in MARCHES else March(problem.solve())
+        solution = march.solution
         found = tuple(answers_of(solution).items())
         point = Solved(index, settings, problem, solution, found)
         surface, below = [], []
@@ -88,12 +90,14 @@ def solved(task: Task) -> Solved | Failed:
             surface.append(restore(contact, r))
             if z.size:
                 below.append(restore(contact, r[:, np.newaxis], z[np.newaxis, :]))
-        return Solved(index, settings, problem, solution, found, tuple(surface), tuple(below))
+        return Solved(
+            index, settings, problem, solution, found, tuple(surface), tuple(below), march.stopped, march.code
+        )
     except WinklerError as error:
         return Failed(index, settings, problem, str(error), error.exit_code)
 
 
-def solve_points(study: Study, *, workers: int = 1) -> Iterator[Solved | Failed]:
+def solve_points(study: Study, *, workers: int = 1, watch: Watch = unwatched) -> Iterator[Solved | Failed]:
     """Yield the points of a study as they are solved, in the order of its sweep.
 
     Parameters
@@ -102,6 +106,9 @@ def solve_points(study: Study, *, workers: int = 1) -> Iterator[Solved | Failed]
         What to solve.
     workers
         Number of processes; 1 solves in this one.
+    watch
+        Sees the states of a march along a path, if this process solves it; what was reached when it is interrupted is
+        the last point.
 
     Raises
     ------
@@ -112,7 +119,11 @@ def solve_points(study: Study, *, workers: int = 1) -> Iterator[Solved | Failed]
         raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
     todo = tasks(study)
     if workers == 1 or len(todo) == 1:
-        yield from map(solved, todo)
+        for task in todo:
+            point = solved(task, watch)
+            yield point
+            if point.code == INTERRUPTED:
+                return
         return
     yield from pooled(solved, todo, min(workers, len(todo)))
 

@@ -14,8 +14,7 @@ from winkler.study.events import EVENTS, found_in
 from winkler.study.inputs import content_label, in_words, inputs, setting_told
 from winkler.study.markup import kept, number, safe, section, table
 from winkler.study.mathml import symbol
-from winkler.study.outcome import Column, Failed, Outcome, Verdict
-from winkler.vocabulary import GLOSSARY
+from winkler.study.outcome import Column, Failed, Outcome, Solved, Verdict
 
 __all__ = ["answered", "asked", "expected", "failures", "settings_told"]
 
@@ -162,7 +161,20 @@ def settings_told(outcome: Outcome, settings: Iterable[Any]) -> str:
 
 
 def failures(outcome: Outcome) -> str:
-    """Return the points without an answer, and why; nothing if there are none."""
+    """Return the points without an answer or with a part of it, and why; nothing if there are none."""
+    stopped = [point for point in outcome.solved if point.stopped]
+    if not stopped:
+        return _without(outcome)
+    items = "".join(_stopped(outcome, point) for point in stopped[:ROWS])
+    return section("Where a march ended early", f"<ul>{items}</ul>") + _without(outcome)
+
+
+def _stopped(outcome: Outcome, point: Solved) -> str:
+    where = settings_told(outcome, point.settings)
+    return f"<li>{safe(where)}: {safe(point.stopped)}</li>" if where else f"<li>{safe(point.stopped)}</li>"
+
+
+def _without(outcome: Outcome) -> str:
     if not outcome.failed:
         return ""
     items = [_failure(outcome, point) for point in outcome.failed[:ROWS]]
@@ -193,9 +205,9 @@ def expected(outcome: Outcome) -> str:
 
 def _verdict(outcome: Outcome, verdict: Verdict) -> str:
     asked = verdict.expectation
-    unit = GLOSSARY[asked.quantity].unit if asked.quantity in GLOSSARY else ""
+    unit = asked.unit
     where = ", ".join(f"{name} = {told(place, 'm')}" for name, place in asked.place)
-    what = spoken(asked.quantity) + (f" at {where}" if where else "")
+    what = _spoken(asked.quantity) + (f" at {where}" if where else "")
     if outcome.study.sweep:
         settings = next(point.settings for point in outcome.points if point.index == verdict.index)
         what += f", {settings_told(outcome, settings)}"
@@ -208,6 +220,14 @@ def _verdict(outcome: Outcome, verdict: Verdict) -> str:
         number(f"{asked.tolerance:.2g}"),
     ]
     return f"<tr>{''.join(cells)}</tr>"
+
+
+def _spoken(quantity: str) -> str:
+    """Return a quantity as it is read; with the place among many answers that was asked for."""
+    base, _, number = quantity.rpartition(".")
+    if not number.removeprefix("-").isdecimal():
+        return spoken(quantity)
+    return f"{spoken(base)} ({'last' if number == '-1' else f'number {number}'})"
 
 
 def _some(content: Any, unit: str | None) -> str:

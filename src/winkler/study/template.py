@@ -18,6 +18,7 @@ SWEEP = {
     "force": '"problem.load.force" = { from = "1 N", to = "100 N", count = 9, spacing = "log" }',
     "depth": '"problem.load.depth" = { from = "1 um", to = "5 um", count = 9 }',
     "law": '"problem.law.work" = ["20 mJ/m^2", "50 mJ/m^2", "100 mJ/m^2"]',
+    "coulomb": '"problem.law.coefficient" = [0.1, 0.3, 0.6]',
     "radius": '"problem.load.radius" = { from = "0.02 mm", to = "0.1 mm", count = 9 }',
 }
 
@@ -81,7 +82,7 @@ def _section(place: str, table: dict[str, Any]) -> list[str]:
         elif content is not None:
             lines.append(_line(f"{key.name} = {inline(content)}", _comment(key)))
         elif key.word.unit is not None and not key.required and key.name in hints(kinds()[name].cls):
-            such = sample(key.word.unit)
+            such = "10" if key.takes == "whole number" else sample(key.word.unit)
             text = f"# {key.name} = {inline(such) if key.word.unit else such}"
             lines.append(_line(text, f"{_comment(key)} (optional)"))
     return lines + below
@@ -101,7 +102,8 @@ def template(name: str, *, file: str = "study", **chosen: str) -> str:
     """
     table = example_study(name, **chosen)
     used = table["problem"]
-    varied = used["load"]["kind"] if "load" in used else "law" if "law" in used else ""
+    law = used["law"]["kind"] if "law" in used else ""
+    varied = used["load"]["kind"] if "load" in used else "coulomb" if law == "coulomb" else "law" if law else ""
     head = [
         f"# Run it:            winkler run {file}.toml",
         f"# What a kind takes: winkler show {name}",
@@ -125,7 +127,9 @@ def whole_text(name: str) -> str:
 
 def example_text(name: str) -> str:
     """Return the part of a study file that describes an example of a kind."""
-    place = place_of(name)
-    lines = _section(place, table_at(example_study(name), place))
+    place, study = place_of(name), example_study(name)
+    held, _, last = place.rpartition(".")
+    places = [f"{held}.{number}" for number in range(int(last) + 1)] if last.isdecimal() else [place]
+    lines = [line for one in places for line in _section(one, table_at(study, one))]  # a step goes on from others
     title = [f'title = "{name.replace("_", " ")}"'] if slot_of(name) == "problem" else []
     return "\n".join([*title, *lines]).strip() + "\n"
