@@ -129,20 +129,11 @@ def goes_together(problem: str, profile: str) -> bool:
 
 
 PROBLEMS = [name for name in CATALOGUE["problem"] if "bed" in hints(kinds()[name].cls)]
-OPEN = {
-    ("tangential", "measured"): "the force over depth of a profile with corners is not resolved",
-    ("tangential", "designed"): "the force over depth of a profile with corners is not resolved",
-    ("impact", "designed"): "the force over depth of a profile with corners is not resolved",
-    ("torsion", "area_function"): "the bound of the springs is not found where the apex is sharp",
-}
-"""Known gaps: these should have an answer, and have none yet."""
 
 
 @pytest.mark.parametrize("profile", list(CATALOGUE["profile"]))
 @pytest.mark.parametrize("problem", PROBLEMS)
-def test_new_writes_a_study_that_runs(problem, profile, here, capsys, request):
-    if (problem, profile) in OPEN:
-        request.applymarker(pytest.mark.xfail(reason=OPEN[problem, profile], strict=False))
+def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
     told = capsys.readouterr()
     if not (here / "study.toml").exists():

@@ -84,7 +84,7 @@ def panels_from(edges: Array, values: Array) -> Panels:
     return Panels(edges, np.asarray(values @ _matrix(DEGREE)[1].T))
 
 
-def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
+def fit_panels(function: Curve, edges: Array, tolerance: float, most: int = MOST_PANELS) -> Panels:
     """Return `function` as panels, halved until each resolves it.
 
     Parameters
@@ -95,11 +95,13 @@ def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
         Where to start, ascending.
     tolerance
         Absolute error wanted, in the units of the function.
+    most
+        How many panels at most; 4096 unless given.
 
     Raises
     ------
     NotConverged
-        If more than 4096 panels would be needed.
+        If more panels would be needed.
     """
     nodes, matrix = _matrix(DEGREE)
     done: list[tuple[float, Array]] = []
@@ -115,9 +117,9 @@ def fit_panels(function: Curve, edges: Array, tolerance: float) -> Panels:
         done.extend(zip(low[good], coefficients[good], strict=True))
         middle = 0.5 * (low[~good] + high[~good])
         low, high = np.concatenate([low[~good], middle]), np.concatenate([middle, high[~good]])
-        if len(done) + low.size > MOST_PANELS:
+        if len(done) + low.size > most:
             raise NotConverged(
-                f"A curve needs more than {MOST_PANELS} panels to be resolved to {tolerance:.1e}; it is too rough: "
+                f"A curve needs more than {most} panels to be resolved to {tolerance:.1e}; it is too rough: "
                 "smooth it, or give fewer points."
             )
     done.sort(key=lambda panel: panel[0])

@@ -64,7 +64,7 @@ class Stretches:
 
     def _local(self, x: Array, panel: Indices) -> Array:
         y = np.sqrt(np.maximum((x - self.base[panel]) * (x + self.base[panel]), 0.0))
-        return np.clip((y - self.low[panel]) / self.half[panel] - 1.0, -1.0, 1.0)
+        return np.asarray(np.clip((y - self.low[panel]) / self.half[panel] - 1.0, -1.0, 1.0))
 
     def reading(self, x: Array, panel: Indices) -> Array:
         """Return weights ``(..., COUNT)`` that read a function at x in these panels from its values at the nodes."""

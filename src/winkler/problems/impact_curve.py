@@ -19,12 +19,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
-from winkler.numerics.chebyshev import fit_panels
-from winkler.numerics.types import Array
-from winkler.problems.closure import at_depth, at_end
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.chebyshev import Panels, fit_panels
+from winkler.numerics.roots import invert
+from winkler.numerics.types import Array, Curve
+from winkler.problems.closure import at_depth, at_end, flat_radius
+from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
 
 __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]
@@ -34,6 +37,9 @@ MARGIN = 1e-3
 STRIDE = 1.3
 SMALLEST = 1e-15
 """A radius [m] below which no contact of a body without end is looked for."""
+LADDER = ((1e-15, 128), (1e-13, 512))
+"""Relative errors that are tried one after the other, with so many panels: g by quadrature is not exact to rounding."""
+LAST = 1e-11
 LIKENESS = 1e-9
 """Springs whose ratio of stiffnesses differs by less are alike."""
 
@@ -122,12 +128,13 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
     inner = breaks[(breaks > 1e-12 * last) & (breaks < (1.0 - 1e-12) * last)]
     edges = np.unique(np.concatenate([[0.0], inner, [last]]))
 
+    widest = float(at_depth(bed, np.array([last]))[1][0])
+
     def stiffness(depths: Array) -> Array:
-        _, radius = at_depth(bed, depths.ravel())
-        return np.asarray(bed.stiffness(radius).reshape(depths.shape))
+        return np.asarray(bed.stiffness(_radii(bed, depths.ravel(), widest).reshape(depths.shape)))
 
     greatest = float(stiffness(np.array([last]))[0])
-    first = fit_panels(stiffness, edges, 1e-15 * greatest)
+    first = _panels(stiffness, edges, greatest)
     second = first.integral
     third = second.integral
     count = third.coefficients.shape[1]
@@ -136,6 +143,39 @@ def normal_curve(bed: Bed, depth: float) -> NormalCurve:
         for one, two, three in zip(first.coefficients, second.coefficients, third.coefficients, strict=True)
     ]
     return NormalCurve(first.edges.tolist(), rows, np.arange(count, dtype=float))
+
+
+def _radii(bed: Bed, depths: Array, widest: float) -> Array:
+    """Return the contact radii at depths that are not beyond that of the widest contact, which is known to be a disc.
+
+    Where g rises all the way to its edge the smaller contacts are discs as well, and need not be looked at one by one.
+    """
+    if bed.rising or widest == 0.0 or not (isinstance(bed.medium, HomogeneousMedium) and rises(bed, widest)):
+        return at_depth(bed, depths)[1]
+    radii = np.zeros(depths.shape)
+    met = depths >= float(bed.gap(np.array([widest]))[0])
+    radii[met] = widest
+    free = (depths > 0.0) & ~met
+    flat = flat_radius(bed)
+    if free.any():
+        radii[free] = invert(
+            lambda a: (bed.gap(a), bed.gap_slope(a)),
+            depths[free],
+            lower=flat,
+            upper=widest,
+            guess=0.5 * (flat + widest),
+        )
+    return radii
+
+
+def _panels(stiffness: Curve, edges: Array, greatest: float) -> Panels:
+    """Return the stiffness on panels, to rounding or as well as its own errors allow."""
+    for tolerance, most in LADDER:
+        try:
+            return fit_panels(stiffness, edges, tolerance * greatest, most)
+        except NotConverged:
+            continue
+    return fit_panels(stiffness, edges, LAST * greatest)
 
 
 def _limit(bed: Bed) -> float:

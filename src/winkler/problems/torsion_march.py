@@ -64,6 +64,7 @@ def _moment(bound: TwistBound, memory: TwistMemory, function: Callable[[Array], 
 
 def turned(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> Turned:
     """Return the springs after load and angle have changed in proportion."""
+    press = _settled(memory.press, press)
     whole = moved(bound, memory, press, twist)
     if whole.loss == 0.0 or press == memory.press:
         return Turned(whole.memory, twist, whole.loss, whole.nested)
@@ -94,6 +95,7 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
     NotConverged
         If the angle does not settle.
     """
+    press = _settled(memory.press, press)
     if press == memory.press:
         return _sought(bound, memory, press, torque)
     start = torque_of(bound, memory)
@@ -120,6 +122,11 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
         f"Torsion: the angle under {torque:.6g} N m does not settle while the normal load changes from "
         f"{memory.level:.6g} to {press.level:.6g}; give points in between."
     )
+
+
+def _settled(before: Press, press: Press) -> Press:
+    """Return the load as it was, if only the rounding of its radius has changed."""
+    return before if (press.level, press.excess) == (before.level, before.excess) else press
 
 
 def _scales(bound: TwistBound, memory: TwistMemory, press: Press, torque: float) -> tuple[float, float]:
