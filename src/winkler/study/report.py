@@ -35,8 +35,8 @@ from winkler.validity import Note, Standing, worst
 
 __all__ = ["REPORT", "figure_element", "framed", "page", "papers", "trust", "write"]
 
-WIDE = 1.7
-"""Figures that are so many times as wide as high take both columns of the page."""
+WIDE = 7.0
+"""Figures wider than this [inch], panels side by side, take both columns of the page."""
 REPORT = "report.html"
 
 MEANINGS = {
@@ -174,9 +174,8 @@ def figure_element(one: Shown) -> str:
     if one.picture is None:
         return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
     drawn = figures.svg_element(one, safe(f"{one.title}. {one.sentence}"))
-    width, height = one.picture.get_size_inches()
     # panels side by side would be too small to read in one column of the page
-    kind = ' class="wide"' if width > WIDE * height else ""
+    kind = ' class="wide"' if one.picture.get_size_inches()[0] > WIDE else ""
     return f"<figure{kind}>{caption}{drawn}</figure>"
 
 
