@@ -21,6 +21,8 @@ __all__ = ["LossPiece", "SlipMemory"]
 
 ALIKE = 1e-13
 """Pieces that meet, and whose slopes differ by less than this part of the slopes there are, become one."""
+TINY = 1e-150
+"""Depths below this [m] are none, and springs whose gaps differ by less lose alike: their squares are no numbers."""
 AT_BOUND = 1e-12
 """A spring that is displaced by all but this part of its bound slides."""
 NARROW = 1e-14
@@ -114,6 +116,8 @@ class SlipMemory:
         SlipMemory
         tuple of LossPiece
         """
+        if 0.0 < depth < TINY:
+            depth = 0.0
         way = _Way(self.depth, depth, change, bound)
         kept = max(min(self.depth, depth), 0.0)
         edges = self.edges.tolist()
@@ -204,6 +208,9 @@ class _Way:
     def _lose(self, start: float, stop: float, slid: tuple[float, float], mean: tuple[float, float]) -> None:
         """Note the loss of springs: sliding length times mean bound, both straight over the gap."""
         if not stop > start or (slid[0] == 0.0 and slid[1] == 0.0):
+            return
+        if stop - start < TINY:  # a flat end may still be among them
+            self.losses.append(LossPiece(start, stop, slid[0] * mean[0], 0.0, 0.0))
             return
         one, two = (slid[0] - slid[1]) / (stop - start), (mean[0] - mean[1]) / (stop - start)
         self.losses.append(LossPiece(start, stop, slid[1] * mean[1], one * mean[1] + two * slid[1], one * two))
