@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -435,3 +436,18 @@ def test_a_punch_that_sticks_all_over_has_reissners_traction():
     r = np.array([1e-9, 1e-5, 0.0005, 0.0015, 0.00199])
     exact = 4.0 / np.pi * MEDIUM.torsional_modulus * angle * r / np.sqrt(0.002**2 - r**2)
     np.testing.assert_allclose(state.traction(r), exact, rtol=1e-10)
+
+
+def test_what_slides_inside_of_what_sticks_is_told_with_its_excess():
+    """Twisted almost to the limit, then half unloaded and half turned back: about 5 % at r = 0.63 a."""
+    bed = Foundation(Paraboloid(0.01), MEDIUM)
+    limit = Torsion(bed, Coulomb(0.4), Path([0.0], Force(10.0), Torque(0.0))).solve().torque_limit[0]
+    held = Torsion(bed, Coulomb(0.4), Path([0.0, 1.0], Force(10.0), Torque([0.0, 0.9 * limit]))).solve()
+    turn = held.angle[1]
+    back = Path([0.0, 1.0, 2.0], Force([10.0, 10.0, 5.0]), Angle([0.0, turn, 0.5 * turn]))
+    told = [note.statement for note in Torsion(bed, Coulomb(0.4), back).solve().validity]
+    assert any("From index 2 on" in one and re.search(r"by up to (4\.[5-9]|5\.[0-4])%", one) for one in told)
+    steady = Path([0.0, 1.0, 2.0], Force([10.0, 10.0, 5.0]), Angle([0.0, turn, 0.0]))
+    assert not any(
+        "sticking ones outside" in note.statement for note in Torsion(bed, Coulomb(0.4), steady).solve().validity
+    )

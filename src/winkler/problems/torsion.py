@@ -18,7 +18,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed
+from winkler.foundation.bed import Bed, Pressed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
@@ -37,6 +37,11 @@ __all__ = ["Torsion", "TorsionSolution"]
 
 CLOSE = 1e-12
 """Part of the level by which two contacts may differ whose bounds are the same."""
+
+ROUNDING = 1e-6
+"""Excess of the traction over friction that is none."""
+LOOKED_AT, PLACES = 24, 193
+"""At so many points of a path where the load falls the traction is looked at, at so many radii."""
 
 
 @value
@@ -272,13 +277,14 @@ def _notes(solution: TorsionSolution) -> Iterator[Note]:
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )
     bad = np.flatnonzero(~solution.nested.astype(bool))
-    if bad.size:
+    excess, index = _excess(solution)
+    if bad.size or excess > ROUNDING:
         yield Note(
             Standing.APPROXIMATE,
-            f"In {bad.size} steps, the first at index {bad[0]}, springs slide with sticking ones outside of them: the "
-            "normal load falls while the twist turns back.  There the friction law holds for the springs, not "
-            "everywhere on the surface.",
-            "the springs that slide, step by step",
+            f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of them: "
+            "the normal load falls while the twist turns back.  There the law holds for the springs, but not on all "
+            f"of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where looked at.",
+            "traction restored at points where the load falls",
         )
     moving = isinstance(solution.problem.path.lateral, Torque)
     yield Note(
@@ -287,6 +293,22 @@ def _notes(solution: TorsionSolution) -> Iterator[Note]:
         + (f"the angle to {TURN:g} of what friction bears." if moving else f"the loss to {LOSS:g} of the energies."),
         "moves along the path halved until they agree",
     )
+
+
+def _excess(solution: TorsionSolution) -> tuple[float, int]:
+    """Return by which part the traction exceeds friction at most, where the load falls, and the first such point."""
+    last = len(solution.states)
+    falling = np.flatnonzero((np.diff(solution.depth) < 0.0) & (solution.radius[1:] > 0.0)) + 1
+    greatest, first = 0.0, last
+    for index in falling[:: max(1, falling.size // LOOKED_AT)].tolist():
+        state = solution.states[index]
+        r = np.linspace(0.02, 0.98, PLACES) * state.radius
+        pressed = Pressed(solution.problem.bed, state.depth, state.radius)
+        borne = solution.problem.law.coefficient * solution.problem.bed.medium.pressure(pressed, r)
+        excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
+        if excess > ROUNDING:
+            greatest, first = max(greatest, excess), min(first, index)
+    return greatest, first
 
 
 def _stick_radius(memory: TwistMemory) -> float:
