@@ -374,6 +374,7 @@ tolerance = 1e-12
 """
 
 
+@pytest.mark.slow
 def test_validate_the_package(capsys):
     assert main(["validate"]) == 0
     assert re.search(r"\d+ cases, \d+ numbers, none missed\.", capsys.readouterr().out)
