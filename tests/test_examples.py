@@ -43,7 +43,15 @@ def test_script(script, tmp_path):
     assert answer.returncode == 0, answer.stdout + answer.stderr
 
 
-@pytest.mark.parametrize("study", STUDIES, ids=map(name, STUDIES))
+# what another study shows as well runs among the slow tests
+ALIKE = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_sticky"}
+
+
+@pytest.mark.parametrize(
+    "study",
+    [pytest.param(study, marks=[pytest.mark.slow] if study.stem in ALIKE else []) for study in STUDIES],
+    ids=map(name, STUDIES),
+)
 def test_study(study, tmp_path):
     output = tmp_path / "answer"
     command = "fit" if "\n[fit]\n" in study.read_text(encoding="utf-8") else "run"

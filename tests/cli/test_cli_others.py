@@ -131,8 +131,17 @@ def goes_together(problem: str, profile: str) -> bool:
 PROBLEMS = [name for name in CATALOGUE["problem"] if "bed" in hints(kinds()[name].cls)]
 
 
-@pytest.mark.parametrize("profile", list(CATALOGUE["profile"]))
-@pytest.mark.parametrize("problem", PROBLEMS)
+LONG = {("adhesive_impact", "area_function"), ("impact", "wavy"), ("impact", "sum")}
+
+
+@pytest.mark.parametrize(
+    ("problem", "profile"),
+    [
+        pytest.param(problem, profile, marks=[pytest.mark.slow] if (problem, profile) in LONG else [])
+        for problem in PROBLEMS
+        for profile in CATALOGUE["profile"]
+    ],
+)
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
     told = capsys.readouterr()
