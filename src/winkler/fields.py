@@ -237,11 +237,11 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     Notes
     -----
     The traction is that of the springs, along x everywhere; its stresses are exact.  That the surfaces slide where and
-    as the springs say is exact for nu = 0; otherwise the displacement across the load is neglected [1]_.
+    as the springs say is exact for nu = 0; otherwise the displacement across the load is neglected.
 
     References
     ----------
-    .. [1] K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 3.6 and 7.2, doi:10.1017/CBO9781139171731
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 3.6 and 7.2, doi:10.1017/CBO9781139171731
     """
     places = (_checked("x", x, "restore_body"), _checked("y", y, "restore_body"), _checked("z", z, "restore_body"))
     if isinstance(solution, TorsionState):
