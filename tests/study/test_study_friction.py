@@ -310,3 +310,24 @@ def test_torsion_refuses_a_shift():
 def test_examples_with_every_part_of_a_path_have_an_answer(name):
     problem = build(example_study(name)["problem"])
     assert problem.solve() is not None
+
+
+def test_the_command_says_what_an_interrupted_march_kept(tmp_path, monkeypatch, capsys):
+    from winkler.cli import main
+    from winkler.problems.tangential import Tangential
+
+    whole = Tangential.steps
+
+    def cut(self):
+        for count, state in enumerate(whole(self)):
+            if count == 3:
+                raise KeyboardInterrupt
+            yield state
+
+    monkeypatch.setattr(Tangential, "steps", cut)
+    study, folder = tmp_path / "loop.toml", tmp_path / "loop"
+    assert main(["new", "tangential", "--output", str(study)]) == 0
+    assert main(["run", str(study), "--output", str(folder)]) == 130
+    told = capsys.readouterr().err.splitlines()[-1]
+    assert told == f"winkler: interrupted; the points that were reached are kept in {folder}."
+    assert len((folder / "results.csv").read_text(encoding="utf-8").splitlines()) >= 4

@@ -35,7 +35,7 @@ def run(
     Example: winkler run examples/studies/hertz.toml --output results/ball
     """
     from winkler.cli import terminal
-    from winkler.errors import WinklerError
+    from winkler.errors import Interrupted, WinklerError
     from winkler.study.reading import read_study
     from winkler.study.run import gather
     from winkler.study.sweep import solve_points
@@ -59,7 +59,10 @@ def run(
         _print_json(outcome, folder)
     elif not quiet:
         _print(outcome, folder)
-    return _code(outcome)
+    code = _code(outcome)
+    if code == Interrupted.exit_code:
+        raise Interrupted(f"interrupted; the points that were reached are kept in {folder}.")
+    return code
 
 
 def may_overwrite(folder: Path) -> bool:

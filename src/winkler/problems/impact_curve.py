@@ -29,6 +29,7 @@ from winkler.numerics.types import Array, Curve
 from winkler.problems.closure import at_depth, at_end, flat_radius
 from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
+from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 
 __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]
 
@@ -40,8 +41,6 @@ SMALLEST = 1e-15
 LADDER = ((1e-15, 128), (1e-13, 512))
 """Relative errors that are tried one after the other, with so many panels: g by quadrature is not exact to rounding."""
 LAST = 1e-11
-LIKENESS = 1e-9
-"""Springs whose ratio of stiffnesses differs by less are alike."""
 
 
 class NormalCurve(NamedTuple):
@@ -111,6 +110,8 @@ PLACES, WEIGHTS = np.polynomial.legendre.leggauss(10)
 
 def normal_curve(bed: Bed, depth: float) -> NormalCurve:
     """Return the curve of a bed up to a depth [m] and a little beyond.
+
+    K is laid to rounding where the bed's g is; to 1e-13 or 1e-11 of its greatest value where g itself is no better.
 
     Raises
     ------
@@ -236,10 +237,8 @@ def stiffness_ratio(bed: Bed, radius: float) -> float:
     OutsideValidity
         If it is not the same for all of them: springs of one gap then no longer stick and slip together.
     """
-    place = radius * np.linspace(0.0, 1.0, 33)[1:]
-    ratio = bed.tangential_stiffness(place) / bed.normal_stiffness(place)
-    least, greatest = float(np.min(ratio)), float(np.max(ratio))
-    if greatest - least > LIKENESS * greatest:
+    least, greatest = ratios = stiffness_ratios(bed, radius)
+    if not alike(ratios):
         raise OutsideValidity(
             f"Impact: the springs' tangential stiffness is between {least:.4g} and {greatest:.4g} of their normal "
             "one; an oblique impact is answered where that ratio is the same everywhere, on homogeneous and power-law "
