@@ -45,13 +45,18 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Angle, Depth, Force, Radius, ShearForce, Shift, Torque
 from winkler.materials.depth_grading import ExponentialGrading, SigmoidalGrading, TabulatedGrading
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
+from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
+from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.depth_graded import DepthGradedHalfSpace
 from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
 from winkler.problems.adhesion_model import maugis_parameter, tabor_parameter, which_model
@@ -74,6 +79,9 @@ from winkler.problems.relaxation import RelaxationDamper, RelaxationDamperSoluti
 from winkler.problems.tangential import Tangential, TangentialSolution
 from winkler.problems.torsion import Torsion, TorsionSolution
 from winkler.problems.torsion_fields import TwistedFields
+from winkler.problems.viscoelastic import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic_impact import ViscoelasticImpact, ViscoelasticImpactSolution
+from winkler.problems.viscoelastic_tests import CreepTest, HarmonicIndentation, RelaxationTest
 from winkler.problems.yielding import YieldOnset, YieldOnsetSolution
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.composite import Sum
@@ -102,6 +110,7 @@ __all__ = [
     "AdhesiveSolution",
     "Angle",
     "AreaFunction",
+    "Arrhenius",
     "BallImpacts",
     "BallImpactsSolution",
     "Berkovich",
@@ -117,6 +126,8 @@ __all__ = [
     "ContactTrace",
     "Contacts",
     "Coulomb",
+    "CreepData",
+    "CreepTest",
     "CubeCorner",
     "Cylinder",
     "Depth",
@@ -124,6 +135,7 @@ __all__ = [
     "DerjaguinMullerToporov",
     "Designed",
     "Dugdale",
+    "DynamicData",
     "Elastic",
     "ElasticPlasticParticle",
     "Ellipsoid",
@@ -137,10 +149,13 @@ __all__ = [
     "ForceCurve",
     "Formula",
     "Foundation",
+    "FractionalZener",
     "FrictionDamping",
     "FrictionDampingSolution",
+    "GeneralisedKelvin",
     "GradedHalfSpace",
     "HalfSpace",
+    "HarmonicIndentation",
     "Hold",
     "Hyperboloid",
     "Impact",
@@ -148,7 +163,9 @@ __all__ = [
     "Indentation",
     "IndentationSolution",
     "InvalidInput",
+    "KelvinVoigt",
     "Layer",
+    "Maxwell",
     "Measured",
     "MeasuredBed",
     "NotConverged",
@@ -166,13 +183,17 @@ __all__ = [
     "PlaneFoundation",
     "PowerLaw",
     "PowerLawGraded",
+    "PowerLawSolid",
     "Program",
+    "Prony",
     "PullOff",
     "PullOffSolution",
     "Radius",
     "Ramp",
     "RelaxationDamper",
     "RelaxationDamperSolution",
+    "RelaxationData",
+    "RelaxationTest",
     "Rigid",
     "RoundedCone",
     "RoundedPunch",
@@ -186,6 +207,7 @@ __all__ = [
     "SpheroConical",
     "Springs",
     "Staircase",
+    "StandardSolid",
     "Standing",
     "Start",
     "StaticKinetic",
@@ -204,7 +226,13 @@ __all__ = [
     "TruncatedParaboloid",
     "TwistedFields",
     "Vickers",
+    "ViscoelasticHalfSpace",
+    "ViscoelasticImpact",
+    "ViscoelasticImpactSolution",
+    "ViscoelasticIndentation",
+    "ViscoelasticSolution",
     "Wavy",
+    "WilliamsLandelFerry",
     "WinklerError",
     "YieldOnset",
     "YieldOnsetSolution",

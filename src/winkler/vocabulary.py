@@ -255,6 +255,29 @@ GLOSSARY: dict[str, Word] = {
     "hardness": Word("H", "Pa", "greatest force over projected area"),
     "standard_errors": Word("s_i", None, "standard errors, in the units of the numbers"),
     "effective_count": Word(r"n_{eff}", "", "number of independent points that a curve is worth"),
+    # viscoelastic solids
+    "viscosity": Word(r"\eta", "Pa s", "viscosity of a dashpot"),
+    "relaxed_shear": Word(r"G_\infty", "Pa", "shear modulus that is left after all time"),
+    "shears": Word("G_i", "Pa", "shear moduli that relax, one for each time"),
+    "storage_shear": Word("G'", "Pa", "shear stress in phase with a harmonic shear, over the shear"),
+    "loss_shear": Word("G''", "Pa", "shear stress a quarter of a turn ahead of a harmonic shear, over the shear"),
+    "relaxation_time": Word(r"\tau", "s", "time in which a stress relaxes to its e-th part"),
+    "relaxation_times": Word(r"\tau_i", "s", "times in which stresses relax"),
+    "glassy_compliance": Word("J_0", "1/Pa", "shear compliance of the immediate answer"),
+    "compliances": Word("J_k", "1/Pa", "shear compliances that come with time"),
+    "retardation_times": Word(r"\lambda_k", "s", "times in which they come"),
+    "fluidity": Word(r"\varphi", "1/(Pa s)", "rate at which a unit stress shears for ever"),
+    "time_scale": Word("t_0", "s", "time at which a power law has its modulus"),
+    "shortest": Word(r"t_\mathrm{min}", "s", "shortest time at which a solid is known"),
+    "longest": Word(r"t_\mathrm{max}", "s", "longest time at which a solid is known"),
+    "angular_frequency": Word(r"\omega", "rad/s", "angular frequency"),
+    "reference_temperature": Word("T_0", "K", "temperature at which a solid is known"),
+    "first_constant": Word("c_1", "", "first constant of Williams, Landel and Ferry"),
+    "second_constant": Word("c_2", "K", "second constant of Williams, Landel and Ferry"),
+    "activation_energy": Word("Q", "J/mol", "energy that relaxation has to overcome"),
+    "recess": Word("u", "m", "how far springs are pressed in or have not yet recovered"),
+    "storage_stiffness": Word("k'", "N/m", "force in phase with a harmonic motion, over the motion"),
+    "loss_tangent": Word(r"\tan\delta", "", "loss stiffness over storage stiffness"),
 }
 
 OWNED: dict[tuple[str, str], Word] = {
@@ -383,6 +406,16 @@ OWNED: dict[tuple[str, str], Word] = {
     ("OliverPharrSolution", "exponent"): Word("m", "", "exponent of the unloading"),
     ("OliverPharrSolution", "modulus"): Word("E_r", "Pa", "reduced modulus, that of the pair"),
     ("OliverPharrSolution", "scatter"): Word("s", "N", "standard deviation of the forces about the power law"),
+    ("CreepData", "compliance"): Word("J", "1/Pa", "shear compliance, one number for each time"),
+    ("ViscoelasticState", "stored_energy"): Word("U", "J", "energy stored in all springs, also in those set free"),
+    ("ViscoelasticSolution", "stored_energy"): Word("U", "J", "energy stored in all springs, also in those set free"),
+    ("HarmonicSolution", "loss_stiffness"): Word(
+        "k''", "N/m", "force a quarter turn ahead of a motion, over the motion"
+    ),
+    ("FractionalZener", "exponent"): Word(r"\alpha", "", "power of time by which a stress relaxes"),
+    ("PowerLawSolid", "exponent"): Word(r"\alpha", "", "power of time by which a stress relaxes"),
+    ("ViscoelasticIndentation", "count"): Word("n", "", "how many springs"),
+    ("ViscoelasticImpact", "count"): Word("n", "", "how many springs"),
 }
 
 

@@ -1,0 +1,243 @@
+r"""Solids that relax by a power of time: the springpot and the fractional Zener solid.
+
+Their relaxation is an integral over exponentials of all rates, :math:`\int K(s)e^{-st}\mathrm ds`.  The trapezoidal
+rule in :math:`\ln s` makes it a sum, whose error falls exponentially with the number of terms; rates too slow for the
+span that is asked join the relaxed modulus, rates too fast for it are left out.  The error that remains within the
+span is measured, refused above the tolerance, and told.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.numerics.spectra import RelaxationSeries
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["FractionalZener", "PowerLawSolid"]
+
+SPACINGS = (1.6, 1.2, 0.9, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12)
+"""Distances of the terms in ln s, tried one after the other."""
+SAMPLES = 400
+FINEST = 0.06
+"""Distance in ln s of the sums that the series are measured by; their own error is of the order of 1e-13."""
+SLOW, FAST = 46.0, 5.0
+"""How far these sums go in ln s beyond the rates of the span."""
+
+
+@value
+class PowerLawSolid(ViscoelasticSolid):
+    r"""The springpot, :math:`G(t)=G_0\,(t/t_0)^{-\alpha}`, within a span of time.
+
+    Parameters
+    ----------
+    shear : float
+        G_0 [Pa], positive: G at the time `time_scale`.
+    time_scale : float
+        t_0 [s], positive.
+    exponent : float
+        alpha [-], between 0 (elastic) and 1 (viscous), both excluded.
+    shortest, longest : float
+        Span of times within which it holds [s].
+    tolerance : float, optional
+        Greatest relative error of the series there.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> cell = PowerLawSolid(shear=500.0, time_scale=1.0, exponent=0.2, shortest=1e-4, longest=100.0)
+    >>> bool(abs(cell.relaxation(0.01) / (500.0 * 0.01**-0.2) - 1.0) <= cell.series_error <= 1e-4)
+    True
+    """
+
+    shear: float
+    time_scale: float
+    exponent: float
+    shortest: float
+    longest: float
+    tolerance: float = 1e-4
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check(self, "shear", "time_scale")
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series is the solid [s]."""
+        return self.shortest, self.longest
+
+    def _density(self, y: Array) -> Array:
+        alpha = self.exponent
+        factor = self.shear * self.time_scale**alpha / math.gamma(alpha)
+        return np.asarray(factor * np.exp(alpha * y))
+
+    @property
+    def _parts(self) -> tuple[RelaxationSeries, float]:
+        def wanted(t: Array) -> Array:
+            return np.asarray(self.shear * (t / self.time_scale) ** -self.exponent)
+
+        return _summed(self, self._density, wanted)
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return self._parts[0]
+
+    @property
+    def series_error(self) -> float:
+        """Greatest relative error of the series within the span [-]."""
+        return self._parts[1]
+
+
+@value
+class FractionalZener(ViscoelasticSolid):
+    r"""A spring beside a spring and a springpot, :math:`G(t)=G_\infty+G_1\,E_\alpha\!\bigl(-(t/\tau)^\alpha\bigr)`.
+
+    Parameters
+    ----------
+    relaxed_shear : float
+        G_inf [Pa], zero or positive.
+    shear : float
+        G_1 [Pa], positive: what relaxes.
+    relaxation_time : float
+        tau [s], positive.
+    exponent : float
+        alpha [-], between 0 and 1, both excluded; at 1 it would be `StandardSolid`.
+    shortest, longest : float
+        Span of times within which it holds [s].
+    tolerance : float, optional
+        Greatest relative error of the series there.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    At alpha = 1/2 the relaxation is exp(x) erfc(sqrt(x)), x = t / tau.
+
+    >>> solid = FractionalZener(0.0, 1.0, 1.0, 0.5, shortest=1e-3, longest=1e3, tolerance=1e-6)
+    >>> round(float(solid.relaxation(1.0)), 5)  # e erfc(1)
+    0.42758
+    """
+
+    relaxed_shear: float
+    shear: float
+    relaxation_time: float
+    exponent: float
+    shortest: float
+    longest: float
+    tolerance: float = 1e-4
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check(self, "shear", "relaxation_time")
+        given = self.relaxed_shear
+        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 <= given < math.inf:
+            raise InvalidInput(
+                f"FractionalZener: relaxed_shear is {given!r}; give zero or a positive, finite number in Pa."
+            )
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series is the solid [s]."""
+        return self.shortest, self.longest
+
+    def _density(self, y: Array) -> Array:
+        alpha = self.exponent
+        power = alpha * np.abs(np.asarray(y) + math.log(self.relaxation_time))
+        small = np.exp(-power)
+        turn = math.pi * alpha
+        return np.asarray(
+            self.shear / math.pi * math.sin(turn) * small / (1.0 + 2.0 * math.cos(turn) * small + small**2)
+        )
+
+    @property
+    def _parts(self) -> tuple[RelaxationSeries, float]:
+        def wanted(t: Array) -> Array:
+            y = np.arange(-math.log(self.longest) - SLOW, -math.log(self.shortest) + FAST, FINEST)
+            slow = _slower(self._density, y[0], FINEST, self.exponent)
+            terms = np.exp(-np.exp(y) * t[:, None])
+            return np.asarray(self.relaxed_shear + slow + FINEST * terms @ self._density(y))
+
+        return _summed(self, self._density, wanted, self.relaxed_shear)
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return self._parts[0]
+
+    @property
+    def series_error(self) -> float:
+        """Greatest relative error of the series within the span [-]."""
+        return self._parts[1]
+
+
+def _summed(
+    solid: PowerLawSolid | FractionalZener,
+    density: Callable[[Array], Array],
+    wanted: Callable[[Array], Array],
+    relaxed: float = 0.0,
+) -> tuple[RelaxationSeries, float]:
+    """Return the shortest series within the tolerance, and its error.
+
+    `density` is the spectrum per ln s, `wanted` the relaxation itself.
+    """
+    shortest, longest = solid.span
+    t = np.geomspace(shortest, longest, SAMPLES)
+    goal = wanted(t)
+    little = math.log(1.0 / solid.tolerance)
+    for spacing in SPACINGS:
+        # slower than this, a rate changes nothing within the span; faster, it is over when the span begins
+        low = -math.log(longest) - little
+        high = -math.log(shortest) + math.log(little + 3.0) + spacing
+        y = np.arange(low, high + spacing, spacing)
+        moduli = spacing * density(y)
+        series = RelaxationSeries(
+            relaxed + _slower(density, low, spacing, solid.exponent), 0.0, moduli[::-1], np.exp(-y)[::-1]
+        )
+        error = float(np.max(np.abs(series.at(t) / goal - 1.0)))
+        if error <= solid.tolerance:
+            return series, error
+    raise NotConverged(
+        f"{type(solid).__name__}: no series comes closer than {error:.2g} to the solid within {shortest:g} to "
+        f"{longest:g} s; allow a greater tolerance than {solid.tolerance:g}."
+    )
+
+
+def _slower(density: Callable[[Array], Array], low: float, spacing: float, exponent: float) -> float:
+    """Return the sum of all terms below a ln s; they fall with its exponent."""
+    count = math.ceil(40.0 / (exponent * spacing))
+    return float(spacing * np.sum(density(low - spacing * np.arange(count, 0, -1))))
+
+
+def _check(solid: PowerLawSolid | FractionalZener, *positive: str) -> None:
+    owner = type(solid).__name__
+    for word in (*positive, "shortest", "longest", "tolerance", "exponent", "poisson"):
+        number = getattr(solid, word)
+        if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+            raise InvalidInput(f"{owner}: {word} is {number!r}; give a finite number.")
+        if word != "poisson" and not number > 0.0:
+            raise InvalidInput(f"{owner}: {word} is {number!r}; it must be positive.")
+    if not solid.exponent < 1.0:
+        raise InvalidInput(f"{owner}: exponent is {solid.exponent!r}; it must lie between 0 and 1, both excluded.")
+    if not solid.shortest < solid.longest:
+        raise InvalidInput(f"{owner}: the span from {solid.shortest:g} to {solid.longest:g} s is empty; exchange them.")
+    if not 1e-10 <= solid.tolerance <= 0.1:
+        raise InvalidInput(f"{owner}: tolerance is {solid.tolerance!r}; give one between 1e-10 and 0.1.")
+    if not -1.0 < solid.poisson <= 0.5:
+        raise InvalidInput(f"{owner}: poisson is {solid.poisson!r}; a Poisson ratio is above -1 and at most 0.5.")

@@ -1,0 +1,248 @@
+r"""Solids known by measurements: relaxation or creep over time, or storage and loss over frequency.
+
+Non-negative sums of exponentials, at times evenly spaced in their logarithm across the data, are fitted by least
+squares of the relative misfits.  Being non-negative they are always those of a solid that makes no energy; measured
+scatter is not followed.  The greatest relative misfit is told.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["CreepData", "DynamicData", "RelaxationData"]
+
+FEWEST = 4
+PER_DECADE = 8
+"""Terms in each decade of time that may be taken; few of them are, since none may be negative."""
+
+
+class _Measured(ViscoelasticSolid):
+    """What the solids here share: a fit, its misfit, and the span of the data."""
+
+    @property
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
+        raise NotImplementedError
+
+    @property
+    def _times(self) -> Array:
+        raise NotImplementedError
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return self._fitted[0]
+
+    @property
+    def series_error(self) -> float:
+        """Greatest relative misfit of the data [-]."""
+        return self._fitted[1]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which there are data [s]."""
+        return float(self._times[0]), float(self._times[-1])
+
+
+@value
+class RelaxationData(_Measured):
+    """A solid whose relaxation was measured.
+
+    Parameters
+    ----------
+    time : ndarray, (n,)
+        Since the step of strain [s], positive, rising.
+    shear : ndarray, (n,)
+        G(t) [Pa], positive.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If the rows differ in length, are too short, or hold what is not positive.
+
+    Examples
+    --------
+    >>> t = np.geomspace(0.01, 100.0, 41)
+    >>> gel = RelaxationData(t, 1e3 + 2e3 * np.exp(-t))
+    >>> bool(gel.series_error < 0.01), bool(abs(gel.relaxation(1.0) / (1e3 + 2e3 / np.e) - 1.0) < 0.01)
+    (True, True)
+    """
+
+    time: Array
+    shear: Array
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check(self, "time", "shear")
+
+    @property
+    def _times(self) -> Array:
+        return self.time
+
+    @property
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
+        return _of_relaxation(self)
+
+
+@value
+class CreepData(_Measured):
+    """A solid whose creep was measured.
+
+    Parameters
+    ----------
+    time : ndarray, (n,)
+        Since the step of stress [s], positive, rising.
+    compliance : ndarray, (n,)
+        J(t) [1/Pa], positive.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If the rows differ in length, are too short, or hold what is not positive.
+
+    Examples
+    --------
+    >>> t = np.geomspace(0.01, 10.0, 31)
+    >>> fluid = CreepData(t, 1e-3 * (1.0 + t / 0.5))
+    >>> bool(fluid.series_error < 1e-3)
+    True
+    """
+
+    time: Array
+    compliance: Array
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check(self, "time", "compliance")
+
+    @property
+    def _times(self) -> Array:
+        return self.time
+
+    @property
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
+        return _of_creep(self)
+
+
+@value
+class DynamicData(_Measured):
+    """A solid whose storage and loss were measured.
+
+    Parameters
+    ----------
+    angular_frequency : ndarray, (n,)
+        omega [rad/s], positive, rising.
+    storage_shear, loss_shear : ndarray, (n,)
+        G' and G'' [Pa], positive.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If the rows differ in length, are too short, or hold what is not positive.
+
+    Examples
+    --------
+    >>> omega = np.geomspace(0.1, 100.0, 31)
+    >>> power = 1e3 * (1j * omega) ** 0.2
+    >>> bool(DynamicData(omega, power.real, power.imag).series_error < 0.05)
+    True
+    """
+
+    angular_frequency: Array
+    storage_shear: Array
+    loss_shear: Array
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check(self, "angular_frequency", "storage_shear", "loss_shear")
+
+    @property
+    def _times(self) -> Array:
+        return 1.0 / self.angular_frequency[::-1]
+
+    @property
+    def _fitted(self) -> tuple[RelaxationSeries, float]:
+        return _of_dynamic(self)
+
+
+def _check(data: RelaxationData | CreepData | DynamicData, first: str, *others: str) -> None:
+    owner = type(data).__name__
+    for word in (first, *others):
+        try:
+            numbers = np.array(getattr(data, word), dtype=float)
+        except (TypeError, ValueError):
+            numbers = np.empty(0)
+        if numbers.ndim != 1 or not np.all(np.isfinite(numbers)) or np.any(numbers <= 0.0) or numbers.size < FEWEST:
+            raise InvalidInput(f"{owner}: {word} must be a row of {FEWEST} or more positive, finite numbers.")
+        numbers.flags.writeable = False
+        object.__setattr__(data, word, numbers)
+    rising = getattr(data, first)
+    if np.any(np.diff(rising) <= 0.0):
+        raise InvalidInput(f"{owner}: {first} does not rise; sort the rows, and average what is given twice.")
+    for word in others:
+        if getattr(data, word).size != rising.size:
+            raise InvalidInput(
+                f"{owner}: {first} has {rising.size} numbers and {word} {getattr(data, word).size}; give as many."
+            )
+    if isinstance(data.poisson, bool) or not -1.0 < data.poisson <= 0.5:
+        raise InvalidInput(f"{owner}: poisson is {data.poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
+
+
+def _spread(time: Array) -> Array:
+    """Return times from a little before the data to a little after, evenly spaced in their logarithm."""
+    decades = math.log10(time[-1] / time[0])
+    return np.geomspace(0.3 * time[0], 3.0 * time[-1], math.ceil(PER_DECADE * (decades + 1.0)) + 1)
+
+
+def _fit(columns: Array, wanted: Array) -> tuple[Array, float]:
+    """Return non-negative strengths of the columns, and the greatest relative misfit."""
+    from scipy.optimize import nnls
+
+    scaled = columns / wanted[:, None]
+    size = np.max(scaled, axis=0)
+    found, _ = nnls(scaled / size, np.ones(wanted.size))
+    strengths = found / size
+    return strengths, float(np.max(np.abs(scaled @ strengths - 1.0)))
+
+
+@functools.lru_cache(maxsize=64)
+def _of_relaxation(data: RelaxationData) -> tuple[RelaxationSeries, float]:
+    times = _spread(data.time)
+    columns = np.exp(-data.time[:, None] / np.append(times, math.inf))
+    strengths, error = _fit(columns, data.shear)
+    return RelaxationSeries(float(strengths[-1]), 0.0, *merged(strengths[:-1], times)), error
+
+
+@functools.lru_cache(maxsize=64)
+def _of_creep(data: CreepData) -> tuple[RelaxationSeries, float]:
+    times = _spread(data.time)
+    t = data.time[:, None]
+    columns = np.hstack([-np.expm1(-t / times), np.ones(t.shape), t])
+    strengths, error = _fit(columns, data.compliance)
+    series = CreepSeries(float(strengths[-2]), float(strengths[-1]), *merged(strengths[:-2], times))
+    return of_creep(series), error
+
+
+@functools.lru_cache(maxsize=64)
+def _of_dynamic(data: DynamicData) -> tuple[RelaxationSeries, float]:
+    times = _spread(1.0 / data.angular_frequency[::-1])
+    turns = 1j * data.angular_frequency[:, None] * times
+    level = np.ones((data.angular_frequency.size, 1))
+    terms = np.hstack([turns / (1.0 + turns), level, 1j * data.angular_frequency[:, None]])
+    columns = np.vstack([terms.real, terms.imag])
+    strengths, error = _fit(columns, np.concatenate([data.storage_shear, data.loss_shear]))
+    return RelaxationSeries(float(strengths[-2]), float(strengths[-1]), *merged(strengths[:-2], times)), error

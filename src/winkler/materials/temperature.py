@@ -1,0 +1,115 @@
+r"""How temperature slows or quickens a viscoelastic solid: one factor :math:`a_T` on all its times."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.values import value
+
+__all__ = ["Arrhenius", "WilliamsLandelFerry"]
+
+GAS = 8.31446261815324
+"""Gas constant [J/(mol K)]."""
+
+
+@value
+class WilliamsLandelFerry:
+    r"""The law of polymers above their glass transition, :math:`\log_{10}a_T=-c_1(T-T_0)/(c_2+T-T_0)`.
+
+    Parameters
+    ----------
+    reference_temperature : float
+        T_0 [K] at which the solid is known, positive.
+    first_constant : float, optional
+        c_1 [-], positive; 17.44 if T_0 is the glass transition.
+    second_constant : float, optional
+        c_2 [K], positive; 51.6 there.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive.
+
+    References
+    ----------
+    M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77 (1955) 3701-3707, doi:10.1021/ja01619a008
+
+    Examples
+    --------
+    >>> round(WilliamsLandelFerry(reference_temperature=200.0).factor(251.6), 12) == round(10**-8.72, 12)
+    True
+    """
+
+    reference_temperature: float
+    first_constant: float = 17.44
+    second_constant: float = 51.6
+
+    def __post_init__(self) -> None:
+        for word, unit in (("reference_temperature", "K"), ("first_constant", "1"), ("second_constant", "K")):
+            _positive("WilliamsLandelFerry", word, getattr(self, word), unit)
+
+    def factor(self, temperature: float) -> float:
+        """Return a_T [-] at a temperature [K].
+
+        Raises
+        ------
+        InvalidInput
+            If the temperature is not positive.
+        OutsideValidity
+            If it is so low that the law has no answer.
+        """
+        above = _positive("WilliamsLandelFerry", "temperature", temperature, "K") - self.reference_temperature
+        if self.second_constant + above <= 0.0:
+            raise OutsideValidity(
+                f"WilliamsLandelFerry: at {temperature:g} K the law has no answer; it holds well above "
+                f"{self.reference_temperature - self.second_constant:g} K."
+            )
+        return float(10.0 ** (-self.first_constant * above / (self.second_constant + above)))
+
+
+@value
+class Arrhenius:
+    r"""Thermally activated relaxation, :math:`\ln a_T=\frac{Q}{R}\bigl(\frac1T-\frac1{T_0}\bigr)`.
+
+    Parameters
+    ----------
+    reference_temperature : float
+        T_0 [K] at which the solid is known, positive.
+    activation_energy : float
+        Q [J/mol], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive.
+
+    Examples
+    --------
+    >>> round(Arrhenius(reference_temperature=300.0, activation_energy=80e3).factor(310.0), 6)
+    0.355368
+    """
+
+    reference_temperature: float
+    activation_energy: float
+
+    def __post_init__(self) -> None:
+        for word, unit in (("reference_temperature", "K"), ("activation_energy", "J/mol")):
+            _positive("Arrhenius", word, getattr(self, word), unit)
+
+    def factor(self, temperature: float) -> float:
+        """Return a_T [-] at a temperature [K].
+
+        Raises
+        ------
+        InvalidInput
+            If the temperature is not positive.
+        """
+        absolute = _positive("Arrhenius", "temperature", temperature, "K")
+        return math.exp(self.activation_energy / GAS * (1.0 / absolute - 1.0 / self.reference_temperature))
+
+
+def _positive(owner: str, word: str, number: float, unit: str) -> float:
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")
+    return float(number)

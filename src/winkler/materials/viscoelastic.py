@@ -1,0 +1,398 @@
+r"""Viscoelastic solids: isotropic, linear, with a Poisson's ratio that does not change in time.
+
+A solid is known by its shear relaxation :math:`G(t)`; its creep :math:`J(t)`, storage and loss follow, and so does
+Young's relaxation :math:`E(t)=2(1+\nu)G(t)`.  Gels, tissue and rubber are incompressible as good as always, so that
+nu is 1/2 unless given.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
+from winkler.numerics.types import Array, ArrayLike
+from winkler.values import value
+
+__all__ = ["GeneralisedKelvin", "KelvinVoigt", "Maxwell", "Prony", "StandardSolid", "ViscoelasticSolid"]
+
+
+class ViscoelasticSolid:
+    """What every viscoelastic solid can be asked, once the series of its shear relaxation is known."""
+
+    @property
+    def poisson(self) -> float:
+        """Poisson's ratio nu [-], the same at all times."""
+        raise NotImplementedError
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) as a sum of exponentials [Pa]."""
+        raise NotImplementedError
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series is the solid [s]; all times unless it was fitted."""
+        return 0.0, math.inf
+
+    def relaxation(self, time: ArrayLike) -> Array:
+        """Return G(t), the stress after a unit step of shear.
+
+        Parameters
+        ----------
+        time : array_like
+            Since the step [s], positive.
+
+        Returns
+        -------
+        ndarray
+            [Pa], the shape of `time`.
+
+        Raises
+        ------
+        InvalidInput
+            If a time is not positive and finite.
+        """
+        return self.series.at(_positive_row("relaxation", "time", time, "s"))
+
+    def creep(self, time: ArrayLike) -> Array:
+        """Return J(t), the shear after a unit step of stress.
+
+        Parameters
+        ----------
+        time : array_like
+            Since the step [s], positive.
+
+        Returns
+        -------
+        ndarray
+            [1/Pa], the shape of `time`.
+
+        Raises
+        ------
+        InvalidInput
+            If a time is not positive and finite.
+        """
+        return of_relaxation(self.series).at(_positive_row("creep", "time", time, "s"))
+
+    def storage(self, angular_frequency: ArrayLike) -> Array:
+        """Return G', what is in phase with a harmonic shear.
+
+        Parameters
+        ----------
+        angular_frequency : array_like
+            omega [rad/s], positive.
+
+        Returns
+        -------
+        ndarray
+            [Pa], the shape of `angular_frequency`.
+
+        Raises
+        ------
+        InvalidInput
+            If a frequency is not positive and finite.
+        """
+        return np.real(self.series.dynamic(_positive_row("storage", "angular_frequency", angular_frequency, "rad/s")))
+
+    def loss(self, angular_frequency: ArrayLike) -> Array:
+        """Return G'', what is a quarter of a turn ahead of a harmonic shear.
+
+        Parameters
+        ----------
+        angular_frequency : array_like
+            omega [rad/s], positive.
+
+        Returns
+        -------
+        ndarray
+            [Pa], the shape of `angular_frequency`.
+
+        Raises
+        ------
+        InvalidInput
+            If a frequency is not positive and finite.
+        """
+        return np.imag(self.series.dynamic(_positive_row("loss", "angular_frequency", angular_frequency, "rad/s")))
+
+    def slowed(self, factor: float) -> Prony:
+        """Return the solid with all its times multiplied: the same one, colder, or older.
+
+        Parameters
+        ----------
+        factor : float
+            a_T [-], positive: of a `winkler.materials.temperature.WilliamsLandelFerry` or `Arrhenius`.
+
+        Returns
+        -------
+        Prony
+
+        Raises
+        ------
+        InvalidInput
+            If the factor is not positive and finite.
+        """
+        series = self.series.scaled(1.0, _positive("slowed", "factor", factor, "1"))
+        return Prony(series.relaxed, series.moduli, series.times, series.viscosity, self.poisson)
+
+
+@value
+class Prony(ViscoelasticSolid):
+    r"""The generalised Maxwell solid, :math:`G(t)=G_\infty+\eta\delta(t)+\sum_i G_i e^{-t/\tau_i}`.
+
+    Parameters
+    ----------
+    relaxed_shear : float
+        G_inf [Pa], zero of a fluid.
+    shears : ndarray, (m,)
+        G_i [Pa], positive.
+    relaxation_times : ndarray, (m,)
+        tau_i [s], positive.
+    viscosity : float, optional
+        eta [Pa s] of a dashpot alongside.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range, the rows differ in length, or nothing is left that resists.
+
+    Examples
+    --------
+    >>> rubber = Prony(1e6, [2e6, 1e6], [0.01, 1.0])
+    >>> rubber.relaxation([1e-9, 1e9]) / 1e6
+    array([3.9999998, 1.       ])
+    """
+
+    relaxed_shear: float
+    shears: Array
+    relaxation_times: Array
+    viscosity: float = 0.0
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check_numbers(self, relaxed_shear="Pa", viscosity="Pa s")
+        for word, unit in (("shears", "Pa"), ("relaxation_times", "s")):
+            object.__setattr__(self, word, _positive_row("Prony", word, getattr(self, word), unit, flat=True))
+        if self.shears.size != self.relaxation_times.size:
+            raise InvalidInput(
+                f"Prony: {self.shears.size} shears and {self.relaxation_times.size} relaxation_times; give one time "
+                "for each modulus."
+            )
+        if not (self.relaxed_shear > 0.0 or self.viscosity > 0.0 or self.shears.size):
+            raise InvalidInput("Prony: nothing resists; give a relaxed_shear, a viscosity, or shears with their times.")
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return RelaxationSeries(self.relaxed_shear, self.viscosity, *merged(self.shears, self.relaxation_times))
+
+
+@value
+class GeneralisedKelvin(ViscoelasticSolid):
+    r"""Kelvin-Voigt solids one behind the other, :math:`J(t)=J_0+\varphi t+\sum_k J_k(1-e^{-t/\lambda_k})`.
+
+    Parameters
+    ----------
+    glassy_compliance : float
+        J_0 [1/Pa], of the immediate answer.
+    compliances : ndarray, (n,)
+        J_k [1/Pa], positive.
+    retardation_times : ndarray, (n,)
+        lambda_k [s], positive.
+    fluidity : float, optional
+        phi [1/(Pa s)], one over the viscosity with which it flows for ever.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range, the rows differ in length, or nothing gives way.
+
+    Examples
+    --------
+    >>> gel = GeneralisedKelvin(1e-3, [2e-3], [5.0])
+    >>> gel.creep([1e-9, 1e9])
+    array([0.001, 0.003])
+    """
+
+    glassy_compliance: float
+    compliances: Array
+    retardation_times: Array
+    fluidity: float = 0.0
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check_numbers(self, glassy_compliance="1/Pa", fluidity="1/(Pa s)")
+        for word, unit in (("compliances", "1/Pa"), ("retardation_times", "s")):
+            object.__setattr__(self, word, _positive_row("GeneralisedKelvin", word, getattr(self, word), unit, True))
+        if self.compliances.size != self.retardation_times.size:
+            raise InvalidInput(
+                f"GeneralisedKelvin: {self.compliances.size} compliances and {self.retardation_times.size} "
+                "retardation_times; give one time for each compliance."
+            )
+        if not (self.glassy_compliance > 0.0 or self.fluidity > 0.0 or self.compliances.size):
+            raise InvalidInput("GeneralisedKelvin: nothing gives way; give a compliance, or use Rigid().")
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return of_creep(
+            CreepSeries(self.glassy_compliance, self.fluidity, *merged(self.compliances, self.retardation_times))
+        )
+
+
+@value
+class KelvinVoigt(ViscoelasticSolid):
+    """A spring and a dashpot side by side: the stress is G gamma + eta dgamma/dt.
+
+    It has no immediate answer: a sudden step of strain takes an infinite force.
+
+    Parameters
+    ----------
+    shear : float
+        G [Pa], positive.
+    viscosity : float
+        eta [Pa s], positive.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> round(float(KelvinVoigt(shear=2.0, viscosity=4.0).creep(2.0)), 9)
+    0.316060279
+    """
+
+    shear: float
+    viscosity: float
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check_numbers(self)
+        for word, unit in (("shear", "Pa"), ("viscosity", "Pa s")):
+            _positive("KelvinVoigt", word, getattr(self, word), unit)
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return RelaxationSeries(self.shear, self.viscosity, np.empty(0), np.empty(0))
+
+
+@value
+class Maxwell(ViscoelasticSolid):
+    """A spring and a dashpot one behind the other, G(t) = G exp(-t / tau): it flows for ever.
+
+    Parameters
+    ----------
+    shear : float
+        G [Pa], positive.
+    relaxation_time : float
+        tau [s], positive: viscosity over G.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> float(Maxwell(shear=2.0, relaxation_time=3.0).creep(6.0))
+    1.5
+    """
+
+    shear: float
+    relaxation_time: float
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check_numbers(self)
+        for word, unit in (("shear", "Pa"), ("relaxation_time", "s")):
+            _positive("Maxwell", word, getattr(self, word), unit)
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return RelaxationSeries(0.0, 0.0, np.array([self.shear]), np.array([self.relaxation_time]))
+
+
+@value
+class StandardSolid(ViscoelasticSolid):
+    """The standard linear solid (Zener), G(t) = G_inf + G_1 exp(-t / tau).
+
+    Parameters
+    ----------
+    relaxed_shear : float
+        G_inf [Pa], positive.
+    shear : float
+        G_1 [Pa], positive: what relaxes.
+    relaxation_time : float
+        tau [s], positive.
+    poisson : float, optional
+        nu [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> float(StandardSolid(relaxed_shear=1.0, shear=3.0, relaxation_time=0.5).storage(2.0))
+    2.5
+    """
+
+    relaxed_shear: float
+    shear: float
+    relaxation_time: float
+    poisson: float = 0.5
+
+    def __post_init__(self) -> None:
+        _check_numbers(self)
+        for word, unit in (("relaxed_shear", "Pa"), ("shear", "Pa"), ("relaxation_time", "s")):
+            _positive("StandardSolid", word, getattr(self, word), unit)
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) [Pa]."""
+        return RelaxationSeries(self.relaxed_shear, 0.0, np.array([self.shear]), np.array([self.relaxation_time]))
+
+
+def _positive(owner: str, word: str, number: float, unit: str) -> float:
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")
+    return float(number)
+
+
+def _positive_row(owner: str, word: str, given: ArrayLike, unit: str, flat: bool = False) -> Array:
+    try:
+        numbers = np.array(given, dtype=float)
+    except (TypeError, ValueError):
+        numbers = np.array(np.nan)
+    if not (np.all(np.isfinite(numbers)) and np.all(numbers > 0.0)) or (flat and numbers.ndim != 1):
+        raise InvalidInput(
+            f"{owner}: {word} is {given!r}; give {'a row of ' * flat}positive, finite numbers in {unit}."
+        )
+    numbers.flags.writeable = False
+    return numbers
+
+
+def _check_numbers(solid: ViscoelasticSolid, **units: str) -> None:
+    """Refuse a Poisson's ratio out of range, and numbers that are negative."""
+    owner, poisson = type(solid).__name__, solid.poisson
+    if isinstance(poisson, bool) or not isinstance(poisson, int | float) or not -1.0 < poisson <= 0.5:
+        raise InvalidInput(f"{owner}: poisson is {poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
+    for word, unit in units.items():
+        number = getattr(solid, word)
+        if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 <= number < math.inf:
+            raise InvalidInput(f"{owner}: {word} is {number!r}; give zero or a positive, finite number in {unit}.")

@@ -1,0 +1,157 @@
+r"""Two homogeneous half-spaces of which at least one is viscoelastic.
+
+Poisson's ratios do not change in time, so the equivalent profile g of an elastic half-space stays, and every spring
+relaxes by the same function,
+
+.. math:: q(x,t) = \int E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm dt' , \qquad
+          \frac{1}{s^2\,\hat E^*(s)} = \sum_\text{bodies}\frac{1-\nu}{2}\,\hat J(s) :
+
+bodies bear the same pressure, so their creep adds up.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import Elastic, Rigid
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.spectra import CreepSeries, RelaxationSeries, of_creep, of_relaxation
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["ViscoelasticHalfSpace"]
+
+RIGID = Rigid()
+LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
+
+
+@value
+class ViscoelasticHalfSpace(HomogeneousMedium):
+    """Two homogeneous half-spaces in contact, at least one of them viscoelastic.
+
+    What it answers depends on time: a `winkler.problems.viscoelastic.ViscoelasticIndentation` asks for it.  Its moduli
+    right after a sudden step, and after all time, are `relaxation.glassy` and `relaxation.relaxed`.
+
+    Parameters
+    ----------
+    first : ViscoelasticSolid, Elastic or Rigid
+        The body below, z > 0.
+    second : ViscoelasticSolid, Elastic or Rigid, optional
+        The body above, z < 0; rigid unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If neither of them is viscoelastic.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020
+
+    Examples
+    --------
+    >>> from winkler.materials.viscoelastic import StandardSolid
+    >>> gel = ViscoelasticHalfSpace(StandardSolid(relaxed_shear=1e3, shear=4e3, relaxation_time=2.0))
+    >>> gel.relaxation.relaxed, gel.relaxation.glassy
+    (4000.0, 20000.0)
+    """
+
+    first: ViscoelasticSolid | Elastic | Rigid
+    second: ViscoelasticSolid | Elastic | Rigid = RIGID
+
+    def __post_init__(self) -> None:
+        for word, body in (("first", self.first), ("second", self.second)):
+            if not isinstance(body, ViscoelasticSolid | Elastic | Rigid):
+                raise InvalidInput(
+                    f"ViscoelasticHalfSpace: {word} is a {type(body).__name__}; give a viscoelastic solid such as "
+                    "Prony(...), Elastic(young, poisson) or Rigid()."
+                )
+        if not any(isinstance(body, ViscoelasticSolid) for body in (self.first, self.second)):
+            raise InvalidInput(
+                "ViscoelasticHalfSpace: neither of the bodies is viscoelastic; give Maxwell, Prony or another one, or "
+                "use HalfSpace."
+            )
+
+    @property
+    def creep(self) -> CreepSeries:
+        """What a step of load makes of the pair, 1/E* as it grows [1/Pa]."""
+        return _creep(self)
+
+    @property
+    def relaxation(self) -> RelaxationSeries:
+        """E*(t) of the pair [Pa]."""
+        return _relaxation(self)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series of both bodies are the solids [s]."""
+        spans = [body.span for body in (self.first, self.second) if isinstance(body, ViscoelasticSolid)]
+        return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
+
+    @property
+    def modulus(self) -> float:
+        """There is none that would hold at all times."""
+        raise _timeless()
+
+    @property
+    def shear_modulus(self) -> float:
+        """There is none that would hold at all times."""
+        raise _timeless()
+
+    @property
+    def torsional_modulus(self) -> float:
+        """There is none that would hold at all times."""
+        raise _timeless()
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        notes = [
+            Note(
+                Standing.EXACT,
+                "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
+                "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+                LEE,
+            )
+        ]
+        shortest, longest = self.span
+        if shortest > 0.0:
+            notes.append(
+                Note(
+                    Standing.APPROXIMATE,
+                    f"The solid is known between {shortest:.3g} s and {longest:.3g} s; what happens faster or slower "
+                    "than that is answered by its series, not by the solid.",
+                    "sum of exponentials over a span of time",
+                )
+            )
+        return tuple(notes)
+
+
+def _timeless() -> OutsideValidity:
+    return OutsideValidity(
+        "ViscoelasticHalfSpace: its stiffness changes in time, so no single answer exists; use "
+        "ViscoelasticIndentation(bed, path), or HalfSpace with an elastic solid."
+    )
+
+
+@functools.lru_cache(maxsize=64)
+def _creep(medium: ViscoelasticHalfSpace) -> CreepSeries:
+    total = CreepSeries(0.0, 0.0, np.empty(0), np.empty(0))
+    for body in (medium.first, medium.second):
+        if isinstance(body, Elastic):
+            total = total.plus(CreepSeries((1.0 - body.poisson**2) / body.young, 0.0, np.empty(0), np.empty(0)))
+        elif isinstance(body, ViscoelasticSolid):
+            total = total.plus(of_relaxation(body.series).scaled(0.5 * (1.0 - body.poisson)))
+    return total
+
+
+@functools.lru_cache(maxsize=64)
+def _relaxation(medium: ViscoelasticHalfSpace) -> RelaxationSeries:
+    bodies = [body for body in (medium.first, medium.second) if not isinstance(body, Rigid)]
+    if len(bodies) == 1 and isinstance(bodies[0], ViscoelasticSolid):
+        return bodies[0].series.scaled(2.0 / (1.0 - bodies[0].poisson))
+    return of_creep(_creep(medium))

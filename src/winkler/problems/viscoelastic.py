@@ -1,0 +1,314 @@
+r"""A body pressed into a viscoelastic one, along any path: loading, holding, unloading, losing touch, touching again.
+
+Every spring relaxes,
+
+.. math:: q(x,t) = \int E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm dt' , \qquad u = d(t)-g(x) ,
+
+lets go when it would pull, recovers freely, and is caught again.  While depths are prescribed every spring is carried
+exactly from event to event, for any step and any relaxation time; under prescribed forces the depth is straight within
+steps that are chosen by their error.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.springs import Springs
+from winkler.loading import Depth, Force, Shift
+from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.closure import at_depth, at_force
+from winkler.problems.trust import indentation_notes
+from winkler.problems.viscoelastic_march import Row, elastic_like, relaxation_of
+from winkler.problems.viscoelastic_states import ViscoelasticState
+from winkler.validity import Note
+from winkler.values import value
+
+__all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
+
+REST = 1e-11
+"""A body under no force rests on the surface with this part of the greatest one."""
+MARGIN = 1.001
+"""The row reaches a little farther than the contact that is expected under forces."""
+SHORTEST = 1e-12
+"""Part of a stretch of the path below which no step falls."""
+
+
+class _Moment(NamedTuple):
+    """The row at one point of the path, its loads [N/m], and time, depth, force, radius, stored and lost energy."""
+
+    row: Row
+    loads: Array
+    numbers: tuple[float, float, float, float, float, float]
+
+
+@value
+class ViscoelasticIndentation:
+    """A body pressed into a viscoelastic one.
+
+    Before the first point of the path nothing has happened; a first depth or force that is not zero comes suddenly.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    path : Path
+        Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids
+        for depths.  Under no force the body rests on the surface.
+    count : int, optional
+        How many springs; the error falls with its square.
+    tolerance : float, optional
+        Error of the depth in one step under prescribed forces, over the greatest depth.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, the path moves along the surface, a force is tensile, or a number is out of range.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020; T. C. T. Ting, J. Appl. Mech. 33
+    (1966) 845-854, doi:10.1115/1.3625192; I. I. Argatov, V. L. Popov, ZAMM 96 (2016) 956-967,
+    doi:10.1002/zamm.201500144
+
+    Examples
+    --------
+    A ball pressed into a Maxwell solid with E* = 1 and tau = 0.3 to d = 1 and back at the same speed.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.profiles.power import Paraboloid
+    >>> medium = ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=0.3))
+    >>> path = Path([0.0, 1.0, 1.1], Depth([0.0, 1.0, 0.9]))
+    >>> contact = ViscoelasticIndentation(Foundation(Paraboloid(1.0), medium), path).solve()
+    >>> contact.force.round(4), contact.radius.round(3)
+    (array([0.    , 0.4881, 0.1857]), array([0.   , 1.   , 0.921]))
+    """
+
+    bed: Bed
+    path: Path
+    count: int = 500
+    tolerance: float = 1e-7
+
+    references: ClassVar[tuple[str, ...]] = (
+        "popov_hess_2015",
+        "popov_willert_hess_2018",
+        "lee_radok_1960",
+        "ting_1966",
+        "argatov_popov_2016",
+    )
+
+    def __post_init__(self) -> None:
+        relaxation_of("ViscoelasticIndentation", self.bed)
+        if not isinstance(self.path, Path):
+            raise InvalidInput(
+                f"ViscoelasticIndentation: the path is a {type(self.path).__name__}; give Path(time, Depth([...]))."
+            )
+        if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
+            raise InvalidInput(
+                "ViscoelasticIndentation: the path moves along the surface; friction of viscoelastic bodies is not "
+                "answered, leave the lateral load out."
+            )
+        if isinstance(self.path.normal, Force) and np.min(self.path.across) < 0.0:
+            raise InvalidInput(
+                f"ViscoelasticIndentation: the force {np.min(self.path.across):.6g} N is tensile; without adhesion "
+                "bodies can only be pressed together."
+            )
+        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 2:
+            raise InvalidInput(f"ViscoelasticIndentation: count is {self.count!r}; give a whole number, at least 2.")
+        tolerance = self.tolerance
+        if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 1e-12 <= tolerance <= 0.1:
+            raise InvalidInput(
+                f"ViscoelasticIndentation: tolerance is {tolerance!r}; give a number between 1e-12 and 0.1."
+            )
+
+    @property
+    def _deepest(self) -> float:
+        """How deep the body can come [m]: under forces, as deep as the greatest one would press it if it stayed."""
+        most = float(np.max(self.path.across))
+        if isinstance(self.path.normal, Depth) or most <= 0.0:
+            return max(most, 0.0)
+        medium = self.bed.medium
+        assert isinstance(medium, ViscoelasticHalfSpace)
+        spent = float(self.path.time[-1] - self.path.time[0])
+        most *= MARGIN * float(medium.creep.at(np.array(spent)))
+        if most == 0.0:  # a dashpot, and no time
+            return 0.0
+        depth, _ = at_force(elastic_like(self.bed), np.array([most]))
+        return float(depth[0])
+
+    def steps(self) -> Iterator[ViscoelasticState]:
+        """Yield the state at every point of the path, just before anything sudden that happens there next.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is pressed beyond what is known of its profile, is moved suddenly against a dashpot, or the
+            contact is no disc: at that step, the states before it have been yielded.
+        NotConverged
+            If the depth under a force is not found.
+        """
+        for moment in self._moments():
+            springs = moment.row.springs
+            yield ViscoelasticState(*moment.numbers, springs.position, moment.loads, moment.row.place.copy())
+
+    def _moments(self) -> Iterator[_Moment]:
+        deepest = self._deepest
+        if deepest == 0.0:
+            raise OutsideValidity("ViscoelasticIndentation: the bodies never touch along this path; press them.")
+        elastic = elastic_like(self.bed)
+        _, reach = at_depth(elastic, np.array([deepest]))
+        row = Row(elastic, Springs.of(elastic, float(reach[0]), self.count), relaxation_of("", self.bed))
+        if isinstance(self.path.normal, Depth):
+            yield from self._by_depth(row)
+        else:
+            yield from self._by_force(row, deepest)
+
+    def _by_depth(self, row: Row) -> Iterator[_Moment]:
+        work = 0.0
+        times, depths = self.path.time.tolist(), self.path.across.tolist()
+        row.depth = min(depths[0], 0.0)
+        for i, (time, depth) in enumerate(zip(times, depths, strict=True)):
+            dt = time - times[i - 1] if i else 0.0
+            if dt == 0.0 and depth > row.depth and depth > 0.0 and row.series.viscosity > 0.0:
+                raise OutsideValidity(
+                    f"ViscoelasticIndentation: at {time:.6g} s the depth rises suddenly to {depth:.6g} m, which a "
+                    "dashpot alongside answers with an infinite force; give the step some time."
+                )
+            work += row.move(depth - row.depth, dt).work
+            row.depth = depth
+            row.refuse_rings("ViscoelasticIndentation", time)
+            yield self._moment(row, time, work, math.nan)
+
+    def _by_force(self, row: Row, deepest: float) -> Iterator[_Moment]:
+        times, forces = self.path.time.tolist(), self.path.across.tolist()
+        scale = max(forces)
+        driven = _Driven(row, self.tolerance * deepest, scale)
+        for i, (time, force) in enumerate(zip(times, forces, strict=True)):
+            if i and time > times[i - 1]:
+                driven.ramp(forces[i - 1], force, time - times[i - 1])
+            elif row.series.viscosity == 0.0:
+                driven.jump(force)
+            driven.row.refuse_rings("ViscoelasticIndentation", time)
+            if driven.row.depth > deepest and math.isinf(driven.row.bed.rim):
+                raise NotConverged(
+                    f"ViscoelasticIndentation: at {time:.6g} s the body has come deeper than the greatest force would "
+                    "have pressed it; allow a smaller tolerance."
+                )
+            yield self._moment(driven.row, time, driven.work, force)
+
+    @staticmethod
+    def _moment(row: Row, time: float, work: float, force: float) -> _Moment:
+        loads, stored = row.loads()
+        radius = row.radius(loads)
+        borne = row.force(loads, radius) if math.isnan(force) else force
+        return _Moment(row, loads, (time, row.depth, borne, radius, stored, work - stored))
+
+    def solve(self) -> ViscoelasticSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        ViscoelasticSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return ViscoelasticSolution(self, *np.array([moment.numbers for moment in self._moments()]).T)
+
+
+class _Driven:
+    """A row under forces; `little` is the error of depth that a step may have [m], `scale` the greatest force [N]."""
+
+    def __init__(self, row: Row, little: float, scale: float) -> None:
+        self.row, self.little, self.scale = row, little, scale
+        # where the force of a step is told by its mean, and where by its end
+        self.parts = (0.25, 0.75, 0.5) if row.series.viscosity > 0.0 else (0.5, 1.0, 1.0)
+        self.work, self.rate, self.pace = 0.0, 0.0, math.inf
+
+    def _target(self, force: float) -> float:
+        return max(force, REST * self.scale)
+
+    def jump(self, force: float) -> None:
+        """Put a force on, or take it off, at once."""
+        self._go(self.row.towards(self._target(force), 0.0, 0.0, self.scale), 0.0)
+
+    def _go(self, change: float, dt: float) -> None:
+        self.work += self.row.move(change, dt).work
+
+    def ramp(self, start: float, end: float, duration: float) -> None:
+        """Let the force change steadily."""
+        done, pace = 0.0, min(self.pace, 0.125 * duration)
+        while done < duration:
+            dt = min(pace, duration - done)
+            if duration - done - dt < 1e-9 * duration:
+                dt = duration - done
+            early, late, both = (self._target(start + (end - start) * (done + p * dt) / duration) for p in self.parts)
+            first = self.row.towards(early, 0.5 * dt, 0.5 * self.rate * dt, self.scale)
+            half = self.row.copy()
+            half.move(first, 0.5 * dt)
+            second = half.towards(late, 0.5 * dt, first, self.scale)
+            whole = self.row.towards(both, dt, first + second, self.scale)
+            error = first + second - whole
+            if abs(error) > self.little:
+                if dt < SHORTEST * duration:
+                    raise NotConverged(
+                        "ViscoelasticIndentation: the depth under this force needs ever shorter steps; allow a greater "
+                        "tolerance."
+                    )
+                pace = dt * max(0.2, 0.9 * (self.little / abs(error)) ** (1.0 / 3.0))
+                continue
+            self._go(first, 0.5 * dt)
+            self._go(second, 0.5 * dt)
+            self.rate = (first + second) / dt
+            done = duration if dt == duration - done else done + dt
+            grow = 0.9 * (self.little / max(abs(error), 1e-6 * self.little)) ** (1.0 / 3.0)
+            pace = dt * min(4.0, max(0.3, grow))
+        self.pace = pace
+
+
+@value
+class ViscoelasticSolution:
+    """The answer to a `ViscoelasticIndentation`, point by point of its path.
+
+    Parameters
+    ----------
+    problem : ViscoelasticIndentation
+        What was asked.
+    time : ndarray, (steps,)
+        [s].
+    depth : ndarray, (steps,)
+        d [m].
+    force : ndarray, (steps,)
+        F_N [N], just before anything sudden that happens at this time next.
+    radius : ndarray, (steps,)
+        a [m], zero without contact.
+    stored_energy : ndarray, (steps,)
+        Of all springs, also of those that recover freely [J].
+    dissipation : ndarray, (steps,)
+        Energy lost since the beginning [J]: the work that was done less what is stored.
+    """
+
+    problem: ViscoelasticIndentation
+    time: Array
+    depth: Array
+    force: Array
+    radius: Array
+    stored_energy: Array
+    dissipation: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
+        bed = self.problem.bed
+        elastic = indentation_notes(elastic_like(bed), self.depth, self.force, self.radius)
+        return (*bed.medium.notes, *elastic[1:])

@@ -1,0 +1,282 @@
+r"""A rigid body strikes a viscoelastic one, and rebounds slower.
+
+.. math:: m\,\ddot d = -F(t)
+
+with the springs of `winkler.problems.viscoelastic`, which let go before they would pull.  In every step the body moves
+steadily, with the mean of its velocities before and after, and is slowed by the exact impulse of the springs; so what
+it loses in kinetic energy is exactly the work done on them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged
+from winkler.foundation.bed import Bed
+from winkler.foundation.springs import Springs
+from winkler.numerics.spectra import RelaxationSeries
+from winkler.numerics.types import Array
+from winkler.problems.closure import at_depth
+from winkler.problems.trust import indentation_notes
+from winkler.problems.viscoelastic_march import Row, elastic_like, relaxation_of
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
+
+FIRST = 125
+"""Steps in the time that the body would take, unslowed, to its greatest depth, of the first of ever finer marches."""
+MOST = 16_000
+LONGEST = 400
+"""Longest contact, in these times."""
+STILL = 1e-14
+"""Part of the kinetic energy with which a body no longer moves."""
+SAMPLES = 257
+
+
+@value
+class ViscoelasticImpact:
+    """A rigid body strikes a viscoelastic one straight on.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    mass : float
+        m [kg].
+    velocity : float
+        v [m/s] of approach at first touch, positive.
+    count : int, optional
+        How many springs.
+    tolerance : float, optional
+        To which the restitution is found, by halving the steps.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, or a number is out of range.
+
+    References
+    ----------
+    V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+
+    Examples
+    --------
+    A ball on a Maxwell solid whose relaxation time is that of the impact, (m^2 / (E*^2 R v))^(1/5).
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0)))
+    >>> round(ViscoelasticImpact(bed, mass=1.0, velocity=1.0).solve().restitution, 4)
+    0.2801
+    """
+
+    bed: Bed
+    mass: float
+    velocity: float
+    count: int = 500
+    tolerance: float = 1e-5
+
+    references: ClassVar[tuple[str, ...]] = (
+        "popov_hess_2015",
+        "popov_willert_hess_2018",
+        "lee_radok_1960",
+        "ting_1966",
+    )
+
+    def __post_init__(self) -> None:
+        relaxation_of("ViscoelasticImpact", self.bed)
+        for word, unit in (("mass", "kg"), ("velocity", "m/s")):
+            number = getattr(self, word)
+            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+                raise InvalidInput(
+                    f"ViscoelasticImpact: {word} is {number!r}; it must be a positive, finite number in {unit}."
+                )
+        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 2:
+            raise InvalidInput(f"ViscoelasticImpact: count is {self.count!r}; give a whole number, at least 2.")
+        if isinstance(self.tolerance, bool) or not 1e-9 <= self.tolerance <= 0.1:
+            raise InvalidInput(
+                f"ViscoelasticImpact: tolerance is {self.tolerance!r}; give a number between 1e-9 and 0.1."
+            )
+
+    def solve(self) -> ViscoelasticImpactSolution:
+        """Return the whole impact.
+
+        Returns
+        -------
+        ViscoelasticImpactSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is pressed beyond what is known of its profile, or its contact is no disc.
+        NotConverged
+            If the restitution does not settle, or the body neither comes to rest nor leaves.
+        """
+        series = relaxation_of("", self.bed)
+        scale = self._scale(series)
+        # the first march only tells how wide the contact gets
+        reach = 1.5 * scale
+        while (found := self._march(series, reach, scale / self.velocity / FIRST, 60)).deepest > reach:
+            reach = 2.0 * reach
+        reach = 1.02 * found.deepest
+        finer, last = FIRST, math.nan
+        while finer <= MOST:
+            march = self._march(series, reach, scale / self.velocity / finer, self.count)
+            restitution = -march.velocity[-1] / self.velocity
+            if abs(restitution - last) <= 3.0 * self.tolerance:
+                return ViscoelasticImpactSolution(
+                    self,
+                    *(np.array(row) for row in (march.time, march.depth, march.velocity, march.force, march.radius)),
+                )
+            finer, last = 2 * finer, restitution
+        raise NotConverged(
+            f"ViscoelasticImpact: the restitution does not settle within {self.tolerance:g}; allow more, or give more "
+            "springs."
+        )
+
+    def _scale(self, series: RelaxationSeries) -> float:
+        """Return the depth [m] at which the stiffness at the rate of the impact has taken the kinetic energy."""
+        elastic, energy = elastic_like(self.bed), 0.5 * self.mass * self.velocity**2
+        # any number to begin with
+        modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
+        depth = 0.0
+        for _ in range(60):
+            depth = _depth_of(elastic, energy / modulus)
+            modulus = abs(complex(series.dynamic(np.array(self.velocity / depth))))
+        return depth
+
+    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> _March:
+        elastic = elastic_like(self.bed)
+        _, radius = at_depth(elastic, np.array([deepest]))
+        row = Row(elastic, Springs.of(elastic, float(radius[0]), count), series)
+        velocity, time, march = self.velocity, 0.0, _March([0.0], [0.0], [self.velocity], [0.0], [0.0])
+        for _ in range(int(LONGEST * deepest / self.velocity / dt)):
+            span, mean, ahead = dt, row.struck(self.mass * velocity, self.mass, dt), row.copy()
+            ahead.move(mean * dt, dt)
+            gone = velocity < 0.0 and not np.any(ahead.pressed)
+            if gone:
+                span, mean, ahead = self._parting(row, velocity, dt)
+            velocity, time, row = 2.0 * mean - velocity, time + span, ahead
+            row.refuse_rings("ViscoelasticImpact", time)
+            loads, _ = row.loads()
+            radius_ = row.radius(loads)
+            march.add(time, row.depth, velocity, 0.0 if gone else row.force(loads, radius_), 0.0 if gone else radius_)
+            if gone or (velocity**2 < STILL * self.velocity**2 and time > 2.0 * deepest / self.velocity):
+                return march
+            if row.depth > deepest and math.isinf(elastic.rim):
+                return march
+        raise NotConverged(
+            "ViscoelasticImpact: the body neither comes to rest nor leaves; give the solid a shorter relaxation time."
+        )
+
+    def _parting(self, row: Row, velocity: float, dt: float) -> tuple[float, float, Row]:
+        """Return the step that ends when the last spring lets go, its mean velocity, and the row after it."""
+        low, high = 0.0, dt
+        for _ in range(40):
+            middle = 0.5 * (low + high)
+            mean, ahead = row.struck(self.mass * velocity, self.mass, middle), row.copy()
+            ahead.move(mean * middle, middle)
+            low, high = (middle, high) if np.any(ahead.pressed) else (low, middle)
+        mean, ahead = row.struck(self.mass * velocity, self.mass, high), row.copy()
+        ahead.move(mean * high, high)
+        return high, mean, ahead
+
+
+class _March(NamedTuple):
+    """Time, depth, velocity, force and radius, step by step."""
+
+    time: list[float]
+    depth: list[float]
+    velocity: list[float]
+    force: list[float]
+    radius: list[float]
+
+    @property
+    def deepest(self) -> float:
+        """Greatest depth [m]."""
+        return max(self.depth)
+
+    def add(self, *numbers: float) -> None:
+        """Append one step."""
+        for row, number in zip(self, numbers, strict=True):
+            row.append(number)
+
+
+def _depth_of(elastic: Bed, energy: float) -> float:
+    """Return the depth [m] of a bed with E* = 1 Pa that stores an energy [J], to a few per cent."""
+    low, high = 1e-15, 1e-15
+    while _stored(elastic, high) < energy:
+        low, high = high, 2.0 * high
+    for _ in range(12):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _stored(elastic, middle) < energy else (low, middle)
+    return high
+
+
+def _stored(elastic: Bed, depth: float) -> float:
+    """Return the integral of the force over the depth [J]."""
+    depths = np.linspace(0.0, depth, SAMPLES)[1:]
+    _, radii = at_depth(elastic, depths)
+    forces = elastic.stiffness(radii) * depths - elastic.gap_load(radii)
+    return float((np.sum(forces) - 0.5 * forces[-1]) * depth / (SAMPLES - 1))
+
+
+@value
+class ViscoelasticImpactSolution:
+    """The answer to a `ViscoelasticImpact`.
+
+    Parameters
+    ----------
+    problem : ViscoelasticImpact
+        What was asked.
+    time : ndarray, (steps,)
+        Since first touch [s]; the last one is when the last spring lets go, or the body rests.
+    depth : ndarray, (steps,)
+        d [m].
+    velocity : ndarray, (steps,)
+        Of approach [m/s], negative on the way back.
+    force : ndarray, (steps,)
+        F_N [N].
+    radius : ndarray, (steps,)
+        a [m].
+    """
+
+    problem: ViscoelasticImpact
+    time: Array
+    depth: Array
+    velocity: Array
+    force: Array
+    radius: Array
+
+    @property
+    def restitution(self) -> float:
+        """Velocity of parting over that of approach [-]; zero if the body comes to rest."""
+        return max(0.0, -float(self.velocity[-1]) / self.problem.velocity)
+
+    @property
+    def duration(self) -> float:
+        """How long the bodies touch [s]."""
+        return float(self.time[-1])
+
+    @property
+    def dissipation(self) -> float:
+        """Kinetic energy that the impact takes [J]; part of it leaves as the surface recovers."""
+        return 0.5 * self.problem.mass * self.problem.velocity**2 * (1.0 - self.restitution**2)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes and size of the body, slowness."""
+        bed = self.problem.bed
+        slow = Note(
+            Standing.ASYMPTOTIC,
+            "The inertia of the viscoelastic body is neglected: the impact must be slow against its shear waves.",
+            "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731",
+        )
+        elastic = indentation_notes(elastic_like(bed), self.depth, self.force, self.radius)
+        return (*bed.medium.notes, *elastic[1:], slow)
