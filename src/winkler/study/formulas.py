@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import Any
 
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -22,24 +23,9 @@ from winkler.problems.relaxation import RelaxationDamper
 from winkler.problems.tangential import Tangential
 from winkler.problems.torsion import Torsion
 from winkler.problems.yielding import YieldOnset
+from winkler.study.formula import Formula
 
 __all__ = ["Formula", "formulas_of"]
-
-
-class Formula(NamedTuple):
-    """A formula and what it says.
-
-    Parameters
-    ----------
-    says
-        One sentence.
-    latex
-        For `winkler.study.mathml.formula`.
-    """
-
-    says: str
-    latex: str
-
 
 MODULUS = Formula(
     "The two bodies act like one with the effective modulus",
@@ -264,6 +250,10 @@ def _restored(problem: Any) -> tuple[Formula, ...]:
     return () if isinstance(problem.law, Dugdale) else (PRESSURE, SURFACE)
 
 
+OF_THEIR_OWN: dict[type, Callable[[Any], tuple[Formula, ...]]] = {}
+"""Problem -> what returns its formulas, where they do not begin with springs pressed by an elastic body."""
+
+
 def formulas_of(problem: Any) -> tuple[Formula, ...]:
     """Return the formulas that answer a problem; none if its bed or medium is not among those that are known here.
 
@@ -272,6 +262,8 @@ def formulas_of(problem: Any) -> tuple[Formula, ...]:
     problem
         What was asked.
     """
+    if type(problem) in OF_THEIR_OWN:
+        return OF_THEIR_OWN[type(problem)](problem)
     bed = getattr(problem, "bed", None)
     medium = getattr(bed, "medium", None)
     if bed is None:
