@@ -111,21 +111,25 @@ class Hold:
     ----------
     duration : float, optional
         How long [s], zero or more.
+    count : int, optional
+        At how many points of time, where bodies that relax are to be watched.
 
     Raises
     ------
     InvalidInput
-        If the duration is negative or not finite.
+        If a number is out of its range.
     """
 
     duration: float = 1.0
+    count: int = 1
 
     def __post_init__(self) -> None:
-        _check_numbers("Hold", duration=self.duration)
+        _check_numbers("Hold", count=self.count, duration=self.duration)
 
     def rows(self, across: float, along: Array) -> Rows:
-        """Return the one point at the end."""
-        return Rows(np.array([self.duration]), np.array([across]), along[None])
+        """Return `count` points, the last of them at the end."""
+        part = np.arange(1, self.count + 1) / self.count
+        return Rows(self.duration * part, np.full(self.count, across), np.tile(along, (self.count, 1)))
 
 
 @value

@@ -87,3 +87,11 @@ def test_one_behind_the_other():
 def test_equal_times_are_one():
     strengths, times = merged(np.array([1.0, 2.0, 0.0, 3.0]), np.array([2.0, 1.0, 7.0, 2.0]))
     assert (strengths.tolist(), times.tolist()) == ([2.0, 4.0], [1.0, 2.0])
+
+
+def test_terms_of_hardly_any_strength_do_not_matter():
+    """A compliance of 1e-15 of the others has its zero nearer to its pole than logarithms tell."""
+    gel = CreepSeries(1e-3, 2e-3, np.array([4.2e-18, 2.2e-19]), np.array([0.00711, 0.0948]))
+    back = of_creep(gel)
+    times = np.geomspace(1e-3, 10.0, 7)
+    assert back.at(times) == pytest.approx(1e3 * np.exp(-2.0 * times), rel=1e-9)

@@ -374,3 +374,5 @@ def test_notes_name_the_span():
     found = pressed(solid, [0.0, 1.0], Depth([0.0, 0.01]))
     assert any("0.001 s and 10 s" in note.statement for note in found.validity)
     assert any("linear viscoelastic" in note.statement.lower() for note in found.validity)
+    # the elastic body that stands for the other has nothing to say of its own
+    assert not any("dissimilar" in note.statement for note in found.validity)

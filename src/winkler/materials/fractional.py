@@ -32,7 +32,9 @@ SLOW, FAST = 46.0, 5.0
 
 @value
 class PowerLawSolid(ViscoelasticSolid):
-    r"""The springpot, :math:`G(t)=G_0\,(t/t_0)^{-\alpha}`, within a span of time.
+    r"""The springpot: it relaxes by a power of time, within a span of it.
+
+    :math:`G(t)=G_0\,(t/t_0)^{-\alpha}`.
 
     Parameters
     ----------
@@ -102,7 +104,9 @@ class PowerLawSolid(ViscoelasticSolid):
 
 @value
 class FractionalZener(ViscoelasticSolid):
-    r"""A spring beside a spring and a springpot, :math:`G(t)=G_\infty+G_1\,E_\alpha\!\bigl(-(t/\tau)^\alpha\bigr)`.
+    r"""The fractional Zener solid: a spring beside a spring and a springpot one behind the other.
+
+    :math:`G(t)=G_\infty+G_1\,E_\alpha\!\bigl(-(t/\tau)^\alpha\bigr)`.
 
     Parameters
     ----------

@@ -6,6 +6,7 @@ import math
 
 from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic
+from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.values import value
 
 __all__ = ["Layer"]
@@ -37,6 +38,12 @@ class Layer:
     thickness: float
 
     def __post_init__(self) -> None:
+        if isinstance(self.solid, ViscoelasticSolid):
+            raise InvalidInput(
+                "Layer: solid relaxes, and unless all parts of a layered body do so in proportion its equivalent "
+                "profile changes in time, which is not answered; build the body of Elastic(young, poisson), and give "
+                "RelaxingInProportion(medium, solid, shear) of the whole."
+            )
         if not isinstance(self.solid, Elastic):
             raise InvalidInput(f"Layer: solid is a {type(self.solid).__name__}; give Elastic(young, poisson).")
         number = self.thickness

@@ -21,6 +21,8 @@ from winkler.values import value
 __all__ = ["CreepData", "DynamicData", "RelaxationData"]
 
 FEWEST = 4
+ROUNDING = 1e-13
+"""Terms that carry less than this part of every number were left over by rounding."""
 PER_DECADE = 8
 """Terms in each decade of time that may be taken; few of them are, since none may be negative."""
 
@@ -215,7 +217,7 @@ def _fit(columns: Array, wanted: Array) -> tuple[Array, float]:
     scaled = columns / wanted[:, None]
     size = np.max(scaled, axis=0)
     found, _ = nnls(scaled / size, np.ones(wanted.size))
-    strengths = found / size
+    strengths = np.where(found > ROUNDING, found, 0.0) / size
     return strengths, float(np.max(np.abs(scaled @ strengths - 1.0)))
 
 

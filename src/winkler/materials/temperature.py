@@ -15,7 +15,9 @@ GAS = 8.31446261815324
 
 @value
 class WilliamsLandelFerry:
-    r"""The law of polymers above their glass transition, :math:`\log_{10}a_T=-c_1(T-T_0)/(c_2+T-T_0)`.
+    r"""How temperature changes all times of a polymer above its glass transition.
+
+    :math:`\log_{10}a_T=-c_1(T-T_0)/(c_2+T-T_0)`.
 
     Parameters
     ----------
@@ -70,7 +72,9 @@ class WilliamsLandelFerry:
 
 @value
 class Arrhenius:
-    r"""Thermally activated relaxation, :math:`\ln a_T=\frac{Q}{R}\bigl(\frac1T-\frac1{T_0}\bigr)`.
+    r"""How temperature changes all times of a solid whose relaxation is thermally activated.
+
+    :math:`\ln a_T=\frac{Q}{R}\bigl(\frac1T-\frac1{T_0}\bigr)`.
 
     Parameters
     ----------

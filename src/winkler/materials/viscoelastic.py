@@ -140,7 +140,9 @@ class ViscoelasticSolid:
 
 @value
 class Prony(ViscoelasticSolid):
-    r"""The generalised Maxwell solid, :math:`G(t)=G_\infty+\eta\delta(t)+\sum_i G_i e^{-t/\tau_i}`.
+    r"""The generalised Maxwell solid: a spring, a dashpot, and Maxwell elements of many times side by side.
+
+    :math:`G(t)=G_\infty+\eta\delta(t)+\sum_i G_i e^{-t/\tau_i}`.
 
     Parameters
     ----------
@@ -193,7 +195,9 @@ class Prony(ViscoelasticSolid):
 
 @value
 class GeneralisedKelvin(ViscoelasticSolid):
-    r"""Kelvin-Voigt solids one behind the other, :math:`J(t)=J_0+\varphi t+\sum_k J_k(1-e^{-t/\lambda_k})`.
+    r"""The generalised Kelvin solid: a spring, a dashpot, and Kelvin-Voigt solids one behind the other.
+
+    :math:`J(t)=J_0+\varphi t+\sum_k J_k(1-e^{-t/\lambda_k})`.
 
     Parameters
     ----------
@@ -241,9 +245,8 @@ class GeneralisedKelvin(ViscoelasticSolid):
     @property
     def series(self) -> RelaxationSeries:
         """G(t) [Pa]."""
-        return of_creep(
-            CreepSeries(self.glassy_compliance, self.fluidity, *merged(self.compliances, self.retardation_times))
-        )
+        strengths, times = merged(self.compliances, self.retardation_times)
+        return of_creep(CreepSeries(self.glassy_compliance, self.fluidity, strengths, times))
 
 
 @value
@@ -380,9 +383,8 @@ def _positive_row(owner: str, word: str, given: ArrayLike, unit: str, flat: bool
     except (TypeError, ValueError):
         numbers = np.array(np.nan)
     if not (np.all(np.isfinite(numbers)) and np.all(numbers > 0.0)) or (flat and numbers.ndim != 1):
-        raise InvalidInput(
-            f"{owner}: {word} is {given!r}; give {'a row of ' * flat}positive, finite numbers in {unit}."
-        )
+        what = "a row of positive" if flat else "positive"
+        raise InvalidInput(f"{owner}: {word} is {given!r}; give {what}, finite numbers in {unit}.")
     numbers.flags.writeable = False
     return numbers
 

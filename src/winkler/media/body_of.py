@@ -28,6 +28,7 @@ from winkler.media.coated_load import Carried, spread
 from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Displacement, Medium
+from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics import graded_abel
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
@@ -125,15 +126,22 @@ def height(medium: Medium, imprint: Displacement, r: Array) -> Array:
     ndarray of the shape of r
         f(r) [m].
     """
+    medium = _elastic(medium)
     exponent_of(medium)
     return medium.displacement(imprint, r)
 
 
 def slope(medium: Medium, imprint: Displacement, r: Array) -> Array:
     """Return f'(r) [-] of the body that has these springs; parameters as of `height`."""
+    medium = _elastic(medium)
     edges = [b for b, _ in imprint.kinks if b < imprint.radius]
     r = np.asarray(r, dtype=float)
     return surface_slope(transformed_slope(medium, imprint), edges, exponent_of(medium), r, imprint.radius)
+
+
+def _elastic(medium: Medium) -> Medium:
+    """Return the medium as if it did not relax, which changes no shape."""
+    return medium.elastic if isinstance(medium, RelaxingMedium) else medium
 
 
 def surface_slope(rise: Curve, edges: list[float], exponent: float, r: Array, radius: float) -> Array:

@@ -18,19 +18,25 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.media import subsurface
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.medium import Displacement
+from winkler.media.punch_field import BodyField
+from winkler.media.relaxing import LEE, RelaxingMedium
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, of_creep, of_relaxation
+from winkler.numerics.types import Array
 from winkler.validity import Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticHalfSpace"]
 
 RIGID = Rigid()
-LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
+UNIT = HalfSpace(Elastic(0.75, 0.5))
+"""E* = 1 Pa; beside a rigid body an incompressible one is not dissimilar, of which there is nothing to note."""
 
 
 @value
-class ViscoelasticHalfSpace(HomogeneousMedium):
+class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     """Two homogeneous half-spaces in contact, at least one of them viscoelastic.
 
     What it answers depends on time: a `winkler.problems.viscoelastic.ViscoelasticIndentation` asks for it.  Its moduli
@@ -77,6 +83,11 @@ class ViscoelasticHalfSpace(HomogeneousMedium):
             )
 
     @property
+    def elastic(self) -> HalfSpace:
+        """Half-spaces with E* = 1 Pa: g does not know the modulus."""
+        return UNIT
+
+    @property
     def creep(self) -> CreepSeries:
         """What a step of load makes of the pair, 1/E* as it grows [1/Pa]."""
         return _creep(self)
@@ -95,47 +106,71 @@ class ViscoelasticHalfSpace(HomogeneousMedium):
     @property
     def modulus(self) -> float:
         """There is none that would hold at all times."""
-        raise _timeless()
+        raise self.timeless()
 
     @property
     def shear_modulus(self) -> float:
         """There is none that would hold at all times."""
-        raise _timeless()
+        raise self.timeless()
 
     @property
     def torsional_modulus(self) -> float:
         """There is none that would hold at all times."""
-        raise _timeless()
+        raise self.timeless()
 
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is assumed."""
-        notes = [
-            Note(
-                Standing.EXACT,
-                "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
-                "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
-                LEE,
+        exact = Note(
+            Standing.EXACT,
+            "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
+            "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+            LEE,
+        )
+        return (exact, *self.span_notes)
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is rigid, or both creep and not in proportion: how much each of them moves is then not known.
+        """
+        borne = self.remembered(displacement)
+        body, other = (self.first, self.second) if below else (self.second, self.first)
+        if isinstance(body, Rigid):
+            raise OutsideValidity(
+                f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
+                "it: ask for the other side."
             )
-        ]
-        shortest, longest = self.span
-        if shortest > 0.0:
-            notes.append(
-                Note(
-                    Standing.APPROXIMATE,
-                    f"The solid is known between {shortest:.3g} s and {longest:.3g} s; what happens faster or slower "
-                    "than that is answered by its series, not by the solid.",
-                    "sum of exponentials over a span of time",
-                )
-            )
-        return tuple(notes)
+        shear = body.shear if isinstance(body, Elastic) else 0.5 * (1.0 - body.poisson)
+        stresses = [subsurface.field(part, r, z, modulus=1.0, poisson=body.poisson, shear=shear) for part in borne]
+        if isinstance(body, Elastic):
+            still = BodyField(*np.zeros((6, *np.broadcast_shapes(np.shape(r), np.shape(z)))))
+            return stresses[0] if stresses else still
+        moved = np.array(subsurface.field(displacement, r, z, modulus=1.0, poisson=body.poisson, shear=shear))
+        if isinstance(other, Elastic):
+            # the other body's part of the displacement is that of elastic springs
+            for part in stresses:
+                moved -= np.array(part) * (1.0 - other.poisson**2) / other.young
+        elif isinstance(other, ViscoelasticSolid):
+            moved *= _share(body, other)
+        loaded = np.array(stresses[0]) if stresses else np.zeros(moved.shape)
+        return BodyField(*loaded[:4], *moved[4:])
 
 
-def _timeless() -> OutsideValidity:
-    return OutsideValidity(
-        "ViscoelasticHalfSpace: its stiffness changes in time, so no single answer exists; use "
-        "ViscoelasticIndentation(bed, path), or HalfSpace with an elastic solid."
-    )
+def _share(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
+    """Return how much of a common displacement is a body's; refuse two that do not creep in proportion."""
+    own, its = body.series, other.series
+    ratio = own.viscosity / its.viscosity if its.viscosity > 0.0 else own.glassy / its.glassy
+    alike = np.array_equal(own.times, its.times) and np.allclose(own.moduli, ratio * its.moduli, rtol=1e-12, atol=0.0)
+    if not (alike and np.isclose(own.relaxed, ratio * its.relaxed, rtol=1e-12, atol=0.0)):
+        raise OutsideValidity(
+            "ViscoelasticHalfSpace: both bodies creep, each by a function of its own, so that how much each of them "
+            "moves is not known; ask for the surface (without z), or take one of them elastic or rigid."
+        )
+    return float((1.0 - body.poisson) / (1.0 - body.poisson + (1.0 - other.poisson) * ratio))
 
 
 @functools.lru_cache(maxsize=64)

@@ -133,8 +133,10 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
         def within(y: float) -> float:
             return float(min(max(np.exp(y), left), right))
 
-        found = brentq(lambda y: function(within(y)), np.log(left), np.log(right), xtol=1e-15, rtol=8.9e-16)
-        guess = within(found)
+        ends = np.log(left), np.log(right)
+        if not function(within(ends[0])) > 0.0 > function(within(ends[1])):  # nearer to a pole than logarithms tell
+            return float(brentq(function, left, right, xtol=1e-300, rtol=8.9e-16, maxiter=5000))
+        guess = within(brentq(lambda y: function(within(y)), *ends, xtol=1e-15, rtol=8.9e-16))
         near = max(left, guess * (1.0 - 1e-12)), min(right, guess * (1.0 + 1e-12))
         if not function(near[0]) > 0.0 > function(near[1]):
             return guess

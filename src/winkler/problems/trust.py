@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.problems.disc import rises
 from winkler.validity import Note, Standing
 
-__all__ = ["indentation_notes", "size_note", "slope_note"]
+__all__ = ["contact_notes", "indentation_notes", "size_note", "slope_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
@@ -28,12 +28,17 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
     depth, force, radius : ndarray, (m,)
         [m], [N], [m].
     """
-    notes = list(bed.notes)
+    notes = (*bed.notes, *contact_notes(bed, depth, radius))
+    return (*notes, *_yield_notes(bed, float(np.max(force)))) if np.any(radius > 0.0) else notes
+
+
+def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
+    """Return what the widest of several contacts says about itself: slopes, size, a pinned edge, one disc."""
     if not np.any(radius > 0.0):
-        return (*notes, Note(Standing.EXACT, "The bodies do not touch under this load.", "no spring is compressed"))
+        return (Note(Standing.EXACT, "The bodies do not touch under this load.", "no spring is compressed"),)
     last = int(np.argmax(depth))
     widest = float(radius[last])
-    notes.append(slope_note(bed, widest))
+    notes = [slope_note(bed, widest)]
     if math.isfinite(bed.size):
         notes.append(size_note(bed, widest))
     if widest >= bed.rim:
@@ -46,7 +51,7 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
         )
     if not bed.certain:
         notes.append(_disc_note(bed, widest))
-    return (*notes, *_yield_notes(bed, float(np.max(force))))
+    return tuple(notes)
 
 
 def _disc_note(bed: Bed, radius: float) -> Note:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
@@ -21,12 +21,12 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.loading import Depth, Force, Shift
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.closure import at_depth, at_force
-from winkler.problems.trust import indentation_notes
-from winkler.problems.viscoelastic_march import Row, elastic_like, relaxation_of
+from winkler.problems.trust import contact_notes
+from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_states import ViscoelasticState
 from winkler.validity import Note
 from winkler.values import value
@@ -39,14 +39,8 @@ MARGIN = 1.001
 """The row reaches a little farther than the contact that is expected under forces."""
 SHORTEST = 1e-12
 """Part of a stretch of the path below which no step falls."""
-
-
-class _Moment(NamedTuple):
-    """The row at one point of the path, its loads [N/m], and time, depth, force, radius, stored and lost energy."""
-
-    row: Row
-    loads: Array
-    numbers: tuple[float, float, float, float, float, float]
+BLOCK = 4096
+"""Points of the path in one go."""
 
 
 @value
@@ -85,6 +79,7 @@ class ViscoelasticIndentation:
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.materials.viscoelastic import Maxwell
     >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> medium = ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=0.3))
     >>> path = Path([0.0, 1.0, 1.1], Depth([0.0, 1.0, 0.9]))
     >>> contact = ViscoelasticIndentation(Foundation(Paraboloid(1.0), medium), path).solve()
@@ -113,8 +108,8 @@ class ViscoelasticIndentation:
             )
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput(
-                "ViscoelasticIndentation: the path moves along the surface; friction of viscoelastic bodies is not "
-                "answered, leave the lateral load out."
+                "ViscoelasticIndentation: the path moves along the surface; ask for ViscoelasticTangential, or leave "
+                "the lateral load out."
             )
         if isinstance(self.path.normal, Force) and np.min(self.path.across) < 0.0:
             raise InvalidInput(
@@ -136,7 +131,7 @@ class ViscoelasticIndentation:
         if isinstance(self.path.normal, Depth) or most <= 0.0:
             return max(most, 0.0)
         medium = self.bed.medium
-        assert isinstance(medium, ViscoelasticHalfSpace)
+        assert isinstance(medium, RelaxingMedium)
         spent = float(self.path.time[-1] - self.path.time[0])
         most *= MARGIN * float(medium.creep.at(np.array(spent)))
         if most == 0.0:  # a dashpot, and no time
@@ -155,11 +150,18 @@ class ViscoelasticIndentation:
         NotConverged
             If the depth under a force is not found.
         """
-        for moment in self._moments():
-            springs = moment.row.springs
-            yield ViscoelasticState(*moment.numbers, springs.position, moment.loads, moment.row.place.copy())
+        stiffness: Array = np.empty(0)
+        for row, numbers in self._stretches(1):
+            springs = row.springs
+            stiffness = stiffness if stiffness.size else springs.density(row.bed)
+            time, depth, force, radius, stored, lost = numbers[0].tolist()
+            loads = stiffness * row.loads()
+            yield ViscoelasticState(
+                self.bed, time, depth, force, radius, stored, lost, springs.position, loads, row.place
+            )
 
-    def _moments(self) -> Iterator[_Moment]:
+    def _stretches(self, length: int) -> Iterator[tuple[Row, Array]]:
+        """Yield the row after every so many points of the path, and what a solution holds of them, a line each."""
         deepest = self._deepest
         if deepest == 0.0:
             raise OutsideValidity("ViscoelasticIndentation: the bodies never touch along this path; press them.")
@@ -167,49 +169,51 @@ class ViscoelasticIndentation:
         _, reach = at_depth(elastic, np.array([deepest]))
         row = Row(elastic, Springs.of(elastic, float(reach[0]), self.count), relaxation_of("", self.bed))
         if isinstance(self.path.normal, Depth):
-            yield from self._by_depth(row)
+            yield from self._by_depth(row, length)
         else:
             yield from self._by_force(row, deepest)
 
-    def _by_depth(self, row: Row) -> Iterator[_Moment]:
-        work = 0.0
-        times, depths = self.path.time.tolist(), self.path.across.tolist()
-        row.depth = min(depths[0], 0.0)
-        for i, (time, depth) in enumerate(zip(times, depths, strict=True)):
-            dt = time - times[i - 1] if i else 0.0
-            if dt == 0.0 and depth > row.depth and depth > 0.0 and row.series.viscosity > 0.0:
-                raise OutsideValidity(
-                    f"ViscoelasticIndentation: at {time:.6g} s the depth rises suddenly to {depth:.6g} m, which a "
-                    "dashpot alongside answers with an infinite force; give the step some time."
-                )
-            work += row.move(depth - row.depth, dt).work
-            row.depth = depth
-            row.refuse_rings("ViscoelasticIndentation", time)
-            yield self._moment(row, time, work, math.nan)
+    def _by_depth(self, row: Row, length: int) -> Iterator[tuple[Row, Array]]:
+        times, depths = self.path.time, self.path.across
+        row.motion[0] = min(float(depths[0]), 0.0)
+        before = np.append(row.depth, depths[:-1])
+        changes, spans = depths - before, np.diff(times, prepend=times[0])
+        if row.series.viscosity > 0.0:
+            (sudden,) = np.nonzero((spans == 0.0) & (changes > 0.0) & (depths > 0.0))
+        else:
+            sudden = np.empty(0, dtype=int)
+        end, work = int(sudden[0]) if sudden.size else times.size, 0.0
+        for start in range(0, end, length):
+            part = slice(start, min(start + length, end))
+            done = row.march(changes[part], spans[part])
+            refuse_rings("ViscoelasticIndentation", times[part], done.ring)
+            worked = np.cumsum(np.append(work, done.work))[1:]
+            work = float(worked[-1])
+            columns = (times[part], depths[part], done.force, done.radius, done.stored, worked - done.stored)
+            yield row, np.stack(columns, axis=1)
+        if end < times.size:
+            raise OutsideValidity(
+                f"ViscoelasticIndentation: at {times[end]:.6g} s the depth rises suddenly to {depths[end]:.6g} m, "
+                "which a dashpot alongside answers with an infinite force; give the step some time."
+            )
 
-    def _by_force(self, row: Row, deepest: float) -> Iterator[_Moment]:
+    def _by_force(self, row: Row, deepest: float) -> Iterator[tuple[Row, Array]]:
         times, forces = self.path.time.tolist(), self.path.across.tolist()
-        scale = max(forces)
-        driven = _Driven(row, self.tolerance * deepest, scale)
+        driven = _Driven(row, self.tolerance * deepest, max(forces))
         for i, (time, force) in enumerate(zip(times, forces, strict=True)):
             if i and time > times[i - 1]:
                 driven.ramp(forces[i - 1], force, time - times[i - 1])
             elif row.series.viscosity == 0.0:
                 driven.jump(force)
-            driven.row.refuse_rings("ViscoelasticIndentation", time)
-            if driven.row.depth > deepest and math.isinf(driven.row.bed.rim):
+            row = driven.row
+            if row.depth > deepest and math.isinf(row.bed.rim):
                 raise NotConverged(
                     f"ViscoelasticIndentation: at {time:.6g} s the body has come deeper than the greatest force would "
                     "have pressed it; allow a smaller tolerance."
                 )
-            yield self._moment(driven.row, time, driven.work, force)
-
-    @staticmethod
-    def _moment(row: Row, time: float, work: float, force: float) -> _Moment:
-        loads, stored = row.loads()
-        radius = row.radius(loads)
-        borne = row.force(loads, radius) if math.isnan(force) else force
-        return _Moment(row, loads, (time, row.depth, borne, radius, stored, work - stored))
+            refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
+            lost = driven.work - driven.stored
+            yield row, np.array([[time, row.depth, force, driven.radius, driven.stored, lost]])
 
     def solve(self) -> ViscoelasticSolution:
         """Return the whole path.
@@ -223,7 +227,7 @@ class ViscoelasticIndentation:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        return ViscoelasticSolution(self, *np.array([moment.numbers for moment in self._moments()]).T)
+        return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
 
 
 class _Driven:
@@ -233,7 +237,8 @@ class _Driven:
         self.row, self.little, self.scale = row, little, scale
         # where the force of a step is told by its mean, and where by its end
         self.parts = (0.25, 0.75, 0.5) if row.series.viscosity > 0.0 else (0.5, 1.0, 1.0)
-        self.work, self.rate, self.pace = 0.0, 0.0, math.inf
+        self.work, self.stored, self.radius, self.ring = 0.0, 0.0, 0.0, False
+        self.rate, self.pace = 0.0, math.inf
 
     def _target(self, force: float) -> float:
         return max(force, REST * self.scale)
@@ -243,7 +248,9 @@ class _Driven:
         self._go(self.row.towards(self._target(force), 0.0, 0.0, self.scale), 0.0)
 
     def _go(self, change: float, dt: float) -> None:
-        self.work += self.row.move(change, dt).work
+        done = self.row.march(np.array([change]), np.array([dt]))
+        self.work += float(done.work[0])
+        self.stored, self.radius, self.ring = float(done.stored[0]), float(done.radius[0]), bool(done.ring[0])
 
     def ramp(self, start: float, end: float, duration: float) -> None:
         """Let the force change steadily."""
@@ -255,7 +262,7 @@ class _Driven:
             early, late, both = (self._target(start + (end - start) * (done + p * dt) / duration) for p in self.parts)
             first = self.row.towards(early, 0.5 * dt, 0.5 * self.rate * dt, self.scale)
             half = self.row.copy()
-            half.move(first, 0.5 * dt)
+            half.march(np.array([first]), np.array([0.5 * dt]))
             second = half.towards(late, 0.5 * dt, first, self.scale)
             whole = self.row.towards(both, dt, first + second, self.scale)
             error = first + second - whole
@@ -310,5 +317,4 @@ class ViscoelasticSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
-        elastic = indentation_notes(elastic_like(bed), self.depth, self.force, self.radius)
-        return (*bed.medium.notes, *elastic[1:])
+        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius))

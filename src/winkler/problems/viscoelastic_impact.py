@@ -10,7 +10,7 @@ it loses in kinetic energy is exactly the work done on them.
 from __future__ import annotations
 
 import math
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
@@ -20,8 +20,8 @@ from winkler.foundation.springs import Springs
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.closure import at_depth
-from winkler.problems.trust import indentation_notes
-from winkler.problems.viscoelastic_march import Row, elastic_like, relaxation_of
+from winkler.problems.trust import contact_notes
+from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -34,6 +34,8 @@ LONGEST = 400
 """Longest contact, in these times."""
 STILL = 1e-14
 """Part of the kinetic energy with which a body no longer moves."""
+CLOSE = 1e-2
+"""To which part that depth is found."""
 SAMPLES = 257
 
 
@@ -128,12 +130,9 @@ class ViscoelasticImpact:
         finer, last = FIRST, math.nan
         while finer <= MOST:
             march = self._march(series, reach, scale / self.velocity / finer, self.count)
-            restitution = -march.velocity[-1] / self.velocity
+            restitution = -march.velocity / self.velocity
             if abs(restitution - last) <= 3.0 * self.tolerance:
-                return ViscoelasticImpactSolution(
-                    self,
-                    *(np.array(row) for row in (march.time, march.depth, march.velocity, march.force, march.radius)),
-                )
+                return ViscoelasticImpactSolution(self, *np.array(march.lines).T)
             finer, last = 2 * finer, restitution
         raise NotConverged(
             f"ViscoelasticImpact: the restitution does not settle within {self.tolerance:g}; allow more, or give more "
@@ -145,75 +144,76 @@ class ViscoelasticImpact:
         elastic, energy = elastic_like(self.bed), 0.5 * self.mass * self.velocity**2
         # any number to begin with
         modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
-        depth = 0.0
+        depth, last = _depth_of(elastic, energy / modulus, 1e-6), 0.0
         for _ in range(60):
-            depth = _depth_of(elastic, energy / modulus)
+            if abs(depth - last) <= CLOSE * depth:
+                break
             modulus = abs(complex(series.dynamic(np.array(self.velocity / depth))))
+            depth, last = _depth_of(elastic, energy / modulus, depth), depth
         return depth
 
-    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> _March:
+    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> _Flight:
         elastic = elastic_like(self.bed)
         _, radius = at_depth(elastic, np.array([deepest]))
-        row = Row(elastic, Springs.of(elastic, float(radius[0]), count), series)
-        velocity, time, march = self.velocity, 0.0, _March([0.0], [0.0], [self.velocity], [0.0], [0.0])
+        flight = _Flight(Row(elastic, Springs.of(elastic, float(radius[0]), count), series), self.mass, self.velocity)
         for _ in range(int(LONGEST * deepest / self.velocity / dt)):
-            span, mean, ahead = dt, row.struck(self.mass * velocity, self.mass, dt), row.copy()
-            ahead.move(mean * dt, dt)
-            gone = velocity < 0.0 and not np.any(ahead.pressed)
-            if gone:
-                span, mean, ahead = self._parting(row, velocity, dt)
-            velocity, time, row = 2.0 * mean - velocity, time + span, ahead
-            row.refuse_rings("ViscoelasticImpact", time)
-            loads, _ = row.loads()
-            radius_ = row.radius(loads)
-            march.add(time, row.depth, velocity, 0.0 if gone else row.force(loads, radius_), 0.0 if gone else radius_)
-            if gone or (velocity**2 < STILL * self.velocity**2 and time > 2.0 * deepest / self.velocity):
-                return march
-            if row.depth > deepest and math.isinf(elastic.rim):
-                return march
+            going = flight.goes_on(dt)
+            resting = flight.velocity**2 < STILL * self.velocity**2 and flight.time > 2.0 * deepest / self.velocity
+            if not going or resting or (flight.row.depth > deepest and math.isinf(elastic.rim)):
+                return flight
         raise NotConverged(
             "ViscoelasticImpact: the body neither comes to rest nor leaves; give the solid a shorter relaxation time."
         )
 
-    def _parting(self, row: Row, velocity: float, dt: float) -> tuple[float, float, Row]:
-        """Return the step that ends when the last spring lets go, its mean velocity, and the row after it."""
-        low, high = 0.0, dt
-        for _ in range(40):
-            middle = 0.5 * (low + high)
-            mean, ahead = row.struck(self.mass * velocity, self.mass, middle), row.copy()
-            ahead.move(mean * middle, middle)
-            low, high = (middle, high) if np.any(ahead.pressed) else (low, middle)
-        mean, ahead = row.struck(self.mass * velocity, self.mass, high), row.copy()
-        ahead.move(mean * high, high)
-        return high, mean, ahead
 
+class _Flight:
+    """A body of a mass [kg] that flies against a row of springs, and what it has met so far."""
 
-class _March(NamedTuple):
-    """Time, depth, velocity, force and radius, step by step."""
-
-    time: list[float]
-    depth: list[float]
-    velocity: list[float]
-    force: list[float]
-    radius: list[float]
+    def __init__(self, row: Row, mass: float, velocity: float) -> None:
+        self.row, self.mass = row, mass
+        self.time, self.velocity = 0.0, velocity
+        self.lines = [(0.0, 0.0, velocity, 0.0, 0.0)]
 
     @property
     def deepest(self) -> float:
         """Greatest depth [m]."""
-        return max(self.depth)
+        return max(line[1] for line in self.lines)
 
-    def add(self, *numbers: float) -> None:
-        """Append one step."""
-        for row, number in zip(self, numbers, strict=True):
-            row.append(number)
+    def goes_on(self, dt: float) -> bool:
+        """Fly for a time, or until the last spring lets go; return whether one is still pressed."""
+        mean, held = self.row.struck(self.velocity, self.mass, dt)
+        if self.velocity < 0.0 and held == 0:
+            mean, dt = self._parting(dt)
+            self._arrive(mean, dt, 0.0, 0.0)
+            return False
+        done = self.row.march(np.array([mean * dt]), np.array([dt]))
+        self._arrive(mean, dt, float(done.force[0]), float(done.radius[0]))
+        refuse_rings("ViscoelasticImpact", np.array([self.time]), done.ring)
+        return True
+
+    def _arrive(self, mean: float, dt: float, force: float, radius: float) -> None:
+        self.velocity, self.time = 2.0 * mean - self.velocity, self.time + dt
+        depth = self.lines[-1][1] + mean * dt
+        self.lines.append((self.time, depth, self.velocity, force, radius))
+
+    def _parting(self, dt: float) -> tuple[float, float]:
+        """Return the mean velocity in the step that ends when the last spring lets go, and its length."""
+        low, high = 0.0, dt
+        for _ in range(40):
+            middle = 0.5 * (low + high)
+            _, held = self.row.struck(self.velocity, self.mass, middle)
+            low, high = (middle, high) if held else (low, middle)
+        return self.row.struck(self.velocity, self.mass, high)[0], high
 
 
-def _depth_of(elastic: Bed, energy: float) -> float:
-    """Return the depth [m] of a bed with E* = 1 Pa that stores an energy [J], to a few per cent."""
-    low, high = 1e-15, 1e-15
+def _depth_of(elastic: Bed, energy: float, guess: float) -> float:
+    """Return the depth [m] of a bed, as if it were elastic, that stores an energy [J], to a part in a thousand."""
+    low = high = guess
     while _stored(elastic, high) < energy:
         low, high = high, 2.0 * high
-    for _ in range(12):
+    while _stored(elastic, low) >= energy:
+        low, high = 0.5 * low, low
+    for _ in range(10):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if _stored(elastic, middle) < energy else (low, middle)
     return high
@@ -278,5 +278,4 @@ class ViscoelasticImpactSolution:
             "The inertia of the viscoelastic body is neglected: the impact must be slow against its shear waves.",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731",
         )
-        elastic = indentation_notes(elastic_like(bed), self.depth, self.force, self.radius)
-        return (*bed.medium.notes, *elastic[1:], slow)
+        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), slow)

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
+from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
+from winkler.foundation.plane import PlaneFoundation
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.relaxed_springs import RelaxedSprings, smooth
 from winkler.values import value
 
 __all__ = ["ViscoelasticState"]
@@ -16,6 +24,8 @@ class ViscoelasticState:
 
     Parameters
     ----------
+    bed : Bed
+        The relaxing springs.
     time : float
         [s].
     depth, radius : float
@@ -32,6 +42,7 @@ class ViscoelasticState:
         u(x) [m]: how far every spring is pressed in, or has not yet recovered.
     """
 
+    bed: Bed
     time: float
     depth: float
     force: float
@@ -42,8 +53,45 @@ class ViscoelasticState:
     line_load: Array
     recess: Array
 
+    @property
+    def pressed(self) -> RelaxedSprings:
+        """The springs, from which the fields are restored; a smooth function of g between them."""
+        assert isinstance(self.bed, Foundation | PlaneFoundation)
+        assert isinstance(self.bed.medium, RelaxingMedium)
+        elastic = dataclasses.replace(self.bed, medium=self.bed.medium.elastic)
+        x, u = self.position, self.recess
+        gaps = np.maximum(elastic.gap(x), 0.0)
+        held, free = self.line_load > 0.0, (self.line_load == 0.0) & (u > 0.0) & (x > self.radius)
+        stiffness = elastic.normal_stiffness(np.where(x > 0.0, x, 0.5 * x[min(1, x.size - 1)]))
+        radii, depths, loads = x[held], gaps[held], self.line_load[held] / stiffness[held]
+        rest_at_edge = float(elastic.gap(np.array([self.radius]))[0])
+        if held.any() and rest_at_edge > depths[-1]:
+            radii, depths = np.append(radii, self.radius), np.append(depths, rest_at_edge)
+            loads = np.append(loads, 0.0)
+        elif held.any() and self.radius < elastic.rim:
+            loads[-1] = 0.0
+        # within the contact u = d - g is one ramp
+        places = np.concatenate([radii[-1:], x[free]])
+        rest = np.concatenate([depths[-1:], gaps[free]])
+        sunk = np.concatenate([np.maximum(self.depth - depths[-1:], 0.0), u[free]])
+        beyond = int(np.searchsorted(x, np.max(places, initial=0.0), side="right"))
+        if sunk.size and sunk[-1] > 0.0 and beyond < x.size:
+            places, rest, sunk = np.append(places, x[beyond]), np.append(rest, gaps[beyond]), np.append(sunk, 0.0)
+        elif sunk.size and places[-1] < elastic.rim:
+            sunk[-1] = 0.0
+        if held.any() and gaps[0] < depths[-1]:
+            places, rest = np.append(x[0], places), np.append(gaps[0], rest)
+            sunk = np.append(self.depth - gaps[0], sunk)
+        # the edge of the contact is a corner of u
+        recess = smooth(
+            self.bed, places, rest, sunk, (int(np.count_nonzero(places < self.radius)),) if held.any() else ()
+        )
+        borne = smooth(self.bed, radii, depths, loads, ())
+        outermost = float(places[-1]) if recess else 0.0
+        return RelaxedSprings(self.bed, self.depth, outermost, self.radius, recess, borne)
+
     def pressure(self, r: ArrayLike) -> Array:
-        """Return the contact pressure, of line loads taken as parabolas between the springs.
+        """Return the contact pressure.
 
         Parameters
         ----------
@@ -56,7 +104,11 @@ class ViscoelasticState:
             p(r) [Pa], zero outside the contact, infinite at an edge that is pinned.
         """
         places = np.asarray(r, dtype=float)
+        medium = self.bed.medium
+        if not (isinstance(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium)):
+            return medium.pressure(self.pressed, places)
         edges, loads = self._edges
+        # parabolas between the springs: much faster, and of the same order
         out = np.zeros(places.size)
         climbs = 2.0 * np.diff(loads) / np.diff(edges**2)
         for i, at in enumerate(np.ravel(places).tolist()):

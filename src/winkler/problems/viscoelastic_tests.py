@@ -18,7 +18,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth, Force
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.indentation import Indentation
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
@@ -55,6 +55,7 @@ class CreepTest:
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.materials.viscoelastic import Maxwell
     >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=2.0)))
     >>> CreepTest(bed, 0.01, [6.0]).solve().radius ** 3  # 3/4 F R (1 + t / tau) / E*
     array([0.03])
@@ -84,7 +85,7 @@ class CreepTest:
             If it sinks beyond what is known of its profile.
         """
         medium = self.bed.medium
-        assert isinstance(medium, ViscoelasticHalfSpace)
+        assert isinstance(medium, RelaxingMedium)
         sunk = Indentation(elastic_like(self.bed), Force(self.force * medium.creep.at(self.time))).solve()
         return StepSolution(self, self.time, sunk.depth, np.full(self.time.shape, self.force), sunk.radius)
 
@@ -116,6 +117,7 @@ class RelaxationTest:
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.materials.viscoelastic import Maxwell
     >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=2.0)))
     >>> RelaxationTest(bed, 0.25, [2.0]).solve().force * 6.0  # a^3 = 1/8: 1/6 exp(-1)
     array([0.36787944])
@@ -207,6 +209,7 @@ class HarmonicIndentation:
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.materials.viscoelastic import KelvinVoigt
     >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.5)))
     >>> shaken = HarmonicIndentation(bed, Depth(0.25), 3.0).solve()
     >>> shaken.storage_stiffness, shaken.loss_stiffness  # 2 a E*, 2 a omega eta*
@@ -289,6 +292,11 @@ class HarmonicSolution:
     radius: float
     storage_stiffness: Quantity
     loss_stiffness: Quantity
+
+    @property
+    def angular_frequency(self) -> Quantity:
+        """Omega [rad/s], as asked."""
+        return self.problem.angular_frequency
 
     @property
     def loss_tangent(self) -> Quantity:

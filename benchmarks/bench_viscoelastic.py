@@ -1,0 +1,69 @@
+"""Viscoelastic marches: a hundred thousand steps, half as many springs, terms or steps, forces, and an impact.
+
+Run it:  pytest benchmarks/bench_viscoelastic.py -m bench -n 0 --benchmark-only
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.materials.viscoelastic import Maxwell, Prony
+from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.path import Path
+from winkler.problems.viscoelastic import ViscoelasticIndentation
+from winkler.problems.viscoelastic_impact import ViscoelasticImpact
+
+pytestmark = pytest.mark.bench
+
+STEPS, SPRINGS, TERMS = 100_000, 500, 5
+
+
+def oscillating(steps: int, springs: int, terms: int) -> ViscoelasticIndentation:
+    """Five cycles of pressing in and coming back to the surface, with touch lost in each of them."""
+    solid = Prony(0.05, [0.2 / terms] * terms, np.geomspace(1e-3, 10.0, terms))
+    bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(solid))
+    t = np.linspace(0.0, 10.0, steps)
+    return ViscoelasticIndentation(bed, Path(t, wk.Depth(0.5 * (1.0 - np.cos(np.pi * t)))), count=springs)
+
+
+def marched(benchmark, problem: ViscoelasticIndentation) -> None:
+    problem_of_few = oscillating(10, 10, TERMS)
+    problem_of_few.solve()  # compiled before it is timed
+    found = benchmark.pedantic(problem.solve, rounds=3, iterations=1)
+    assert found.force.size == problem.path.time.size
+    assert found.dissipation[-1] > 0.0
+
+
+def bench_hundred_thousand_steps(benchmark, below):
+    marched(benchmark, oscillating(STEPS, SPRINGS, TERMS))
+    below(5.0, "1e5 steps of 500 springs with 5 terms")
+
+
+@pytest.mark.parametrize(
+    "size",
+    [(STEPS // 2, SPRINGS, TERMS), (STEPS, SPRINGS // 2, TERMS), (STEPS, 2 * SPRINGS, TERMS), (STEPS, SPRINGS, 10)],
+    ids=["half the steps", "half the springs", "twice the springs", "twice the terms"],
+)
+def bench_what_it_grows_with(benchmark, below, size):
+    marched(benchmark, oscillating(*size))
+    below(5.0 * np.prod(size) / (STEPS * SPRINGS * TERMS), "in proportion to steps, springs and terms")
+
+
+def bench_forces(benchmark, below):
+    """Two cycles of 500 points under forces, each step chosen by its error."""
+    bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(0.25, 0.3)))
+    t = np.linspace(0.0, 2.0, 1000)
+    problem = ViscoelasticIndentation(bed, Path(t, wk.Force(0.01 * np.sin(np.pi * t) ** 2)))
+    problem.solve()
+    assert benchmark(problem.solve).depth.max() > 0.0
+    below(1.0, "1000 points under forces")
+
+
+def bench_impact(benchmark, below):
+    bed = wk.Foundation(wk.Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(0.25, 1.0)))
+    problem = ViscoelasticImpact(bed, mass=1.0, velocity=1.0)
+    problem.solve()
+    assert benchmark(problem.solve).restitution > 0.28
+    below(0.5, "an impact to five digits")

@@ -1,0 +1,152 @@
+r"""What it takes to open a crack along the surface of rubber: the more, the faster it runs.
+
+The loss happens near the tip, where everything is fast, and is told by a work of opening that depends on the speed,
+
+.. math:: w(v) = w_0\left[1 + (v/v_0)^n\right] .
+
+It tends to the work of adhesion of the surfaces, :math:`w_0`, when slow; rubbers have n between 0.1 and 0.8, often 0.6,
+and :math:`v_0` rises with the temperature as their relaxation times fall.  A very fast crack finds a glass all around
+it, and the work stays below :math:`w_\infty`, at most :math:`w_0` times the glassy over the relaxed modulus,
+
+.. math:: w(v) = w_0 + (w_\infty - w_0)\,\frac{(v/v_0)^n}{1 + (v/v_0)^n} .
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array, ArrayLike
+from winkler.values import value
+
+__all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
+
+
+def _check(law: object, **units: str) -> None:
+    for word, unit in units.items():
+        number = getattr(law, word)
+        wrong = isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf
+        if wrong or (word == "exponent" and number > 1.0):
+            most = " and not above 1" if word == "exponent" else ""
+            raise InvalidInput(
+                f"{type(law).__name__}: {word} is {number!r}; it must be a positive, finite number{most} in {unit}."
+            )
+
+
+@value
+class RateDependentWork:
+    """A work of opening that grows with a power of the speed of the crack (Gent and Schultz).
+
+    Parameters
+    ----------
+    work : float
+        w_0 [J/m^2] of slow opening, and of closing; positive.
+    reference_speed : float
+        v_0 [m/s], at which opening takes twice as much; positive.
+    exponent : float
+        n [-], positive, not above 1.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    References
+    ----------
+    A. N. Gent, J. Schultz, J. Adhesion 3 (1972) 281-294; D. Maugis, M. Barquins, J. Phys. D: Appl. Phys. 11 (1978)
+    1989-2023, doi:10.1088/0022-3727/11/14/011
+
+    Examples
+    --------
+    >>> law = RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
+    >>> law.opening([0.0, 1e-6, 1e-5]).round(4)
+    array([0.05  , 0.1   , 0.2491])
+    """
+
+    work: float
+    reference_speed: float
+    exponent: float
+
+    def __post_init__(self) -> None:
+        _check(self, work="J/m^2", reference_speed="m/s", exponent="-")
+
+    def opening(self, speed: ArrayLike) -> Array:
+        """Return the work of opening w(v) [J/m^2] at speeds [m/s], not negative."""
+        v = np.asarray(speed, dtype=float)
+        return np.asarray(self.work * (1.0 + (v / self.reference_speed) ** self.exponent))
+
+    def speed(self, release: ArrayLike) -> Array:
+        """Return how fast a crack opens [m/s] that is driven by energy release rates [J/m^2]; it rests below w_0."""
+        excess = np.maximum(np.asarray(release, dtype=float) / self.work - 1.0, 0.0)
+        with np.errstate(over="ignore"):  # beyond all numbers it is infinite
+            return np.asarray(self.reference_speed * excess ** (1.0 / self.exponent))
+
+
+@value
+class SaturatingWork:
+    """A work of opening that grows with the speed of the crack and comes to an end.
+
+    The form between both ends is a choice; the ends are those of a crack in a linear viscoelastic body.
+
+    Parameters
+    ----------
+    work : float
+        w_0 [J/m^2] of slow opening, and of closing; positive.
+    fast_work : float
+        w_inf [J/m^2] of the fastest opening, more than `work`; a crack that is driven by more runs at once.
+    reference_speed : float
+        v_0 [m/s], at which opening takes the mean of both; positive.
+    exponent : float
+        n [-], positive, not above 1.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    References
+    ----------
+    J. A. Greenwood, K. L. Johnson, Phil. Mag. A 43 (1981) 697-711
+
+    Examples
+    --------
+    >>> law = SaturatingWork(work=0.05, fast_work=1.05, reference_speed=1e-3, exponent=0.5)
+    >>> law.opening([0.0, 1e-3, 1e9]).round(4)
+    array([0.05, 0.55, 1.05])
+    """
+
+    work: float
+    fast_work: float
+    reference_speed: float
+    exponent: float
+
+    def __post_init__(self) -> None:
+        _check(self, work="J/m^2", fast_work="J/m^2", reference_speed="m/s", exponent="-")
+        if self.fast_work <= self.work:
+            raise InvalidInput(
+                f"SaturatingWork: fast_work ({self.fast_work!r} J/m^2) is not above work ({self.work!r}); fast opening "
+                "takes more than slow opening: give more, or use ShortRange."
+            )
+
+    def opening(self, speed: ArrayLike) -> Array:
+        """Return the work of opening w(v) [J/m^2] at speeds [m/s], not negative."""
+        ratio = (np.asarray(speed, dtype=float) / self.reference_speed) ** self.exponent
+        return np.asarray(self.work + (self.fast_work - self.work) * ratio / (1.0 + ratio))
+
+    def speed(self, release: ArrayLike) -> Array:
+        """Return how fast a crack opens [m/s] that is driven by energy release rates [J/m^2].
+
+        It rests below w_0, and runs infinitely fast from w_inf on.
+        """
+        given = np.asarray(release, dtype=float)
+        excess, missing = np.maximum(given - self.work, 0.0), np.maximum(self.fast_work - given, 0.0)
+        held = missing > 0.0
+        ratio = np.where(held, excess / np.where(held, missing, 1.0), np.inf)
+        with np.errstate(over="ignore"):  # beyond all numbers it is infinite
+            return np.asarray(self.reference_speed * ratio ** (1.0 / self.exponent))
+
+
+CrackLaw = RateDependentWork | SaturatingWork
+"""What opening takes, at which speed."""

@@ -1,0 +1,84 @@
+"""A viscoelastic solid at another temperature than that at which it is known."""
+
+from __future__ import annotations
+
+from winkler.errors import InvalidInput
+from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.numerics.spectra import RelaxationSeries
+from winkler.values import value
+
+__all__ = ["AtTemperature"]
+
+
+@value
+class AtTemperature(ViscoelasticSolid):
+    r"""A thermorheologically simple solid: temperature multiplies all its times by one factor, and leaves its moduli.
+
+    :math:`G(t;T)=G(t/a_T)`, with :math:`a_T=1` at the temperature at which the solid is known.
+
+    Parameters
+    ----------
+    solid : ViscoelasticSolid
+        As it is at the reference temperature of the law.
+    law : WilliamsLandelFerry or Arrhenius
+        How the factor follows from the temperature.
+    temperature : float
+        T [K], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If the solid does not relax, the law is none, or the temperature is not positive.
+    OutsideValidity
+        If the temperature is so low that the law has no answer.
+
+    References
+    ----------
+    J. D. Ferry, Viscoelastic Properties of Polymers, 3rd edition, Wiley 1980
+
+    Examples
+    --------
+    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> law = WilliamsLandelFerry(reference_temperature=300.0, first_constant=8.86, second_constant=101.6)
+    >>> warm = AtTemperature(Maxwell(shear=1e6, relaxation_time=1.0), law, temperature=320.0)
+    >>> round(float(warm.series.times[0]), 6) == round(law.factor(320.0), 6)
+    True
+    """
+
+    solid: ViscoelasticSolid
+    law: WilliamsLandelFerry | Arrhenius
+    temperature: float
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.solid, ViscoelasticSolid):
+            raise InvalidInput(
+                f"AtTemperature: solid is a {type(self.solid).__name__}; give a viscoelastic solid such as Prony(...), "
+                "whose times change with the temperature."
+            )
+        if not isinstance(self.law, WilliamsLandelFerry | Arrhenius):
+            raise InvalidInput(
+                f"AtTemperature: law is a {type(self.law).__name__}; give WilliamsLandelFerry(...) or Arrhenius(...)."
+            )
+        _ = self.factor  # told now if there is none
+
+    @property
+    def factor(self) -> float:
+        """a_T [-]."""
+        return self.law.factor(self.temperature)
+
+    @property
+    def poisson(self) -> float:
+        """Poisson's ratio nu [-], the same at all times and temperatures."""
+        return self.solid.poisson
+
+    @property
+    def series(self) -> RelaxationSeries:
+        """G(t) at this temperature [Pa]."""
+        return self.solid.series.scaled(1.0, self.factor)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series is the solid [s], at this temperature."""
+        shortest, longest = self.solid.span
+        return shortest * self.factor, longest * self.factor

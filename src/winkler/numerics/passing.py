@@ -1,0 +1,113 @@
+r"""A relaxing spring that a body passes over: its load from the leading edge on, for any speed.
+
+Told by the way y that the body has gone since it touched the spring, the spring bears
+
+.. math:: q = M_\infty u + \eta v\,u' + \sum_i S_i, \qquad S_i' = -S_i/\ell_i + M_i u', \qquad \ell_i = v\tau_i ,
+
+until that would pull.  Between two places the slope u' is taken as straight, everything else is exact, so that neither
+lengths :math:`\ell_i` far below a step nor far above the contact cost digits.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.jit import compiled
+
+__all__ = ["pass_over"]
+
+
+@compiled
+def _phi(x, out):  # type: ignore[no-untyped-def]
+    """Write phi_1 .. phi_4 of -x: (1 - e^-x)/x, (1 - phi_1)/x, (1/2 - phi_2)/x, (1/6 - phi_3)/x."""
+    if x < 1.0:
+        term, total = 1.0 / 24.0, 0.0
+        for j in range(25):
+            total += term
+            term *= -x / (j + 5.0)
+        out[3] = total
+        out[2] = 1.0 / 6.0 - x * out[3]
+        out[1] = 0.5 - x * out[2]
+        out[0] = 1.0 - x * out[1]
+        return
+    out[0] = -np.expm1(-x) / x
+    out[1] = (1.0 - out[0]) / x
+    out[2] = (0.5 - out[1]) / x
+    out[3] = (1.0 / 6.0 - out[2]) / x
+
+
+@compiled
+def _load(relaxed, drag, moduli, lengths, u, slope, turn, memory, y, phi):  # type: ignore[no-untyped-def]
+    """Return q where the body has gone on by y, the slope of u being `slope` + `turn` y."""
+    q = relaxed * (u + (slope + 0.5 * turn * y) * y) + drag * (slope + turn * y)
+    for i in range(moduli.size):
+        x = y / lengths[i]
+        _phi(x, phi)
+        q += memory[i] * (1.0 - x * phi[0]) + moduli[i] * y * (slope * phi[0] + turn * y * phi[1])
+    return q
+
+
+@compiled
+def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, loads, sums):  # type: ignore[no-untyped-def]
+    """Let a body pass over a spring.
+
+    `place` (n,) are ways y, `u` the recess there, `before` and `after` the slopes u' at both sides of the intervals
+    between them (n - 1,).  `memory` (m,) begins and ends as the S_i; `loads` (n,) gets q; `sums` the integrals of q and
+    of q u' over y, and where the spring lets go.  `drag` is eta v.
+    """
+    count, modes = place.size, moduli.size
+    phi, fade = np.empty(4), np.empty((modes, 4))
+    for j in range(count):
+        loads[j] = 0.0
+    force, work, width = 0.0, 0.0, -1.0
+    sums[2] = place[count - 1]
+    for j in range(count - 1):
+        h = place[j + 1] - place[j]
+        slope, turn = before[j], (after[j] - before[j]) / h
+        begin = relaxed * u[j] + drag * slope
+        for i in range(modes):
+            begin += memory[i]
+        if begin < 0.0:
+            sums[2] = place[j]
+            break
+        loads[j] = begin
+        end = _load(relaxed, drag, moduli, lengths, u[j], slope, turn, memory, h, phi)
+        span = h
+        if end < 0.0:
+            low, high = 0.0, h
+            f_low, f_high = begin, end
+            for trial in range(200):
+                middle = 0.5 * (low + high) if trial % 3 == 2 else low + (high - low) * f_low / (f_low - f_high)
+                if not low < middle < high:
+                    middle = 0.5 * (low + high)
+                f = _load(relaxed, drag, moduli, lengths, u[j], slope, turn, memory, middle, phi)
+                if f >= 0.0:
+                    low, f_low = middle, f
+                else:
+                    high, f_high = middle, f
+                if high - low <= 1e-15 * h or f_low == 0.0:
+                    break
+            span = low
+        if span != width:
+            width = span
+            for i in range(modes):
+                _phi(span / lengths[i], fade[i])
+        s, r, t = span, slope * span, turn * span * span
+        # of the spring and the dashpot: u = u_j + r s + t s^2/2 with s from 0 to 1, slope (r + t s)/span
+        force += s * (relaxed * (u[j] + r / 2.0 + t / 6.0) + drag * (slope + turn * s / 2.0))
+        rise = r + 0.5 * t
+        work += relaxed * rise * (u[j] + 0.5 * rise)
+        work += drag * s * (slope * (slope + turn * s) + turn * turn * s * s / 3.0)
+        for i in range(modes):
+            x = s / lengths[i]
+            one, two, three, four = fade[i, 0], fade[i, 1], fade[i, 2], fade[i, 3]
+            stress = moduli[i]
+            force += s * (memory[i] * one + stress * (r * two + t * three))
+            work += r * (memory[i] * one + stress * (r * two + t * three))
+            work += t * (memory[i] * (one - two) + stress * (r * (two - three) + t * (three - four)))
+            memory[i] = memory[i] * (1.0 - x * one) + stress * (r * one + t * two)
+        if span < h:
+            sums[2] = place[j] + span
+            break
+        loads[j + 1] = max(end, 0.0)
+    sums[0], sums[1] = force, work
