@@ -121,8 +121,8 @@ def _table(outcome: FitOutcome, out: Any) -> None:
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
         out.print(
-            f"{fit.curve.count} points, worth {fit.effective_count:.0f} independent ones; noise "
-            f"{told(fit.noise, 'N')}; chi-square per degree of freedom {fit.chi_square:.3g}.",
+            f"{fit.count} points, worth {fit.effective_count:.0f} independent ones; noise "
+            f"{told(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}.",
             soft_wrap=True,
         )
         return
@@ -132,7 +132,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
         numbers, errors = outcome.numbers(free), outcome.errors(free)
         scale = middle_scale(study.word(free.key).unit, np.fmax(np.abs(numbers), errors))
         unit = f"\n[{scale.unit}]" if scale.unit else ""
-        table.add_column(f"{free.key.rpartition('.')[2]}{unit}", justify="right")
+        table.add_column(f"{free.label}{unit}", justify="right")
         columns.append(
             [
                 f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "-"

@@ -21,10 +21,15 @@ from winkler.fitting.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import Fit
 from winkler.fitting.prediction import Model
+from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.values import value
 
-__all__ = ["Comparison", "compare"]
+__all__ = ["AnyFit", "Comparison", "compare"]
+
+AnyFit = Fit | ViscoelasticFit | CreepFit
+"""What a fit may have found."""
 
 
 @value
@@ -35,7 +40,7 @@ class Comparison:
     ----------
     models : tuple of str, (m,)
         Their names.
-    fits : tuple of Fit, (m,)
+    fits : tuple of Fit, ViscoelasticFit or CreepFit, (m,)
         Their fits.
     effective_count : float
         Number of independent points of the curve.
@@ -46,7 +51,7 @@ class Comparison:
     """
 
     models: tuple[str, ...]
-    fits: tuple[Fit, ...]
+    fits: tuple[AnyFit, ...]
     effective_count: float
     aic: Array
     bic: Array
@@ -58,12 +63,14 @@ class Comparison:
         return np.asarray(np.exp(np.minimum(0.5 * (self.aic - self.aic[0]), 700.0)))
 
     @property
-    def best(self) -> Fit:
+    def best(self) -> AnyFit:
         """The fit of the best model."""
         return self.fits[0]
 
 
-def compare(curve: ForceCurve, models: Mapping[str, tuple[Model, Any]], *, noise: Quantity = 0.0) -> Comparison:
+def compare(
+    curve: ForceCurve, models: Mapping[str, tuple[Model | ViscoelasticIndentation, Any]], *, noise: Quantity = 0.0
+) -> Comparison:
     """Fit several models to a curve, and tell which one it speaks for.
 
     Parameters
@@ -87,7 +94,7 @@ def compare(curve: ForceCurve, models: Mapping[str, tuple[Model, Any]], *, noise
     """
     if not models:
         raise InvalidInput("compare: no model is given; give {name: (model, free), ...}.")
-    fits: dict[str, Fit] = {}
+    fits: dict[str, AnyFit] = {}
     refused = []
     for name, (model, free) in models.items():
         try:
@@ -99,7 +106,7 @@ def compare(curve: ForceCurve, models: Mapping[str, tuple[Model, Any]], *, noise
     independent = min(fits.values(), key=lambda found: found.misfit).effective_count
     aic, bic = {}, {}
     for name, found in fits.items():
-        weight = independent * math.log(found.misfit / found.curve.count)
+        weight = independent * math.log(found.misfit / found.count)
         aic[name] = weight + 2.0 * len(found.names)
         bic[name] = weight + math.log(independent) * len(found.names)
     order = sorted(fits, key=lambda name: aic[name])

@@ -9,59 +9,75 @@ Least squares give the numbers; the noise's own memory (`winkler.fitting.noise`)
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.checks import Flag, refuse
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.noise import memory_of_fit, spread
 from winkler.fitting.outcome import Fit
 from winkler.fitting.prediction import Model, states_for
 from winkler.fitting.start import best_start, solved
 from winkler.fitting.task import Prediction, Task, task
+from winkler.fitting.viscoelastic import viscoelastic_fit
+from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.loading import Depth
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.viscoelastic import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit"]
 
 MOST_PREDICTIONS = 200
-SINGULAR = 1e-7
-ALIKE = 0.99
-MISFIT = 2.0
-FEW_EACH = 10
-"""Fewest independent points for each number."""
 QUIET = 20
 """Fewest free points from which the noise is read."""
 
 
+@overload
+def fit(curve: ForceCurve, model: Model, *, free: Mapping[str, Any] | Iterable[str], noise: Quantity = 0.0) -> Fit: ...
+
+
+@overload
 def fit(
     curve: ForceCurve,
-    model: Model,
+    model: ViscoelasticIndentation,
     *,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
-) -> Fit:
+) -> ViscoelasticFit | CreepFit: ...
+
+
+def fit(
+    curve: ForceCurve,
+    model: Model | ViscoelasticIndentation,
+    *,
+    free: Mapping[str, Any] | Iterable[str],
+    noise: Quantity = 0.0,
+) -> Fit | ViscoelasticFit | CreepFit:
     """Fit numbers of a model to a curve.
 
     Parameters
     ----------
     curve : ForceCurve
-        One way in, one way out, or both; points that are held are left out.
-    model : Indentation or AdhesiveIndentation
-        The problem; its load is only a placeholder, Depth(0.0).  Numbers that are free begin at the model's own.
+        One way in, one way out, or both; points that are held are left out, unless the model relaxes.
+    model : Indentation, AdhesiveIndentation or ViscoelasticIndentation
+        The problem; its load is only a placeholder, Depth(0.0).  Numbers that are free begin at the model's own.  The
+        path of a body that relaxes says what drives: Path([0.0], Depth(0.0)), and forces are fitted along the measured
+        motion; Path([0.0], Force(0.0)), and positions under the measured forces.
     free : mapping or iterable of str
         Paths into the model ("bed.medium.first.young", "law.work") and what the curve leaves open ("contact_point",
-        "baseline", "tilt"); a mapping gives (low, high), a start value, or () for neither.
+        "baseline", "tilt", with times also "drift" of the position [m/s] and "drag" [N s/m] of a liquid on the
+        cantilever); a mapping gives (low, high), a start value, or () for neither.
     noise : float or ndarray, optional
-        Standard deviation of the forces [N], one for all or ``(n,)``; zero (unless given): read from the free points.
+        Standard deviation of what is fitted, forces [N] or positions [m], one for all or ``(n,)``; zero (unless given):
+        read from the free points.
 
     Returns
     -------
-    Fit
+    Fit, ViscoelasticFit or CreepFit
+        A CreepFit where positions were fitted.
 
     Raises
     ------
@@ -85,6 +101,8 @@ def fit(
     >>> round(found.value("bed.medium.first.young"), -1), round(found.value("contact_point"), 9)
     (10000.0, 3e-06)
     """
+    if isinstance(model, ViscoelasticIndentation):
+        return viscoelastic_fit(curve, model, free=free, noise=noise)
     moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
     flags = refuse(moving)
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
@@ -117,37 +135,34 @@ def _told(question: Task, coordinates: Array, noise: float, flags: tuple[Flag, .
     numbers = question.numbers(coordinates)
     model = _at_largest_depth(question, numbers, prediction)
     jacobian = question.jacobian(coordinates, prediction)
-    _refuse_singular(question, jacobian)
+    refuse_singular(question.parameters, jacobian, float(np.linalg.norm(question.curve.force * question.weights)))
     residuals = (question.curve.force - prediction.force) * question.weights
-    kept = memory_of_fit(residuals, jacobian)
-    covariance, used = spread(jacobian, kept.correlations)
-    scatter = math.sqrt(float(residuals @ residuals) / max(residuals.size - used, 1.0))
-    errors = scatter * np.sqrt(np.diag(covariance))
-    correlation = covariance / np.sqrt(np.outer(np.diag(covariance), np.diag(covariance)))
+    sure = certainty(residuals, jacobian)
     values = np.array(list(numbers.values()))
     change = [p.change(n) for p, n in zip(question.parameters, values.tolist(), strict=True)]
     quiet = residuals[~prediction.attached]
     if noise == 0.0:
-        noise = float(np.std(quiet)) if quiet.size >= QUIET else scatter
+        noise = float(np.std(quiet)) if quiet.size >= QUIET else sure.scatter
     result = Fit(
         question.curve,
         model,
         tuple(numbers),
         values,
-        errors * np.abs(change),
-        np.clip(correlation, -1.0, 1.0),
+        sure.errors * np.abs(change),
+        sure.correlation,
         np.array([p.low for p in question.parameters]),
         np.array([p.high for p in question.parameters]),
-        noise or scatter,
+        noise or sure.scatter,
         question.weights,
-        scatter,
-        kept.effective_count,
+        sure.scatter,
+        sure.effective_count,
         prediction.force,
         prediction.attached,
         np.where(prediction.attached, prediction.held.radius, 0.0),
         flags,
     )
-    return dataclasses.replace(result, flags=(*flags, *_doubts(question, result, coordinates)))
+    told = doubts(question.parameters, coordinates, values, result.standard_errors, sure, result.chi_square)
+    return dataclasses.replace(result, flags=(*flags, *told))
 
 
 def _at_largest_depth(question: Task, numbers: dict[str, float], prediction: Prediction) -> Model:
@@ -166,54 +181,3 @@ def _at_largest_depth(question: Task, numbers: dict[str, float], prediction: Pre
             "cut the curve off before, or give a profile that is known farther out."
         )
     return dataclasses.replace(model, load=Depth(depth))
-
-
-def _refuse_singular(question: Task, jacobian: Array) -> None:
-    """Refuse numbers that the curve cannot tell."""
-    size = np.linalg.norm(jacobian, axis=0)
-    largest = np.linalg.norm(question.curve.force * question.weights)
-    names = [p.name for p in question.parameters]
-    blind = [name for name, own in zip(names, size, strict=True) if own <= SINGULAR * largest * 1e-3]
-    if blind:
-        raise OutsideValidity(f"fit: the curve says nothing about {', '.join(blind)}; leave it fixed.")
-    _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
-    if values[-1] <= SINGULAR * values[0]:
-        mixed = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
-        raise OutsideValidity(
-            f"fit: not identifiable: the curve cannot tell {' from '.join(mixed)}, only a combination of them; fix all "
-            "but one."
-        )
-
-
-def _doubts(question: Task, found: Fit, coordinates: Array) -> list[Flag]:
-    flags = []
-    for index, parameter in enumerate(question.parameters):
-        here = float(coordinates[index])
-        walls = parameter.inward(parameter.low), parameter.inward(parameter.high)
-        if any(abs(here - wall) <= 1e-6 * (1.0 + abs(here)) for wall in walls):
-            flags.append(Flag("at_bound", f"{parameter.name} has come to its bound; its error means nothing."))
-        elif parameter.logarithmic and found.standard_errors[index] > found.values[index]:
-            flags.append(Flag("undetermined", f"{parameter.name} is less than its own error; it may be anything."))
-    for i, first in enumerate(found.names):
-        for j, second in enumerate(found.names[:i]):
-            if abs(found.correlation[i, j]) > ALIKE:
-                flags.append(
-                    Flag("correlated", f"{second} and {first} go together (correlation {found.correlation[i, j]:.4f}).")
-                )
-    if found.effective_count < FEW_EACH * len(found.names):
-        flags.append(
-            Flag(
-                "memory",
-                f"The curve is worth no more than {found.effective_count:.3g} independent points: the noise drifts, or "
-                "the model misses the course of the curve; the errors are rough.",
-            )
-        )
-    if found.chi_square > MISFIT:
-        flags.append(
-            Flag(
-                "misfit",
-                f"The residuals are {math.sqrt(found.chi_square):.3g} times the noise: the model does not explain the "
-                "curve.",
-            )
-        )
-    return flags

@@ -63,7 +63,7 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     error = found.error(name) / abs(parameter.change(found.value(name)))
     width = found.quantile(confidence)
     allowed = error**2 / plain * width**2  # scatter^2 (var / var_0) t^2
-    low, high = bounds(question, best)
+    low, high = bounds(question.parameters, best)
     ends = []
     for side, wall in ((-1.0, float(low[index])), (1.0, float(high[index]))):
         end = _end(question, best, index, side * width * error, wall, found.misfit, allowed)

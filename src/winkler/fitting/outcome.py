@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
-from scipy.special import stdtrit
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.checks import Flag
 from winkler.fitting.curve import ForceCurve
+from winkler.fitting.estimate import Estimate
 from winkler.fitting.prediction import Model
 from winkler.fitting.task import Task, task
 from winkler.fitting.trust import fit_notes
@@ -21,7 +18,7 @@ __all__ = ["Fit", "task_of"]
 
 
 @value
-class Fit:
+class Fit(Estimate):
     """What a curve says about a model.
 
     Parameters
@@ -75,52 +72,10 @@ class Fit:
     radius: Array
     flags: tuple[Flag, ...]
 
-    def index(self, name: str) -> int:
-        """Return which of the numbers has a name.
-
-        Raises
-        ------
-        InvalidInput
-            If none has.
-        """
-        if name not in self.names:
-            raise InvalidInput(f"fit: '{name}' was not free{suggest(name, self.names)}; {', '.join(self.names)} were.")
-        return self.names.index(name)
-
-    def value(self, name: str) -> float:
-        """Return a fitted number."""
-        return float(self.values[self.index(name)])
-
-    def error(self, name: str) -> float:
-        """Return the standard error of a fitted number."""
-        return float(self.standard_errors[self.index(name)])
-
-    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
-        """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
-
-        Parameters
-        ----------
-        name : str
-        confidence : float
-            Between 0 and 1.
-        """
-        index = self.index(name)
-        number, error = float(self.values[index]), float(self.standard_errors[index])
-        width = self.quantile(confidence)
-        if task_of(self).parameters[index].logarithmic:
-            return number * math.exp(-width * error / number), number * math.exp(width * error / number)
-        return number - width * error, number + width * error
-
-    def quantile(self, confidence: float) -> float:
-        """Return how many standard errors wide an interval is on either side, by Student's t."""
-        if not 0.0 < confidence < 1.0:
-            raise InvalidInput(f"fit: a confidence of {confidence!r} was asked for; give a number between 0 and 1.")
-        return float(stdtrit(max(self.effective_count - len(self.names), 1.0), 0.5 + 0.5 * confidence))
-
     @property
-    def covariance(self) -> Array:
-        """Of the numbers, in products of their units ``(p, p)``."""
-        return np.asarray(self.correlation * np.outer(self.standard_errors, self.standard_errors))
+    def _on_logarithm(self) -> tuple[bool, ...]:
+        """Of which numbers the logarithm was varied ``(p,)``."""
+        return tuple(parameter.logarithmic for parameter in task_of(self).parameters)
 
     @property
     def residuals(self) -> Array:
@@ -139,36 +94,11 @@ class Fit:
         return task_of(self).line(numbers)
 
     @property
-    def misfit(self) -> float:
-        """Sum of the squared weighted residuals [N^2]."""
-        return float(np.sum((self.weights * self.residuals) ** 2))
-
-    @property
-    def chi_square(self) -> float:
-        """Squared misfit over the noise, per degree of freedom: near one if the model explains the curve."""
-        return self.misfit / max(self.curve.count - len(self.names), 1) / self.noise**2
-
-    @property
-    def aic(self) -> float:
-        """Akaike's criterion, of as many points as the curve is worth; models of one curve compare by `compare`."""
-        return _likelihood(self) + 2.0 * len(self.names)
-
-    @property
-    def bic(self) -> float:
-        """Schwarz' criterion, of as many points as the curve is worth."""
-        return _likelihood(self) + math.log(self.effective_count) * len(self.names)
-
-    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the fitted contact can be trusted at its largest depth, and whether the curve could tell it."""
         error = self.scatter / float(np.ptp(self.curve.force))
         own = fit_notes(self.model, self.curve, self.names, self.contact, float(self.radius.max()), error)
         return (*self.model.solve().validity, *own)
-
-
-def _likelihood(fit: Fit) -> float:
-    """Return minus twice the logarithm of the likelihood, but for a constant."""
-    return fit.effective_count * math.log(fit.misfit / fit.curve.count)
 
 
 def task_of(found: Fit) -> Task:

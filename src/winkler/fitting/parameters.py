@@ -12,11 +12,13 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from winkler.errors import InvalidInput, suggest
 from winkler.laws.adhesion import ShortRange
 from winkler.vocabulary import word
 
-__all__ = ["changed", "found", "unit_of"]
+__all__ = ["changed", "each", "found", "unit_of"]
 
 STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
 
@@ -40,8 +42,9 @@ def _steps(path: str) -> list[str | int]:
 
 def _next(owner: Any, step: str | int, path: str) -> Any:
     if isinstance(step, int):
-        if not isinstance(owner, tuple) or step >= len(owner):
-            length = len(owner) if isinstance(owner, tuple) else 0
+        row = isinstance(owner, tuple | np.ndarray)
+        if not row or step >= len(owner):
+            length = len(owner) if row else 0
             raise InvalidInput(f"free: '{path}' asks for item {step} of {length}; counting begins at 0.")
         return owner[step]
     known = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
@@ -69,13 +72,30 @@ def found(model: Any, path: str) -> float:
     return float(owner)
 
 
+def each(model: Any, path: str) -> tuple[str, ...]:
+    """Return the paths of all numbers of a row, or the path itself where it leads to no row.
+
+    Raises
+    ------
+    InvalidInput
+        If the path leads nowhere.
+    """
+    owner = model
+    for step in _steps(path):
+        owner = _next(owner, step, path)
+    if isinstance(owner, np.ndarray):
+        return tuple(f"{path}[{index}]" for index in range(owner.size))
+    return (path,)
+
+
 def unit_of(model: Any, path: str) -> str:
     """Return the SI unit of the number that a path leads to, empty for a pure number."""
-    owner, steps = model, _steps(path)
-    for step in steps[:-1]:
+    owner, unit = model, ""
+    for step in _steps(path):
+        if isinstance(step, str) and dataclasses.is_dataclass(owner):
+            unit = word(type(owner).__name__, step).unit or ""
         owner = _next(owner, step, path)
-    last = steps[-1]
-    return (word(type(owner).__name__, last).unit or "") if isinstance(last, str) else ""
+    return unit
 
 
 def changed(model: Any, numbers: Mapping[str, float]) -> Any:
@@ -101,6 +121,10 @@ def _changed(owner: Any, changes: list[tuple[list[str | int], float]]) -> Any:
     for step, rest in deeper.items():
         inner = owner[step] if isinstance(step, int) else getattr(owner, step)
         own[step] = _changed(inner, rest)
+    if isinstance(owner, np.ndarray):
+        row = owner.copy()
+        row[[int(index) for index in own]] = list(own.values())
+        return row
     if isinstance(owner, tuple):
         return tuple(own.get(index, item) for index, item in enumerate(owner))
     if isinstance(owner, ShortRange):

@@ -7,6 +7,8 @@ to a part of the points decides.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
@@ -14,11 +16,11 @@ from winkler.fitting.checks import Outline, outline
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.prediction import Model, runs_of, states_for
 from winkler.fitting.response import Response, response
-from winkler.fitting.task import OF_THE_CURVE, Prediction, Task
+from winkler.fitting.task import OF_THE_CURVE, Parameter, Prediction, Task
 from winkler.numerics.types import Array
 from winkler.problems.adhesive import AdhesiveIndentation
 
-__all__ = ["best_start", "solved"]
+__all__ = ["SHARES", "best_start", "bounds", "least", "solved"]
 
 SHARES = (0.0, 0.1, 0.3, -0.1)
 """How far before the rough contact point a start lies, in parts of the rest."""
@@ -51,11 +53,6 @@ def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SE
     NotConverged
         If they do not suffice (unless `settled` is coarse).
     """
-    from scipy.optimize import least_squares
-
-    low, high = bounds(task, coordinates)
-    room = 1e-9 * (1.0 + np.abs(coordinates))
-    inside = np.maximum(np.minimum(coordinates, high - room), low + room)
     last: dict[bytes, Prediction] = {}
 
     def predicted(at: Array) -> Prediction:
@@ -65,20 +62,66 @@ def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SE
             last[key] = task.prediction(at)
         return last[key]
 
-    size = float(np.linalg.norm(task.curve.force * task.weights)) or 1.0
+    return least(
+        lambda at: predicted(at).force,
+        lambda at: task.jacobian(at, predicted(at)),
+        task.curve.force,
+        task.weights,
+        coordinates,
+        bounds(task.parameters, coordinates),
+        evaluations,
+        settled,
+    )
+
+
+def least(
+    predicted: Callable[[Array], Array],
+    jacobian: Callable[[Array], Array],
+    measured: Array,
+    weights: Array,
+    coordinates: Array,
+    ends: tuple[Array, Array],
+    evaluations: int,
+    settled: float = SETTLED,
+) -> tuple[Array, float]:
+    """Return the coordinates of least squares within their ends, and the sum there.
+
+    Parameters
+    ----------
+    predicted, jacobian : callable
+        Of coordinates: what the model says ``(n,)``, and its weighted derivatives ``(n, p)``.
+    measured, weights : ndarray, (n,)
+    coordinates : ndarray, (p,)
+        Where to begin.
+    ends : tuple of ndarray
+        Lowest and highest coordinates.
+    evaluations, settled
+        As for `solved`.
+
+    Raises
+    ------
+    NotConverged
+        As `solved`.
+    """
+    from scipy.optimize import least_squares
+
+    low, high = ends
+    room = 1e-9 * (1.0 + np.abs(coordinates))
+    inside = np.maximum(np.minimum(coordinates, high - room), low + room)
+    size = float(np.linalg.norm(measured * weights)) or 1.0
 
     def misfit(at: Array) -> Array:
         try:
-            return np.asarray((predicted(at).force - task.curve.force) * task.weights / size)
+            return np.asarray((predicted(at) - measured) * weights / size)
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
-            return np.full(task.curve.count, HOPELESS)  # where the theory does not reach, nothing is explained
+            return np.full(measured.size, HOPELESS)  # where the theory does not reach, nothing is explained
 
     answer = least_squares(
         misfit,
         inside,
-        jac=lambda at: task.jacobian(at, predicted(at)) / size,
+        jac=lambda at: jacobian(at) / size,
         bounds=(low, high),
         x_scale="jac",
         max_nfev=evaluations,
@@ -94,11 +137,11 @@ def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SE
     return np.asarray(answer.x), float(2.0 * answer.cost) * size**2
 
 
-def bounds(task: Task, coordinates: Array) -> tuple[Array, Array]:
+def bounds(parameters: tuple[Parameter, ...], coordinates: Array) -> tuple[Array, Array]:
     """Return the lowest and highest coordinates, logarithms not too far from where they begin."""
-    low = np.array([parameter.inward(parameter.low) for parameter in task.parameters])
-    high = np.array([parameter.inward(parameter.high) for parameter in task.parameters])
-    wide = np.array([FARTHEST if parameter.logarithmic else np.inf for parameter in task.parameters])
+    low = np.array([parameter.inward(parameter.low) for parameter in parameters])
+    high = np.array([parameter.inward(parameter.high) for parameter in parameters])
+    wide = np.array([FARTHEST if parameter.logarithmic else np.inf for parameter in parameters])
     return np.maximum(low, coordinates - wide), np.minimum(high, coordinates + wide)
 
 

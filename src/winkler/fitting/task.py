@@ -26,7 +26,7 @@ from winkler.fitting.prediction import (
 )
 from winkler.numerics.types import Array
 
-__all__ = ["OF_THE_CURVE", "Parameter", "Prediction", "Task", "task"]
+__all__ = ["FREELY", "OF_THE_CURVE", "Parameter", "Prediction", "Task", "asked", "task"]
 
 OF_THE_CURVE = ("contact_point", "baseline", "tilt")
 """Names of what a curve itself leaves open."""
@@ -198,20 +198,45 @@ def task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) ->
     span, strength = float(np.ptp(curve.position)), float(np.ptp(curve.force))
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
+    scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
+    weights = np.broadcast_to(np.mean(noise) / noise, curve.position.shape)
+    return Task(curve, model, asked(model, free, scales, FREELY), weights, runs_of(curve))
+
+
+def asked(
+    model: Any, free: dict[str, Any], scales: dict[str, float], freely: dict[str, tuple[float, float]]
+) -> tuple[Parameter, ...]:
+    """Return the numbers that are varied.
+
+    Parameters
+    ----------
+    model : value
+        The paths lead into it.
+    free : dict
+        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+    scales : dict of str to float
+        Names of what the curve itself leaves open, and what they are measured in.
+    freely : dict of str to (float, float)
+        Paths, or last names, of numbers that are no positive quantities without end, and their bounds.
+
+    Raises
+    ------
+    InvalidInput
+        If a name leads nowhere, or its bounds contradict themselves.
+    """
     parameters = []
     for name, given in free.items():
-        if name in OF_THE_CURVE:
-            scale = {"contact_point": span, "baseline": strength, "tilt": strength / span}[name]
-            low, high, start = -np.inf, np.inf, 0.0
-            logarithmic = False
+        if name in scales:
+            scale, low, high, start, logarithmic = scales[name], -np.inf, np.inf, 0.0, False
         else:
             if "." not in name:
                 raise InvalidInput(
-                    f"free: '{name}' is neither a path into the model nor one of {', '.join(OF_THE_CURVE)}"
-                    f"{suggest(name, OF_THE_CURVE)}."
+                    f"free: '{name}' is neither a path into the model nor one of {', '.join(scales)}"
+                    f"{suggest(name, scales)}."
                 )
             start = found(model, name)
-            low, high = FREELY.get(name.rpartition(".")[2], (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf))
+            usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
+            low, high = freely.get(name, freely.get(name.rpartition(".")[2], usual))
             logarithmic = low == 0.0
             scale = 1.0 if unit_of(model, name) == "" else max(abs(start), 1e-300)
         told = False
@@ -226,8 +251,7 @@ def task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) ->
         if not (low < high and low <= start <= high):
             raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
         parameters.append(Parameter(name, low, high, start, told, logarithmic, scale))
-    weights = np.broadcast_to(np.mean(noise) / noise, curve.position.shape)
-    return Task(curve, model, tuple(parameters), weights, runs_of(curve))
+    return tuple(parameters)
 
 
 def _between(low: float, high: float, logarithmic: bool) -> float:

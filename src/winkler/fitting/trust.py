@@ -28,7 +28,7 @@ from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
 from winkler.validity import Note, Standing
 
-__all__ = ["MOLECULAR", "fit_notes"]
+__all__ = ["MOLECULAR", "fit_notes", "free_notes"]
 
 MOLECULAR = 0.3e-9
 """Range of attraction between molecules [m], about the distance of atoms."""
@@ -70,7 +70,7 @@ def fit_notes(
     notes = [*_coating_notes(model.bed, names, widest), *_tip_notes(model, names, widest)]
     if isinstance(model, AdhesiveIndentation):
         notes += _range_notes(model)
-    return (*notes, *_free_notes(curve, contact, error))
+    return (*notes, *free_notes(curve, contact, error))
 
 
 def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
@@ -166,8 +166,17 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
     return [Note(standing, f"{fact}: {verdict}.", GREENWOOD)]
 
 
-def _free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
-    """Return how much of each way is out of contact."""
+def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
+    """Return how much of each way is out of contact.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    contact : ndarray of bool, (n,)
+        Where the tip is in contact.
+    error : float
+        Standard deviation of the forces over their range [-].
+    """
     told, poor = [], False
     for word, direction in (("approach", 1.0), ("retract", -1.0)):
         mine = curve.direction == direction

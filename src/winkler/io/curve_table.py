@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curve import ForceCurve
+from winkler.io.segments import directions
 from winkler.io.table import ABOVE, Column, names_columns, read_table
 
 __all__ = ["is_curve_table", "read_curve_table"]
@@ -25,6 +26,7 @@ FORCE = Column("force", ("force", "load", "f", "p", "normal force"), "N", "nN")
 DEFLECTION = Column("deflection", ("deflection", "cantilever"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection"), "V")
 TIME = Column("time", ("time", "t"), "s")
+SEGMENT = Column("segment", ("segment",), "")
 CANTILEVER = re.compile(r"^\s*(?:k|spring constant)\s*[\[(]N/m[\])]\s*[:=]?\s*([0-9.eE+-]+)\s*$", re.MULTILINE)
 
 
@@ -49,7 +51,9 @@ def read_curve_table(
     Parameters
     ----------
     path : str or path
-        The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.
+        The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.  A column ``segment``
+        counts the stretches on which the tip goes in, is held, and comes out; without it the tip goes in up to the
+        largest position, and then comes out.
     spring_constant : float, optional
         Of the cantilever [N/m].  With a column ``depth`` it is not needed: that is the travel of the tip itself.
     sensitivity : float, optional
@@ -72,7 +76,8 @@ def read_curve_table(
             f"({', '.join(FORCE.names)}) with units, as in '{DEPTH.example}, {FORCE.example}', and numbers below."
         )
     timed = names_columns(path, (place, load, TIME))
-    table = read_table(path, (place, load, TIME) if timed else (place, load))
+    parted = names_columns(path, (place, load, SEGMENT))
+    table = read_table(path, (place, load, *(TIME,) * timed, *(SEGMENT,) * parted))
     stiffness = _stiffness(path, spring_constant)
     force = table.values[:, 1]
     if load is not FORCE:
@@ -90,9 +95,11 @@ def read_curve_table(
             "tip itself."
         )
     machine = stiffness if place is POSITION and stiffness is not None else math.inf
+    position = table.values[:, 0]
     time = table.values[:, 2] if timed else np.zeros(0)
+    segment = table.values[:, -1] if parted else np.zeros(0)
     try:
-        return ForceCurve(table.values[:, 0], force, machine, time, name=Path(path).name)
+        return ForceCurve(position, force, machine, time, directions(position, force, segment), Path(path).name)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from None
 

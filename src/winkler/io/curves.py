@@ -17,13 +17,12 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curve import ForceCurve
 from winkler.io.curve_table import is_curve_table, read_curve_table
-from winkler.numerics.types import Array
+from winkler.io.segments import directions
 from winkler.values import value
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
 HEIGHTS = ("height (measured)", "height (piezo)")
-IN, HELD, OUT = 1.0, 0.0, -1.0
 
 
 @value
@@ -201,19 +200,7 @@ def _translated(data: Any, name: str, shown: str, known: dict[str, float]) -> Pl
     segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
     try:
-        curve = ForceCurve(position, force, float(stiffness), time, _directions(position, segment), name)
+        curve = ForceCurve(position, force, float(stiffness), time, directions(position, force, segment), name)
     except InvalidInput as error:
         raise InvalidInput(f"{shown}: {error}") from None
     return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))
-
-
-def _directions(position: Array, segment: Array) -> Array:
-    """Return for each segment whether the tip goes in, is held or comes out; nothing where segments are not told."""
-    if not segment.size:
-        return np.zeros(0)
-    direction, span = np.zeros(position.size), np.ptp(position)
-    for part in np.unique(segment):
-        (members,) = np.nonzero(segment == part)
-        travel = position[members[-1]] - position[members[0]]
-        direction[members] = (IN if travel > 0.0 else OUT) if abs(travel) > 0.1 * span else HELD
-    return direction

@@ -80,7 +80,7 @@ def corrected(curve: ForceCurve, names: tuple[str, ...], frame_stiffness: float,
     frame_stiffness : float
         [N/m], infinite for none.
     part : str
-        approach, retract or both.
+        approach, hold (with the approach), retract or both.
 
     Raises
     ------
@@ -99,4 +99,6 @@ def corrected(curve: ForceCurve, names: tuple[str, ...], frame_stiffness: float,
             curve = curve.approach
         case "retract":
             curve = curve.retract
+        case "hold":
+            curve = curve.chosen(curve.direction >= 0.0)
     return Corrected(curve, tuple(steps))

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.outcome import Fit
+from winkler.fitting.compare import AnyFit
 from winkler.numerics.types import Array
 from winkler.study.fitting import FitStudy, Free
 from winkler.study.outcome import Column, Provenance
@@ -42,7 +42,7 @@ class Fitted:
         Place on the sample [m]; nan where the file does not tell it.
     steps : tuple of str
         What was done to the curve before.
-    fit : Fit
+    fit : Fit, ViscoelasticFit or CreepFit
     notes : tuple of Note
         How far the fitted contact can be trusted, at its largest depth.
     """
@@ -51,7 +51,7 @@ class Fitted:
     x: float
     y: float
     steps: tuple[str, ...]
-    fit: Fit
+    fit: AnyFit
     notes: tuple[Note, ...]
 
 
@@ -148,7 +148,7 @@ class FitOutcome:
                 for end, lead, content in parts
             ]
         columns += [
-            Column("noise", Word("", "N", "standard deviation of the force"), self._each("noise")),
+            Column("noise", self.study.spread, self._each("noise")),
             Column("chi_square", Word(r"\chi^2", "", "squared misfit over the noise"), self._each("chi_square")),
             Column("effective_count", Word("", "", "independent points"), self._each("effective_count")),
             Column("largest_depth", Word("d", "m", "largest fitted depth"), self._largest("depth")),

@@ -7,21 +7,25 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.parameters import found
-from winkler.fitting.task import OF_THE_CURVE
-from winkler.loading import Depth
+from winkler.loading import Depth, Force
+from winkler.path import Path as MotionPath
+from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.study import keys
 from winkler.study.build import assembled
-from winkler.study.fitting import OF_A_CURVE, FitStudy, Free, word_of
+from winkler.study.fitting import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.reading import parsed, read_text
 from winkler.study.study import Output
 
 __all__ = ["FITTED", "parse_fit_study", "read_fit_study"]
 
-FITTED = ("indentation", "adhesive_indentation")
+FITTED = ("indentation", "adhesive_indentation", "viscoelastic_indentation")
 """Problems that can be the model of a curve."""
 PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
+PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}
 PATTERN = re.compile(r"[*?\[]")
 OTHERS = ("sweep", "fields", "expect", "source", "grade")
 
@@ -63,9 +67,11 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
     except ValidationError as error:
         raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
     problem = assembled(form.problem, folder=folder, file=file, key="problem")
-    problem = dataclasses.replace(problem, load=Depth(0.0))
     given = {name: content for name, content in form.fit if content is not MISSING}
     try:
+        problem = _unloaded(problem, given)
+        if "noise" in given:
+            given["noise"] = _noise(given["noise"], "N" if given.get("fitted", "force") == "force" else "m")
         return FitStudy(
             title=form.title or Path(file).stem,
             problem=problem,
@@ -92,9 +98,40 @@ def _placeholder(raw: dict[str, Any], at: str) -> None:
         from winkler.study.catalogue import CATALOGUE
 
         if kind in CATALOGUE["problem"]:
-            raise InvalidInput(f"{at}problem.kind is '{kind}', which no curve can be fitted to; give {FITTED[0]} or "
-                               f"{FITTED[1]}.")  # fmt: skip
-    problem.setdefault("load", dict(PLACEHOLDER))
+            raise InvalidInput(f"{at}problem.kind is '{kind}', which no curve can be fitted to; give "
+                               f"{', '.join(FITTED[:-1])} or {FITTED[-1]}.")  # fmt: skip
+    if kind == FITTED[-1]:
+        problem.setdefault("path", dict(PLACEHOLDER_PATH))
+    else:
+        problem.setdefault("load", dict(PLACEHOLDER))
+
+
+def _unloaded(problem: Any, given: dict[str, Any]) -> Any:
+    """Return the model with a placeholder for its load, or for its path, which says what drives."""
+    part, fitted = given["part"], given.get("fitted", "force")
+    if not isinstance(problem, ViscoelasticIndentation):
+        for key, content in (("part", part if part == "hold" else ""), ("fitted", fitted if fitted != "force" else "")):
+            if content:
+                raise InvalidInput(
+                    f"fit.{key} is '{content}', which needs a body that relaxes; give {FITTED[-1]}, or leave it."
+                )
+        return dataclasses.replace(problem, load=Depth(0.0))
+    if part == "retract":
+        raise InvalidInput(
+            "fit.part is 'retract', but what a body that relaxes does depends on how it was pressed; give both."
+        )
+    if fitted == "position" and part == "both":
+        raise InvalidInput(
+            "fit.part is 'both', but forces drive a contact only while it grows; give hold, or fit forces."
+        )
+    return dataclasses.replace(problem, path=MotionPath(np.zeros(1), Depth(0.0) if fitted == "force" else Force(0.0)))
+
+
+def _noise(raw: Any, unit: str) -> float:
+    noise = _number(raw, unit, "fit.noise")
+    if not noise > 0.0:
+        raise InvalidInput(f"fit.noise is {raw!r}; it must be positive.")
+    return noise
 
 
 def _sources(given: str, folder: Path) -> tuple[str, ...]:
@@ -133,20 +170,33 @@ def _in_numbers(path: Path) -> tuple[Any, ...]:
 def _frees(raw: dict[str, Any], problem: Any) -> tuple[Free, ...]:
     if not raw:
         raise InvalidInput('fit.free is empty; name what is fitted, such as "problem.bed.medium.first.young" = true.')
-    return tuple(_free(key, content, problem) for key, content in raw.items())
+    return tuple(free for key, content in raw.items() for free in _free_row(key, content, problem))
+
+
+def _free_row(key: str, raw: Any, problem: Any) -> tuple[Free, ...]:
+    """Return one line of ``[fit.free]``; of the name of a row, one for each of its numbers."""
+    plain = re.sub(r"\[(\d+)\]", r".\1", key).removeprefix("problem.")
+    try:
+        content = keys.content_at(problem, plain) if key.startswith("problem.") else ()
+    except InvalidInput:  # told below
+        content = ()
+    if not isinstance(content, np.ndarray):
+        return (_free(key, raw, problem),)
+    return tuple(_free(f"{key}.{index}", raw, problem) for index in range(content.size))
 
 
 def _free(key: str, raw: Any, problem: Any) -> Free:
     where = f'fit.free."{key}"' if "." in key else f"fit.free.{key}"
     plain = re.sub(r"\[(\d+)\]", r".\1", key)
     free = Free(plain)
-    if key in OF_A_CURVE:
+    curves = OF_A_TIMED_CURVE if isinstance(problem, ViscoelasticIndentation) else OF_A_CURVE
+    if key in curves:
         unit = word_of(problem, key).unit or ""
     elif not plain.startswith("problem."):
-        hint = suggest(key, OF_THE_CURVE)
+        hint = suggest(key, curves)
         raise InvalidInput(
             f"{where} is neither a key of the problem, which begins with 'problem.', nor one of "
-            f"{', '.join(OF_THE_CURVE)}{hint}."
+            f"{', '.join(curves)}{hint}."
         )
     else:
         try:

@@ -7,9 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.plot.fits import Grid, fit_picture, map_picture, numbers_picture
+from winkler.fitting.outcome import Fit
+from winkler.plot import draw
+from winkler.plot.fits import Grid, map_picture, numbers_picture
 from winkler.plot.series import Series, spoken, told
 from winkler.problems.indentation import Indentation
+from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.study import figures
 from winkler.study.figures import Shown, drawn
 from winkler.study.fit_outcome import FitOutcome
@@ -28,6 +31,8 @@ __all__ = ["figures_of_fits", "page", "write"]
 
 DRAWN = 12
 """So many curves are drawn, spread evenly over all."""
+PLACEHOLDERS = ("load", "path", "normal", "lateral")
+"""Parts of a model that its curve replaces."""
 MANY = 3
 """From so many curves on, their numbers are shown together."""
 
@@ -41,7 +46,7 @@ def write(outcome: FitOutcome, folder: Path) -> None:
 
 
 def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
-    return Series(free.key.rpartition(".")[2], study.word(free.key), content)
+    return Series(free.label, study.word(free.key), content)
 
 
 def figures_of_fits(outcome: FitOutcome) -> Iterator[Shown]:
@@ -63,7 +68,12 @@ def figures_of_fits(outcome: FitOutcome) -> Iterator[Shown]:
     for place in chosen.tolist():
         result = outcome.fitted[place]
         sentence = "Above the curve and the fitted model, below what is left over; dashed: first touch."
-        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, fit_picture(result.fit))
+        if not isinstance(result.fit, Fit):
+            sentence = (
+                "Left the curve and the fitted model over time, below what is left over; right the force over the "
+                "depth, and the relaxation with its 95 % interval, grey where the curve cannot tell it."
+            )
+        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, draw(result.fit))
 
 
 def _stem(free: Free) -> str:
@@ -104,8 +114,9 @@ def _asked(outcome: FitOutcome) -> str:
                 limits = "without bounds"
         rows.append(f"<tr><td>{safe(free.key)}</td><td>free</td><td>{safe(limits)}</td><td></td></tr>")
     group, free_ones = None, {free.key for free in study.free}
+    relaxing = isinstance(study.problem, ViscoelasticIndentation)
     for given in inputs(Study("", study.problem)):
-        if given.group.startswith("load"):
+        if given.group.startswith(PLACEHOLDERS) or (relaxing and given.group == "viscoelastic indentation"):  # springs
             continue
         if given.group != group:
             group = given.group
@@ -122,15 +133,23 @@ def _asked(outcome: FitOutcome) -> str:
 
 
 def _in_words(study: FitStudy) -> str:
-    parts = {"approach": "the way in", "retract": "the way out", "both": "both ways, held points left out,"}
+    relaxing = isinstance(study.problem, ViscoelasticIndentation)
+    parts = {
+        "approach": "the way in",
+        "hold": "the way in with the hold",
+        "retract": "the way out",
+        "both": "the way in, the hold and the way out" if relaxing else "both ways, held points left out,",
+    }
     many = f"{len(study.sources)} files" if len(study.sources) != 1 else Path(study.sources[0]).name
     facts = [f"Of {many}, {parts[study.part]} was fitted."]
+    if study.fitted == "position":
+        facts.append("The measured forces drive the contact, and the positions were fitted.")
     if study.spring_constant:
         facts.append(f"The spring constant {told(study.spring_constant, 'N/m')} was given, not taken from the files.")
     if study.sensitivity:
         facts.append(f"The sensitivity {told(study.sensitivity, 'm/V')} was given.")
     if study.noise:
-        facts.append(f"The noise {told(study.noise, 'N')} was given.")
+        facts.append(f"The noise {told(study.noise, study.spread.unit)} was given.")
     return " ".join(facts)
 
 
@@ -146,7 +165,28 @@ def _steps(outcome: FitOutcome) -> str:
     return section("What was done to the curves", of_many, f"<ol>{items}</ol>", order)
 
 
+RELAXING = {
+    "force": (
+        r"d = D - D_0 - u\,t - \frac{F}{k_m}, \quad F = \int_0^{t_1} E^*(t-s)\,\mathrm{d}\Phi(d(s)), \quad "
+        r"F_i = F(t_i) + F_0 + t\,(D_i-D_0) + c_v\dot{D}_i + e_i",
+        "The measured motion drives, and the forces F are fitted; Φ(d) is the force of an elastic contact with E* = 1 "
+        "Pa. While the contact grows, t<sub>1</sub> = t; while it shrinks, nothing pressed since t<sub>1</sub> "
+        "bears: the integral of E*(t − s) dd(s) from t<sub>1</sub> to t vanishes (Ting).",
+    ),
+    "position": (
+        r"\Phi(d) = \int_0^{t} C(t-s)\,\mathrm{d}F(s), \quad D_i = D_0 + u\,t_i + d(t_i) + \frac{F_i}{k_m} + e_i",
+        "The measured forces F, less the baseline, drive a contact that grows, and the positions D are fitted; Φ(d) is "
+        "the force of an elastic contact with E* = 1 Pa, and C(t) the creep.",
+    ),
+}
+"""What is fitted where a body relaxes, in a formula and in words."""
+
+
 def _formulas(study: FitStudy) -> str:
+    if isinstance(study.problem, ViscoelasticIndentation):
+        latex, words = RELAXING[study.fitted]
+        tail = "Least squares make the residuals e small, and their own memory tells how sure the numbers are."
+        return section("The formulas", f"<p>{words} {tail}</p>", formula(latex))
     found = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
     items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in found)
     lead = formula(r"d = D - D_0 - \frac{F}{k_m}, \quad F_i = F(d_i) + F_0 + t\,(D_i-D_0) + e_i")

@@ -12,8 +12,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput, NotConverged, WinklerError
+from winkler.fitting.compare import AnyFit
 from winkler.fitting.fit import fit
-from winkler.fitting.outcome import Fit
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
 from winkler.study.canonical import digest
 from winkler.study.correcting import corrected
@@ -144,7 +144,7 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str) -> F
         return Refused(name, one.x, one.y, str(error), error.exit_code)
 
 
-def _notes(found: Fit) -> tuple[Note, ...]:
+def _notes(found: AnyFit) -> tuple[Note, ...]:
     try:
         return found.validity
     except WinklerError as error:  # the fit stands; what cannot be told about its largest depth is said
@@ -156,7 +156,7 @@ def _hash(study: FitStudy) -> str:
     content = {
         "model": digest(Study("", study.problem)),
         "free": [[free.key, list(free.given)] for free in study.free],
-        "how": [study.part, list(study.correct)],
+        "how": [study.part, study.fitted, list(study.correct)],
         "numbers": [
             str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
         ],

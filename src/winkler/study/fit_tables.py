@@ -56,9 +56,9 @@ def _single(outcome: FitOutcome, result: Fitted) -> str:
         for j in range(i)
     ]
     facts = [
-        f"{fit.curve.count} points were fitted, worth {fit.effective_count:.0f} independent ones: the noise of "
+        f"{fit.count} points were fitted, worth {fit.effective_count:.0f} independent ones: the noise of "
         "neighbours may be alike.",
-        f"The noise is {told(fit.noise, 'N')}; χ² per degree of freedom is {fit.chi_square:.3g}.",
+        f"The noise is {told(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is {fit.chi_square:.3g}.",
         f"The largest depth is {told(float(fit.depth.max()), 'm')}, with a contact radius of "
         f"{told(float(fit.radius.max()), 'm')}.",
     ]
@@ -91,10 +91,7 @@ def _many(outcome: FitOutcome) -> str:
         word = outcome.study.word(free.key)
         numbers, errors = outcome.numbers(free), outcome.errors(free)
         scale = middle_scale(word.unit, np.fmax(np.abs(numbers), errors))
-        heads.append(
-            f"#{safe(free.key.rpartition('.')[2])} {symbol(word.symbol)}"
-            + (f"<br>[{safe(scale.unit)}]" if scale.unit else "")
-        )
+        heads.append(f"#{safe(free.label)} {symbol(word.symbol)}" + (f"<br>[{safe(scale.unit)}]" if scale.unit else ""))
         bodies.append(
             [
                 number(f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "—")

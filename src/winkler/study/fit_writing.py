@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from winkler.fitting.outcome import Fit
+from winkler.fitting.viscoelastic_outcome import CreepFit
 from winkler.numerics.types import Array
 from winkler.plot.fits import Grid, grid_of
 from winkler.study.archive import heading, netcdf_attributes
@@ -34,10 +36,15 @@ __all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 FEW = 24
 """So many curves are written as text; fit.nc holds all."""
+RELAXING = {
+    "time": Word("t", "s", "time, as measured"),
+    "weight": Word("", "", "what the residual counts; zero where a point only drives"),
+}
 POINTS = {
     "position": Word("D", "m", "position as fitted, after the corrections"),
     "force": Word("F_N", "N", "measured force, after the corrections"),
     "fitted_force": Word("F_N", "N", "force of the model, with the baseline"),
+    "fitted_position": Word("D", "m", "position of the model, under the measured forces"),
     "residual": Word("", "N", "measured less fitted force"),
     "fitted_depth": Word("d", "m", "depth of the model"),
     "fitted_radius": Word("a", "m", "contact radius of the model"),
@@ -86,19 +93,29 @@ def _written(item: Any) -> Any:
 
 def _points(result: Fitted) -> dict[str, Array]:
     fit = result.fit
+    relaxing = {} if isinstance(fit, Fit) else {"time": fit.curve.time, "weight": fit.weights}
     return {
+        **relaxing,
         "position": fit.curve.position,
         "force": fit.curve.force,
-        "fitted_force": fit.predicted,
+        "fitted_position" if isinstance(fit, CreepFit) else "fitted_force": fit.predicted,
         "residual": fit.residuals,
         "fitted_depth": fit.depth,
         "fitted_radius": fit.radius,
     }
 
 
+def _point_words(result: Fitted) -> dict[str, Word]:
+    """Return symbol, unit and meaning of what `_points` gives."""
+    words = {name: (RELAXING | POINTS)[name] for name in _points(result)}
+    if isinstance(result.fit, CreepFit):
+        words["residual"] = Word("", "m", "measured less fitted position")
+    return words
+
+
 def _write_curves(outcome: FitOutcome, folder: Path) -> None:
     folder.mkdir()
-    headings = [heading(name, word) for name, word in POINTS.items()]
+    headings = [heading(name, word) for name, word in _point_words(outcome.fitted[0]).items()]
     taken: set[str] = set()
     for result in outcome.fitted[:FEW]:
         stem = re.sub(r"[^\w.+-]+", "_", result.name.replace(".csv", "")).strip("._") or "curve"
@@ -130,7 +147,8 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
     order = [free.path for free in outcome.study.free]
     correlation = np.full((len(outcome.results), len(keys), len(keys)), np.nan)
     longest = max(result.fit.curve.count for result in outcome.fitted)
-    points = {name: np.full((len(outcome.results), longest), np.nan) for name in POINTS}
+    words = _point_words(outcome.fitted[0])
+    points = {name: np.full((len(outcome.results), longest), np.nan) for name in words}
     for place, result in enumerate(outcome.results):
         if isinstance(result, Fitted):
             at = [result.fit.index(name) for name in order]
@@ -142,7 +160,7 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
         correlation,
         {"units": "1", "long_name": "correlation of the errors of two numbers"},
     )
-    variables |= {name: (("curve", "point"), points[name], netcdf_attributes(word)) for name, word in POINTS.items()}
+    variables |= {name: (("curve", "point"), points[name], netcdf_attributes(word)) for name, word in words.items()}
     return xarray.Dataset(variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text))
 
 

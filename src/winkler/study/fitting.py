@@ -25,13 +25,18 @@ from winkler.study.study import Output
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
-__all__ = ["OF_A_CURVE", "FitStudy", "Free", "word_of"]
+__all__ = ["OF_A_CURVE", "OF_A_TIMED_CURVE", "FitStudy", "Free", "word_of"]
 
 OF_A_CURVE = {
     "contact_point": Word("D_0", "m", "position at which the curve first touches"),
     "baseline": Word("F_0", "N", "force out of contact"),
     "tilt": Word("t", "N/m", "change of the baseline with the position"),
 }
+OF_A_TIMED_CURVE = OF_A_CURVE | {
+    "drift": Word("u", "m/s", "drift of the position"),
+    "drag": Word("c_v", "N s/m", "drag of the liquid on the cantilever, over its velocity"),
+}
+"""What a curve leaves open where the model relaxes."""
 
 
 @value
@@ -41,7 +46,8 @@ class Free:
     Parameters
     ----------
     key
-        As it stands in the study: ``problem.bed.medium.first.young``, or contact_point, baseline, tilt.
+        As it stands in the study: ``problem.bed.medium.first.young``, or contact_point, baseline, tilt; of a body
+        that relaxes also drift and drag.
     given : tuple of float
         ``(low, high)``, ``(start,)``, or nothing; SI.
     """
@@ -53,6 +59,11 @@ class Free:
     def path(self) -> str:
         """The name that `winkler.fitting.fit.fit` knows it by."""
         return re.sub(r"\.(\d+)(?=\.|$)", r"[\1]", self.key.removeprefix("problem."))
+
+    @property
+    def label(self) -> str:
+        """Its last name, with its number in a row."""
+        return re.sub(r"^.*?(\w+(\.\d+)*)$", r"\1", self.key)
 
     @property
     def asked(self) -> tuple[float, ...] | float:
@@ -75,7 +86,9 @@ class FitStudy:
     free : tuple of Free
         What is fitted.
     part
-        approach, retract or both.
+        approach, hold (with the approach), retract or both.
+    fitted
+        force, or of a body that relaxes position, under the measured forces.
     correct : tuple of str
         Corrections in their order.
     spring_constant, sensitivity
@@ -83,7 +96,7 @@ class FitStudy:
     frame_stiffness
         [N/m].
     noise
-        [N], zero: read from the curves.
+        [N], or [m] where positions are fitted; zero: read from the curves.
     output
         What is written.
     text
@@ -97,6 +110,7 @@ class FitStudy:
     sources: tuple[str, ...]
     free: tuple[Free, ...]
     part: str = "approach"
+    fitted: str = "force"
     correct: tuple[str, ...] = ()
     spring_constant: float = 0.0
     sensitivity: float = 0.0
@@ -106,6 +120,12 @@ class FitStudy:
     text: str = ""
     folder: str = "."
 
+    @property
+    def spread(self) -> Word:
+        """Symbol, unit and meaning of the noise."""
+        unit = "N" if self.fitted == "force" else "m"
+        return Word("", unit, f"standard deviation of the {self.fitted}")
+
     def word(self, key: str) -> Word:
         """Return symbol, unit and meaning of a free number."""
         return word_of(self.problem, key)
@@ -113,8 +133,8 @@ class FitStudy:
 
 def word_of(problem: Any, key: str) -> Word:
     """Return symbol, unit and meaning of a number that is free in `problem`, by its key in the study."""
-    if key in OF_A_CURVE:
-        return OF_A_CURVE[key]
+    if key in OF_A_TIMED_CURVE:
+        return OF_A_TIMED_CURVE[key]
     told = keys.word_at(problem, key.removeprefix("problem."))
     return told._replace(unit=_unit(problem, key))
 

@@ -41,19 +41,22 @@ SECTIONS: dict[str, dict[str, str]] = {
     },
     "fit": {
         "curve": "a file, a folder or a pattern such as 'gel/*.csv', relative to the study",
-        "part": "approach, retract or both",
+        "part": "approach, hold (with the approach, of a body that relaxes), retract or both",
+        "fitted": "force, or of a body that relaxes position, which then follows from the measured forces",
         "free": "what is fitted: a table, one key of the problem or of the curve in each line",
         "spring_constant": "of the cantilever, where the file does not tell it; taken in place of the file's",
         "sensitivity": "deflection per volt, where the file holds a voltage",
         "frame_stiffness": "of the frame of the machine, which gives way too",
         "correct": "corrections in their order: a list of baseline, drift, drag, saturation",
-        "noise": "standard deviation of the force; read from the points out of contact if left out",
+        "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
     },
     "fit.free": {
         '"problem.bed.medium.first.young"': "a number of the problem: bounds as a list of two, a start, or true",
         "contact_point": "where the curve first touches: the same",
         "baseline": "force out of contact: the same",
         "tilt": "change of the baseline with the position: the same",
+        "drift": "of the position, of a body that relaxes: the same",
+        "drag": "of a liquid on the cantilever, over its velocity, of a body that relaxes: the same",
     },
     "output": {
         "folder": "folder of the results; results/NAME if left out",
@@ -74,7 +77,8 @@ SECTIONS: dict[str, dict[str, str]] = {
 """Section -> key -> what it says."""
 
 
-PART: Any = Literal["approach", "retract", "both"]
+PART: Any = Literal["approach", "hold", "retract", "both"]
+FIT: Any = Literal["force", "position"]
 
 
 def places(raw: Any) -> Places:
@@ -201,12 +205,13 @@ def study_form() -> type[BaseModel]:
         __config__=FORBID,
         curve=(StrictStr, ...),
         part=(PART, ...),
+        fitted=(FIT, MISSING),
         free=(dict[str, Any], ...),
         spring_constant=(_positive("N/m"), MISSING),
         sensitivity=(_positive("m/V"), MISSING),
         frame_stiffness=(_positive("N/m"), MISSING),
         correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
-        noise=(_positive("N"), MISSING),
+        noise=(Any, MISSING),
     )
     expect = create_model(
         "expect",

@@ -1,0 +1,112 @@
+"""What every fit can be asked about its numbers: values, errors, intervals, and what they are worth against others."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.special import stdtrit
+
+from winkler.errors import InvalidInput, suggest
+from winkler.numerics.types import Array
+
+__all__ = ["Estimate"]
+
+
+class Estimate:
+    """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
+
+    names: tuple[str, ...]
+    values: Array
+    standard_errors: Array
+    correlation: Array
+    noise: float
+    weights: Array
+    effective_count: float
+
+    @property
+    def residuals(self) -> Array:
+        """What was measured less what is fitted ``(n,)``."""
+        raise NotImplementedError
+
+    @property
+    def _on_logarithm(self) -> tuple[bool, ...]:
+        """Of which numbers the logarithm was varied ``(p,)``."""
+        raise NotImplementedError
+
+    def index(self, name: str) -> int:
+        """Return which of the numbers has a name.
+
+        Raises
+        ------
+        InvalidInput
+            If none has.
+        """
+        if name not in self.names:
+            raise InvalidInput(f"fit: '{name}' was not free{suggest(name, self.names)}; {', '.join(self.names)} were.")
+        return self.names.index(name)
+
+    def value(self, name: str) -> float:
+        """Return a fitted number."""
+        return float(self.values[self.index(name)])
+
+    def error(self, name: str) -> float:
+        """Return the standard error of a fitted number."""
+        return float(self.standard_errors[self.index(name)])
+
+    def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
+        """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
+
+        Parameters
+        ----------
+        name : str
+        confidence : float
+            Between 0 and 1.
+        """
+        index = self.index(name)
+        number, error = float(self.values[index]), float(self.standard_errors[index])
+        width = self.quantile(confidence)
+        if self._on_logarithm[index]:
+            return number * math.exp(-width * error / number), number * math.exp(width * error / number)
+        return number - width * error, number + width * error
+
+    def quantile(self, confidence: float) -> float:
+        """Return how many standard errors wide an interval is on either side, by Student's t."""
+        if not 0.0 < confidence < 1.0:
+            raise InvalidInput(f"fit: a confidence of {confidence!r} was asked for; give a number between 0 and 1.")
+        return float(stdtrit(max(self.effective_count - len(self.names), 1.0), 0.5 + 0.5 * confidence))
+
+    @property
+    def covariance(self) -> Array:
+        """Of the numbers, in products of their units ``(p, p)``."""
+        return np.asarray(self.correlation * np.outer(self.standard_errors, self.standard_errors))
+
+    @property
+    def misfit(self) -> float:
+        """Sum of the squared weighted residuals."""
+        return float(np.sum((self.weights * self.residuals) ** 2))
+
+    @property
+    def chi_square(self) -> float:
+        """Squared misfit over the noise, per degree of freedom: near one if the model explains the curve."""
+        return self.misfit / max(self.count - len(self.names), 1) / self.noise**2
+
+    @property
+    def aic(self) -> float:
+        """Akaike's criterion, of as many points as the curve is worth; models of one curve compare by `compare`."""
+        return _likelihood(self) + 2.0 * len(self.names)
+
+    @property
+    def bic(self) -> float:
+        """Schwarz' criterion, of as many points as the curve is worth."""
+        return _likelihood(self) + math.log(self.effective_count) * len(self.names)
+
+    @property
+    def count(self) -> int:
+        """How many points were fitted."""
+        return int(np.count_nonzero(self.weights))
+
+
+def _likelihood(fit: Estimate) -> float:
+    """Return minus twice the logarithm of the likelihood, but for a constant."""
+    return fit.effective_count * math.log(fit.misfit / fit.count)

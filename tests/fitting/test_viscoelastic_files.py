@@ -1,0 +1,78 @@
+"""Creep, relaxation and a loop as microscopes wrote them: read with all segments, and fitted to what is left over."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from relaxing_curves import FIRST, model
+
+import winkler as wk
+from winkler.fitting.fit import fit
+from winkler.io.curves import read_curve
+from winkler.materials.fractional import PowerLawSolid
+from winkler.materials.viscoelastic import Prony
+
+ROWS = [f"{FIRST}{field}" for field in ("relaxed_shear", "shears", "relaxation_times")]
+IN = ["contact_point", "baseline"]
+
+
+@pytest.fixture(scope="module")
+def measured():
+    pytest.importorskip("afmformats")
+
+    def read(folder, name):
+        return read_curve(folder / "force_curves" / name)
+
+    return read
+
+
+def test_creep_of_a_polymer_gel(measured, shared_data):
+    """Three relaxation times leave white noise of 0.9 nm, the scatter of the height; two leave a course."""
+    curve = measured(shared_data, "fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force")
+    assert [(int(part.direction[0]), part.count) for part in curve.parts] == [(1, 3000), (0, 3000), (-1, 3000)]
+    curve = curve.chosen(curve.direction >= 0.0)
+    curve = curve.chosen(np.r_[2600:6000:2])
+    found = fit(curve, model(Prony(1e2, [1e3] * 3, [0.1, 1.0, 10.0]), wk.Force), free=[*ROWS, *IN])
+    fine = np.std(np.diff(curve.position[curve.direction == 0.0])) / np.sqrt(2.0)
+    assert found.scatter < 1.2 * fine
+    assert found.scatter == pytest.approx(0.88e-9, rel=0.1)
+    assert found.effective_count > 200.0
+    solid = found.model.bed.medium.first
+    assert solid.relaxed_shear == pytest.approx(419.0, rel=0.02)
+    assert 1.3 < float(solid.relaxation(1e-3)) / solid.relaxed_shear < 1.8
+    assert np.all(solid.relaxation_times < 3.0)  # the hold takes 3 s
+    assert found.value("contact_point") == pytest.approx(-27.1e-6, abs=0.05e-6)
+    assert not {flag.name for flag in found.flags}
+    held = found.weights * (curve.direction == 0.0) > 0.0
+    elastic = fit(curve, model(Prony(1e2, [1e3], [1e4]), wk.Force), free=[ROWS[0], *IN])
+    assert np.std(elastic.residuals[held]) > 10.0 * np.std(found.residuals[held])
+
+
+def test_relaxation_of_cells(measured, shared_data):
+    """The force falls by two thirds within 30 s, nearly as one exponential; the rest of the shape is not a bead's."""
+    curve = measured(shared_data, "fmt-jpk-sr_cell1-0008.jpk-force")
+    curve = curve.chosen((curve.direction >= 0.0) & (curve.time >= 1.0))
+    curve = curve.chosen(np.r_[0 : curve.count : 4])
+    found = fit(curve, model(Prony(1e2, [1e3], [1.0])), free=[*ROWS, *IN])
+    held = curve.direction == 0.0
+    assert np.std(found.residuals) < 0.035 * np.ptp(curve.force)
+    assert np.std(found.residuals[held & (curve.time > 3.0)]) < 0.02 * np.ptp(curve.force)
+    solid = found.model.bed.medium.first
+    assert 1.5 < float(solid.relaxation_times[0]) < 6.0
+    assert 0.2 < solid.relaxed_shear / float(solid.relaxation(1e-3)) < 0.5
+    # the curve begins in contact, and says so
+    assert {"no_baseline", "memory"} <= {flag.name for flag in found.flags}
+
+
+def test_a_loop_as_a_power_law(measured, shared_data):
+    """A weak power law through a liquid that drags; what sticks on the way out is not explained, and is told."""
+    curve = measured(shared_data, "fmt-jpk-fd_spot3-0192.jpk-force")
+    far = model(PowerLawSolid(1e3, 1.0, 0.2, shortest=1e-4, longest=20.0))
+    found = fit(curve, far, free=[f"{FIRST}shear", f"{FIRST}exponent", *IN, "tilt", "drag"])
+    assert found.scatter == pytest.approx(41e-12, rel=0.1)
+    assert found.scatter < 0.012 * np.ptp(curve.force)
+    assert 0.02 < found.value(f"{FIRST}exponent") < 0.12
+    assert found.value("drag") * 5e-6 == pytest.approx(47e-12, rel=0.3)  # N at 5 um/s
+    assert "memory" in {flag.name for flag in found.flags}
+    plain = fit(curve, far, free=[f"{FIRST}shear", f"{FIRST}exponent", *IN])
+    assert "drag" in {flag.name for flag in plain.flags}
