@@ -1,0 +1,80 @@
+r"""Creepage: how much faster than mere rolling one body moves over the other, per distance rolled.
+
+While a pair rolls with the speed V along +x, the second body slips over the first, at the place (x, y) of the contact
+and were both rigid, with the velocity
+
+.. math:: w_x = V\,(\xi - \varphi\,y), \qquad w_y = V\,(\eta + \varphi\,x) .
+
+The traction with which the second body drags the first points the way it slips: a positive creepage makes a positive
+force.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array, Quantity
+from winkler.values import value
+
+__all__ = ["Creepage"]
+
+MOST = 1e9
+"""Beyond it nothing rolls any more."""
+UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
+
+
+@value
+class Creepage:
+    """The creepages of a rolling pair: slip of the second body over the first, over the speed of rolling.
+
+    Parameters
+    ----------
+    longitudinal : float or ndarray, optional
+        xi [-], along the direction of rolling; positive drags the first body along +x.
+    lateral : float or ndarray, optional
+        eta [-], across it.
+    spin : float or ndarray, optional
+        phi [1/m], rotation about the normal of the contact per distance rolled.
+
+    All three may be arrays, of shapes that fit each other; the answers then have the common shape.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not finite or beyond 1e9, or the shapes do not fit.
+
+    References
+    ----------
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9
+    """
+
+    longitudinal: Quantity = 0.0
+    lateral: Quantity = 0.0
+    spin: Quantity = 0.0
+
+    def __post_init__(self) -> None:
+        for word, unit in UNITS.items():
+            given = np.asarray(getattr(self, word))
+            if given.dtype.kind not in "fiu" or given.size == 0 or not np.all(np.abs(given) <= MOST):
+                raise InvalidInput(
+                    f"Creepage: {word} is {getattr(self, word)!r}; give a number{unit}, or an array of "
+                    f"them, of at most {MOST:g}."
+                )
+        try:
+            np.broadcast_shapes(*(np.shape(getattr(self, word)) for word in UNITS))
+        except ValueError:
+            shapes = ", ".join(f"{word} {np.shape(getattr(self, word))}" for word in UNITS)
+            raise InvalidInput(f"Creepage: the shapes do not fit each other: {shapes}; give one shape.") from None
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The common shape; empty for one creepage."""
+        return np.broadcast_shapes(*(np.shape(getattr(self, word)) for word in UNITS))
+
+    def broadcast(self) -> tuple[Array, Array, Array]:
+        """Return xi, eta and phi, each ``(m,)``: the common shape, flattened."""
+        along, across, turning = np.broadcast_arrays(
+            *(np.asarray(part, dtype=float) for part in (self.longitudinal, self.lateral, self.spin))
+        )
+        return along.ravel(), across.ravel(), turning.ravel()

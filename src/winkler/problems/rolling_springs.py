@@ -1,0 +1,71 @@
+"""The springs of a pressed contact, sampled for a march: what each can bear, and the length it stands for."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array
+from winkler.problems.rolling_line import RollingLine
+
+__all__ = ["RollingSprings", "check_count", "springs"]
+
+
+class RollingSprings(NamedTuple):
+    """Springs of a contact, so far apart as the contact moves in one step.
+
+    Parameters
+    ----------
+    x : ndarray, (n,)
+        Where they stand [m], even about the axis.
+    bound, weight : ndarray, (n,)
+        mu q_z [N/m], the mean over the length each stands for [m].
+    part : float
+        How much of a step a spring takes part in that comes in within it [-].
+    """
+
+    x: Array
+    bound: Array
+    weight: Array
+    part: float
+
+
+def springs(line: RollingLine, way: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
+    """Return springs for a contact that moves `way` in so many pieces, and the steps of one piece.
+
+    Parameters
+    ----------
+    line : RollingLine
+    way : float
+        [m], positive.
+    pieces : int
+        After each of which the contact is looked at.
+    count : int
+        Springs on half of the contact, at least.
+    """
+    a = line.radius
+    steps = max(1, math.ceil(way / pieces * count / a))
+    apart = way / pieces / steps
+    half = math.floor(a / apart * (1.0 + 1e-12))
+    x = apart * np.arange(-half, half + 1)
+    left = max(a - apart * half, 0.0)
+    weight = np.full(x.size, apart)
+    weight[0] = weight[-1] = 0.5 * apart + left
+    # the mean bound of what a spring stands for: at the edge, where it falls to nothing, one place would not tell it
+    cuts = np.concatenate([[-a], x[:-1] + 0.5 * apart, [a]])
+    bound = np.maximum(line.bearing(cuts[:-1], cuts[1:]), 0.0) / weight
+    return RollingSprings(x, bound, weight, left / apart), steps
+
+
+def check_count(owner: str, word: str, number: int, least: int, most: int) -> None:
+    """Refuse what is no whole number within bounds.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
+        raise InvalidInput(f"{owner}: {word} is {number!r}; give a whole number from {least} to {most}.")
