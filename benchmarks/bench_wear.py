@@ -1,0 +1,50 @@
+"""Wear: ten thousand cycles on the finest grid of daily use, and what one look at the worn contact takes.
+
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.problems.wear_line import WearLine
+
+pytestmark = pytest.mark.bench
+
+COUNT = 400
+MU = 0.5
+
+
+def fretting(medium: wk.HalfSpace, rate: float) -> wk.FrettingWear:
+    """Return ten thousand cycles of a steel ball that sticks within half of its contact."""
+    bed = wk.Foundation(wk.Paraboloid(10e-3), medium)
+    swing = wk.Shift(MU * medium.modulus / medium.shear_modulus * 0.75e-6)
+    cycles = np.array([0.0, 100.0, 1000.0, 10000.0])
+    return wk.FrettingWear(bed, wk.Archard(rate), wk.Coulomb(MU), wk.Depth(1e-6), swing, cycles, count=COUNT)
+
+
+@pytest.mark.parametrize("rate", [1e-14, 1e-12, 1e-10], ids=["hardly worn", "half worn", "to the limit"])
+def bench_ten_thousand_cycles(benchmark, below, steel_on_steel, rate):
+    """From the first cycle until the ring bears nothing any more: under 20 s."""
+    problem = fretting(steel_on_steel, rate)
+    worn = benchmark.pedantic(problem.solve, rounds=1, warmup_rounds=0)
+    assert worn.worn_volume[-1] > 0.0
+    below(20.0, f"10,000 cycles of fretting on {COUNT} rings, rate {rate:g} 1/Pa")
+
+
+def bench_one_look(benchmark, below, steel_on_steel):
+    """Depth, pressure and slip of a worn profile: under 2 ms."""
+    problem = fretting(steel_on_steel, 1e-14)
+    state = next(problem.steps())
+    line = WearLine(problem.bed, state.radii)
+    worn = 1e-3 * state.height
+
+    def look():
+        contact = line.press(worn, problem.normal)
+        return line.rub(contact, MU, float(problem.amplitude.shift))
+
+    look()
+    benchmark.pedantic(look, rounds=200, warmup_rounds=5)
+    below(2e-3, f"pressure and slip on {COUNT} rings")

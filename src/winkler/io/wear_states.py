@@ -1,0 +1,104 @@
+"""States of wear, kept in a file: a march that was stopped goes on from the last, with the same numbers."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import zipfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.foundation import Foundation
+from winkler.problems.wear_states import FrettingState, WearState
+
+__all__ = ["read_wear", "write_wear"]
+
+FORMAT = "winkler wear 1"
+KINDS: dict[str, type[WearState]] = {"sliding": WearState, "fretting": FrettingState}
+
+
+def _words(kind: type[WearState]) -> tuple[str, ...]:
+    return tuple(field.name for field in dataclasses.fields(kind) if field.name != "bed")
+
+
+def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Path:
+    """Keep states of wear; a file of that name is replaced only once the new one is whole.
+
+    Parameters
+    ----------
+    states : sequence of WearState or FrettingState
+        Of one problem, in their order; at least one.
+    path : str or path
+        The file, of NumPy's kind ``.npz``.
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InvalidInput
+        If there is no state, or the file cannot be written.
+    """
+    path = Path(path)
+    if not states:
+        raise InvalidInput(f"{path}: there is no state to keep; give at least one.")
+    kind = next(name for name, cls in KINDS.items() if type(states[0]) is cls)
+    rows: dict[str, Any] = {word: np.array([getattr(state, word) for state in states]) for word in _words(KINDS[kind])}
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with partial.open("wb") as file:
+            np.savez(file, allow_pickle=False, format=np.array(FORMAT), kind=np.array(kind), **rows)
+            file.flush()
+            os.fsync(file.fileno())
+        partial.replace(path)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise InvalidInput(
+            f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
+        ) from None
+    except BaseException:
+        partial.unlink(missing_ok=True)
+        raise
+    return path
+
+
+def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState, ...]:
+    """Return states of wear as they were kept.
+
+    Parameters
+    ----------
+    bed : Foundation
+        The springs before wear, of the problem whose states they are.
+    path : str or path
+        A file that `write_wear` wrote.
+
+    Returns
+    -------
+    tuple of WearState or FrettingState
+        The last is the one to go on from: ``problem.steps(start=states[-1])``.
+
+    Raises
+    ------
+    InvalidInput
+        If the file is missing, broken, or of another kind.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            said, kind = str(stored["format"]), KINDS[str(stored["kind"])]
+            rows = {word: stored[word] for word in _words(kind)}
+    except (OSError, ValueError, KeyError, EOFError, TypeError, zipfile.BadZipFile) as error:
+        raise InvalidInput(f"{path}: no wear can be read from it ({error}); give a file of write_wear.") from None
+    if said != FORMAT:
+        raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
+    count = len(rows["elapsed"])
+
+    def state(i: int) -> WearState:
+        content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows.items()}
+        return kind(bed, **content)
+
+    return tuple(state(i) for i in range(count))

@@ -1,0 +1,126 @@
+r"""Wear: how deep a surface is worn down where it slips under pressure.
+
+Archard (Reye, Preston): the worn depth grows with pressure and slip,
+
+.. math:: \mathrm df(r) = \kappa\,p(r)\,\mathrm ds(r) ,
+
+where :math:`\kappa` is the wear coefficient over the hardness, often told in mm^3 per N and m.  Where both surfaces
+wear, only the sum of what both lose changes the contact.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["Archard", "OwnWear", "PairWear", "WearLaw", "worn_by"]
+
+
+@value
+class Archard:
+    """Wear in proportion to pressure and slip.
+
+    Parameters
+    ----------
+    rate : float
+        Worn volume per force and slip [1/Pa], positive; 1 mm^3/(N m) is 1e-9 1/Pa.
+
+    Raises
+    ------
+    InvalidInput
+        If it is not positive and finite.
+
+    References
+    ----------
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
+    """
+
+    rate: float
+
+    def __post_init__(self) -> None:
+        if isinstance(self.rate, bool) or not isinstance(self.rate, int | float) or not 0.0 < self.rate < math.inf:
+            raise InvalidInput(
+                f"Archard: the rate is {self.rate!r}; give a positive, finite number in 1/Pa (1 mm^3/(N m) is 1e-9)."
+            )
+
+    def depth_per_slip(self, pressure: Array) -> Array:
+        """Worn depth per slip [-] under pressures [Pa]."""
+        return np.asarray(self.rate * pressure)
+
+
+@runtime_checkable
+class OwnWear(Protocol):
+    """A law of wear of one's own, spoken to its implementer.
+
+    It holds for every point of the surface by itself, and is asked in numpy.  Make it a value (frozen, equal by
+    content).
+    """
+
+    def depth_per_slip(self, pressure: Array) -> Array:
+        """Return the worn depth per slip [-] under pressures [Pa]; same shape, not negative, finite."""
+        ...
+
+
+@value
+class PairWear:
+    """Both surfaces wear, each by a law of its own.
+
+    Parameters
+    ----------
+    first : Archard or OwnWear
+        The body below (z > 0).
+    second : Archard or OwnWear
+        The body above.
+
+    Raises
+    ------
+    InvalidInput
+        If one of them is no law of wear.
+    """
+
+    first: Archard | OwnWear
+    second: Archard | OwnWear
+
+    def __post_init__(self) -> None:
+        for word, law in (("first", self.first), ("second", self.second)):
+            if not isinstance(law, OwnWear):
+                raise InvalidInput(
+                    f"PairWear: {word} is a {type(law).__name__}; give Archard(rate), or a law with a method "
+                    "depth_per_slip(pressure)."
+                )
+
+
+WearLaw = Archard | PairWear | OwnWear
+"""How surfaces may wear; one law alone is that of the first body, and the second does not wear."""
+
+
+def worn_by(law: WearLaw, pressure: Array) -> tuple[Array, Array]:
+    """Return what the first and the second body lose per slip [-] under pressures [Pa].
+
+    Raises
+    ------
+    InvalidInput
+        If a law of one's own answers with anything but one number for each pressure, not negative and finite.
+    """
+    if isinstance(law, PairWear):
+        return _asked(law.first, pressure), _asked(law.second, pressure)
+    return _asked(law, pressure), np.zeros(pressure.shape)
+
+
+def _asked(law: Archard | OwnWear, pressure: Array) -> Array:
+    if isinstance(law, Archard):
+        return law.depth_per_slip(pressure)
+    worn = np.asarray(law.depth_per_slip(pressure), dtype=float)
+    if worn.shape != pressure.shape or not np.all(np.isfinite(worn)) or np.any(worn < 0.0):
+        raise InvalidInput(
+            f"{type(law).__name__}.depth_per_slip must return one number for each of the {pressure.size} pressures, "
+            "finite and not negative."
+        )
+    # where nothing presses nothing is worn, whatever a law says of no pressure
+    return np.where(pressure > 0.0, worn, 0.0)

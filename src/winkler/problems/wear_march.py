@@ -1,0 +1,243 @@
+r"""How a worn profile is followed: in jumps over many cycles, as long as the error and the shortest waves allow.
+
+What is worn off spreads the pressure, the faster the shorter its waves; a jump that is too long for them would blow up.
+The jumps are steps of a method that is stable for them (`winkler.numerics.stabilised`); each tells its own error, and
+one that is too inaccurate is taken again, shorter.  The grid is fixed while the contact stays on it, finest beside the
+core that sticks, and follows a contact that grows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.foundation.foundation import Foundation
+from winkler.laws.wear import WearLaw, worn_by
+from winkler.loading import Depth, Normal
+from winkler.numerics.bracketing import between
+from winkler.numerics.ring_transforms import ring_means
+from winkler.numerics.stabilised import MOST_STAGES, longest, stages_for, step, step_error
+from winkler.numerics.types import Array
+from winkler.problems.wear_line import WearLine, WornContact, wear_line
+
+__all__ = ["Moment", "Wearing", "first_nodes", "march", "scale_of"]
+
+FIRST = 2e-3
+"""Part of the depth that the first jump wears off."""
+MARGIN = 1.2
+"""On the fastest rate, which is a bound for steady slip; slip grows where wear sets in."""
+CROWDED = 0.95
+"""Part of the grid at which a growing contact gets a wider one."""
+GROWTH = 1.5
+SMALL = 1e-2
+"""Part of the error allowed in a jump that may be worn off at once, without looking."""
+SHORTEST = 1e-13
+"""Part of a way at which jumps are given up."""
+
+
+class Moment(NamedTuple):
+    """How far wear has come.
+
+    Parameters
+    ----------
+    elapsed : float
+        Cycles, or distance [m].
+    jump : float
+        How far the next jump would go.
+    nodes : ndarray, (n,)
+        r [m].
+    worn : ndarray, (2, n)
+        What the first and the second body have lost [m].
+    """
+
+    elapsed: float
+    jump: float
+    nodes: Array
+    worn: Array
+
+
+class Wearing(Protocol):
+    """What the march needs of a problem."""
+
+    @property
+    def bed(self) -> Foundation:
+        """The springs before wear."""
+        ...
+
+    @property
+    def wear(self) -> WearLaw:
+        """The law of wear."""
+        ...
+
+    @property
+    def normal(self) -> Normal:
+        """The steady normal load."""
+        ...
+
+    @property
+    def tolerance(self) -> float:
+        """Error of the worn depth in one jump, over the depth."""
+        ...
+
+    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+        """Return how far the surfaces slip at the nodes, over one cycle [m] or one metre of sliding [-]."""
+        ...
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse a contact that cannot go on."""
+        ...
+
+
+def first_nodes(bed: Foundation, normal: Normal, radius: float, core: float, count: int) -> Array:
+    """Return the nodes on which a contact begins to wear.
+
+    Parameters
+    ----------
+    bed : Foundation
+    normal : Depth or Force
+        At a depth the contact never grows beyond where the profile is as high; there the grid ends.
+    radius, core : float
+        Contact and stick radius before wear [m].
+    count : int
+        How many nodes beside the axis.
+    """
+    if isinstance(normal, Depth) and radius < bed.rim:
+        depth = float(normal.depth)
+        high = GROWTH * radius
+        while high < bed.reach and float(bed.height(np.array([min(high, bed.reach)]))[0]) < depth:
+            high *= GROWTH
+        high = min(high, bed.reach, bed.rim)
+        if float(bed.height(np.array([high]))[0]) > depth:
+            found = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
+            high = min(1.02 * float(found[0]), bed.reach, bed.rim)
+    else:
+        high = min(GROWTH * radius, bed.reach, bed.rim)
+    return _nodes(core, high, bed.rim, count)
+
+
+def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
+    """Return radii from the axis to `reach`: close together beyond a core that sticks, and below a rim."""
+    if reach == rim:
+        nodes = reach * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, count + 1))
+        nodes[-1] = reach
+        return nodes
+    if not 0.0 < core < 0.98 * reach:
+        return np.linspace(0.0, reach, count + 1)
+    inner = min(max(round(count * core / reach), count // 8), count - count // 8)
+    inside = np.linspace(0.0, core, inner + 1)[:-1]
+    return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
+
+
+def march(problem: Wearing, goals: Array, moment: Moment) -> Iterator[Moment]:
+    """Yield how far wear has come, at every goal beyond where it begins.
+
+    Parameters
+    ----------
+    problem : FrettingWear or SlidingWear
+    goals : ndarray, (steps,)
+        Cycles or distances [m], rising.
+    moment : Moment
+        Where it begins; with a jump of zero, for the first time.
+
+    Raises
+    ------
+    OutsideValidity
+        If the contact outgrows the profile, or the bodies slide away; what was reached before has been yielded.
+    NotConverged
+        If jumps become too short to go on.
+    """
+    for goal in goals[goals > moment.elapsed]:
+        moment = _advance(problem, moment, float(goal))
+        yield moment
+
+
+def _advance(problem: Wearing, moment: Moment, goal: float) -> Moment:
+    """Go on to a goal."""
+    elapsed, jump, nodes, worn = moment
+    line = wear_line(problem.bed, nodes)
+    contact = line.press(worn.sum(axis=0), problem.normal)
+    problem.refuse(contact, elapsed)
+
+    def rates(state: Array) -> Array:
+        there = line.press(state.sum(axis=0), problem.normal)
+        return np.stack(worn_by(problem.wear, there.pressure)) * problem.slipped(line, there)
+
+    first = rates(worn)
+    begun = elapsed
+    while elapsed < goal:
+        fastest = float(np.max(first))
+        scale = problem.tolerance * scale_of(problem, contact)
+        if fastest * (goal - elapsed) <= SMALL * scale:
+            return Moment(goal, jump, nodes, worn + (goal - elapsed) * first)
+        damping = MARGIN * _damping(problem, line, contact)
+        wanted = jump if jump > 0.0 else FIRST * contact.depth / fastest
+        length = min(wanted, longest(MOST_STAGES, damping), goal - elapsed)
+        if length < SHORTEST * max(goal - begun, elapsed) and length < goal - elapsed:
+            raise NotConverged(
+                f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "
+                "tolerance."
+            )
+        try:
+            with np.errstate(over="raise", invalid="raise"):
+                end = step(rates, worn, first, length, stages_for(length, damping))
+                last = rates(end)
+        except (FloatingPointError, NotConverged):
+            jump = 0.1 * length
+            continue
+        error = float(np.max(np.abs(step_error(worn, end, first, last, length).sum(axis=0)))) / scale
+        if not error <= 1.0:
+            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else 0.1)
+            continue
+        grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
+        # a goal that was near does not tell how far the next jump may go
+        jump = max(grown, wanted) if length == goal - elapsed else grown
+        elapsed = goal if length == goal - elapsed else elapsed + length
+        # what is worn off does not come back, whatever rounding says
+        back = np.any(end < worn)
+        worn = np.maximum(end, worn) if back else end
+        contact = line.press(worn.sum(axis=0), problem.normal)
+        problem.refuse(contact, elapsed)
+        crowded = _crowded(problem.bed, contact, nodes)
+        if crowded:
+            nodes, worn = _wider(problem.bed, nodes, worn)
+            line = wear_line(problem.bed, nodes)
+            contact = line.press(worn.sum(axis=0), problem.normal)
+        first = rates(worn) if crowded or back else last
+    return Moment(elapsed, jump, nodes, worn)
+
+
+def scale_of(problem: Wearing, contact: WornContact) -> float:
+    """Return the displacement [m] in terms of which errors count."""
+    return contact.depth if isinstance(problem.normal, Depth) else float(np.max(contact.stretch))
+
+
+def _damping(problem: Wearing, line: WearLine, contact: WornContact) -> float:
+    """Return a bound of how fast the shortest waves of the pressure decay."""
+    near = 1e-6 * float(np.max(contact.pressure))
+    here, there = (np.sum(worn_by(problem.wear, contact.pressure + more), axis=0) for more in (0.0, near))
+    return float(np.max((there - here) / near * problem.slipped(line, contact) * line.answer))
+
+
+def _crowded(bed: Foundation, contact: WornContact, nodes: Array) -> bool:
+    """Return whether a contact needs a wider grid; refuse one that outgrows its profile."""
+    end = min(bed.reach, bed.rim)
+    if nodes[-1] < end:
+        return bool(contact.radius > CROWDED * nodes[-1])
+    if nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
+        raise OutsideValidity(
+            f"Wear: the contact grows beyond {nodes[-1]:.6g} m, as far as the profile is known; give one that is known "
+            "farther out, or wear less."
+        )
+    return False
+
+
+def _wider(bed: Foundation, nodes: Array, worn: Array) -> tuple[Array, Array]:
+    """Return a wider grid, and what was worn on it."""
+    reach = min(GROWTH * float(nodes[-1]), bed.reach, bed.rim)
+    # the core has moved by then: a grid of even steps serves as well
+    wide = _nodes(0.0, reach, bed.rim, nodes.size - 1)
+    return wide, np.stack([ring_means(nodes**2, row, wide**2) for row in worn])

@@ -1,0 +1,71 @@
+"""What a long march has reached, kept beside its results while it runs: one that was killed goes on where it was.
+
+The file is hidden, belongs to one question (its name holds the hash of the problem), is replaced whole after every
+state, and is removed when the results are written.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from typing import Any
+
+from winkler.errors import InvalidInput
+from winkler.io.wear_states import read_wear, write_wear
+from winkler.problems.fretting_wear import FrettingWear
+from winkler.problems.sliding_wear import SlidingWear
+from winkler.study.canonical import digest_of
+from winkler.values import value
+
+__all__ = ["KEPT", "Keep"]
+
+KEPT = (FrettingWear, SlidingWear)
+"""Problems whose march goes on from a state."""
+ENDING = ".states.npz"
+
+
+@value
+class Keep:
+    """Where states are kept.
+
+    Parameters
+    ----------
+    folder : str
+        An existing folder.
+    stem : str
+        How the names of the files begin: that of the folder of results.
+    """
+
+    folder: str
+    stem: str
+
+    @classmethod
+    def beside(cls, results: Path) -> Keep:
+        """Return the place beside a folder of results."""
+        return cls(str(results.parent), results.name)
+
+    def path(self, problem: Any) -> Path:
+        """Return the file of a problem."""
+        return Path(self.folder) / f".{self.stem}.{digest_of(problem)[:16]}{ENDING}"
+
+    def reached(self, problem: Any) -> list[Any]:
+        """Return the states that an earlier run has reached; none if there was none, or its file is spoilt."""
+        path = self.path(problem)
+        if not isinstance(problem, KEPT) or not path.exists():
+            return []
+        try:
+            return list(read_wear(problem.bed, path))
+        except InvalidInput:  # of another version: it begins anew
+            return []
+
+    def write(self, problem: Any, states: list[Any]) -> None:
+        """Keep the states of a march so far, where it can go on from them."""
+        if isinstance(problem, KEPT) and Path(self.folder).is_dir():
+            write_wear(states, self.path(problem))
+
+    def clear(self, problems: list[Any]) -> None:
+        """Remove the files of these problems: their results are written."""
+        for problem in problems:
+            if isinstance(problem, KEPT):
+                with contextlib.suppress(OSError):
+                    self.path(problem).unlink(missing_ok=True)
