@@ -1,0 +1,91 @@
+"""What every answer about frictional heating says of itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
+from winkler.numerics.types import Array
+from winkler.validity import Note, Standing
+
+__all__ = ["STEADY_SOURCE", "UNCOUPLED", "heating_notes"]
+
+JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
+BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
+OWN = "own quadrature of the moving source, checked against the sum of point sources"
+SLOW = 0.01
+"""Peclet number below which the rule of slow sliding is good to half a per cent."""
+
+STEADY_SOURCE = Note(
+    Standing.EXACT,
+    "Steady heat conduction in half-spaces of constant conductivity and diffusivity, nothing lost through the surface "
+    "outside the contact; the flux is the pressure times friction and speed, everywhere.",
+    JAEGER,
+)
+UNCOUPLED = Note(
+    Standing.ASYMPTOTIC,
+    "Thermal expansion does not act back on the pressure, and friction and properties do not change with temperature.",
+    "assumption of the problem",
+)
+
+
+def heating_notes(
+    peclets: tuple[Array, Array],
+    greatest: tuple[Array, Array],
+    means: tuple[Array, Array],
+    overestimate: Array,
+    partition: HeatPartition,
+) -> tuple[Note, ...]:
+    """Return how far temperatures can be trusted.
+
+    Parameters
+    ----------
+    peclets, greatest, means : tuple of ndarray
+        Peclet numbers [-], greatest and mean temperatures [K] of both bodies.
+    overestimate : ndarray
+        By how much the rule of slow sliding is too high [-].
+    partition : EqualMaximum, EqualMean or FixedShare
+    """
+    return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), UNCOUPLED
+
+
+def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
+    fastest, excess = float(np.max(peclets)), float(np.max(overestimate))
+    if fastest <= SLOW:
+        return Note(
+            Standing.ASYMPTOTIC,
+            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule "
+            f"T = mu v E* u_z / (2 (lambda_1 + lambda_2)) would be {100.0 * excess:.2g} % too high at most.",
+            OWN,
+        )
+    return Note(
+        Standing.EXACT,
+        f"Motion is taken into account (Pe up to {fastest:.3g}); the rule of slow sliding would be "
+        f"{100.0 * excess:.3g} % too high at most. Temperatures are those after sliding for many times "
+        "a^2/kappa where a body rests against the contact, and a/V where it moves fast.",
+        OWN,
+    )
+
+
+def _sharing(
+    peclets: tuple[Array, Array], greatest: tuple[Array, Array], means: tuple[Array, Array], partition: HeatPartition
+) -> Note:
+    if isinstance(partition, FixedShare):
+        return Note(Standing.EXACT, f"The share of the first body was given, {partition.first_share:g}.", "the problem")
+    if max(float(np.max(each)) for each in peclets) <= SLOW:
+        return Note(
+            Standing.ASYMPTOTIC,
+            "Both bodies are as good as at rest: shared in proportion to their conductivities, the heat makes their "
+            "temperatures agree everywhere.",
+            BLOK,
+        )
+    scale = np.maximum(*greatest)
+    apart = np.max(np.maximum(abs(greatest[0] - greatest[1]), abs(means[0] - means[1])) / np.where(scale > 0, scale, 1))
+    kept = "mean" if isinstance(partition, EqualMean) else "greatest"
+    other = "greatest" if isinstance(partition, EqualMean) else "mean"
+    return Note(
+        Standing.APPROXIMATE,
+        f"One share of the heat for the whole contact makes the {kept} temperatures of both bodies equal, but not "
+        f"those at every point; the {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",
+        BLOK,
+    )
