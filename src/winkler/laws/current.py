@@ -1,0 +1,141 @@
+r"""What drives a current through a contact, and how hot that makes it.
+
+In metals the thermal conductivity times the resistivity is :math:`L\,T` (Wiedemann, Franz, Lorenz).  Voltage and
+temperature then go together, whatever the shape of the contact (Kohlrausch): between ends of the temperature T_0
+
+.. math:: T_{max}^2 = T_0^2 + \frac{V^2}{4L} .
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array, Quantity
+from winkler.values import value
+
+__all__ = ["Current", "Drive", "Voltage", "WiedemannFranz"]
+
+
+@value
+class Current:
+    """A prescribed current.
+
+    Parameters
+    ----------
+    current : float
+        I [A], not negative.
+
+    Raises
+    ------
+    InvalidInput
+        If it is negative or not finite.
+    """
+
+    current: float
+
+    def __post_init__(self) -> None:
+        _not_negative("Current", "current", self.current, "A")
+
+
+@value
+class Voltage:
+    """A prescribed voltage between the ends of both bodies.
+
+    Parameters
+    ----------
+    voltage : float
+        V [V], not negative.
+
+    Raises
+    ------
+    InvalidInput
+        If it is negative or not finite.
+    """
+
+    voltage: float
+
+    def __post_init__(self) -> None:
+        _not_negative("Voltage", "voltage", self.voltage, "V")
+
+
+Drive = Current | Voltage
+"""What may be prescribed."""
+
+
+@value
+class WiedemannFranz:
+    """Metals: thermal conductivity times resistivity is the Lorenz number times the absolute temperature.
+
+    Parameters
+    ----------
+    lorenz_number : float, optional
+        L [V^2/K^2], positive; 2.44e-8, Sommerfeld's value, unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If it is not positive.
+
+    Examples
+    --------
+    >>> round(WiedemannFranz().voltage_at(1235.0), 3)  # the melting voltage of silver
+    0.375
+    """
+
+    lorenz_number: float = 2.44e-8
+
+    def __post_init__(self) -> None:
+        given = self.lorenz_number
+        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 < given < math.inf:
+            raise InvalidInput(
+                f"WiedemannFranz: lorenz_number is {given!r}; give a positive, finite number in V^2/K^2, 2.44e-8 for "
+                "most metals."
+            )
+
+    def temperature(self, ambient: float, work: Array) -> Array:
+        """Return T [K] where the heat current per electric current, integrated over the voltage, came to `work`.
+
+        Parameters
+        ----------
+        ambient : float
+            T_0 [K] at the end of the body.
+        work : ndarray
+            Integral of heat current over electric current, over the voltage, from that end on [V^2].
+        """
+        return np.sqrt(ambient**2 + 2.0 * np.asarray(work) / self.lorenz_number)
+
+    def voltage_at(self, temperature: Quantity, ambient: float = 293.15) -> Quantity:
+        """Return the voltage [V] over a contact without film at which its hottest place has this temperature [K].
+
+        With the temperature of softening or melting it is the softening or melting voltage of the metal.
+
+        Parameters
+        ----------
+        temperature : float or ndarray
+            [K], not below that of the bodies.
+        ambient : float, optional
+            T_0 of the bodies [K], 20 degrees Celsius unless given.
+
+        Raises
+        ------
+        InvalidInput
+            If it is below that of the bodies, or that is not positive.
+        """
+        if not 0.0 < ambient < math.inf:
+            raise InvalidInput(f"voltage_at: ambient is {ambient!r}; give a positive absolute temperature in K.")
+        hot = np.asarray(temperature, dtype=float)
+        if not np.all(hot >= ambient):
+            raise InvalidInput(
+                f"voltage_at: the temperature {float(np.min(hot)):g} K is below that of the bodies, {ambient:g} K; "
+                "current only heats: give a higher one."
+            )
+        found = 2.0 * np.sqrt(self.lorenz_number * (hot**2 - ambient**2))
+        return float(found) if np.ndim(temperature) == 0 else found
+
+
+def _not_negative(owner: str, word: str, given: object, unit: str) -> None:
+    if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 <= given < math.inf:
+        raise InvalidInput(f"{owner}: {word} is {given!r}; give zero or a positive, finite number in {unit}.")

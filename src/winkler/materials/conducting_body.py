@@ -1,0 +1,116 @@
+r"""Conducting bodies that are more than a half-space of one solid: plated ones, and rods."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.errors import InvalidInput
+from winkler.materials.conductor import ElectricalConductor, ThermalConductor
+from winkler.values import value
+
+__all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "resistivity_of", "surface_of"]
+
+Conductor = ElectricalConductor | ThermalConductor
+"""What a body may be made of."""
+
+
+@value
+class Plated:
+    """A thick body under a plating of another conductor, bonded without resistance between them.
+
+    Parameters
+    ----------
+    plating : ElectricalConductor or ThermalConductor
+        At the surface.
+    thickness : float
+        h [m], positive.
+    on : ElectricalConductor or ThermalConductor
+        Below the plating; of the same sort.
+
+    Raises
+    ------
+    InvalidInput
+        If the thickness is not positive, or one part conducts current and the other heat.
+    """
+
+    plating: Conductor
+    thickness: float
+    on: Conductor
+
+    def __post_init__(self) -> None:
+        for word in ("plating", "on"):
+            _conductor("Plated", word, getattr(self, word))
+        _positive("Plated", "thickness", self.thickness)
+        if type(self.plating) is not type(self.on):
+            raise InvalidInput(
+                f"Plated: a plating of {type(self.plating).__name__} on {type(self.on).__name__}; give two of one sort."
+            )
+
+
+@value
+class Rod:
+    """A round rod that ends in the contact, at the middle of its end face; its side lets nothing through.
+
+    Parameters
+    ----------
+    conductor : ElectricalConductor or ThermalConductor
+        What it is made of.
+    radius : float
+        b [m], positive; the contact must be narrower.
+    length : float
+        Up to where voltage or temperature are taken [m], positive; a few radii at least.
+
+    Raises
+    ------
+    InvalidInput
+        If a length is not positive.
+    """
+
+    conductor: Conductor
+    radius: float
+    length: float
+
+    def __post_init__(self) -> None:
+        _conductor("Rod", "conductor", self.conductor)
+        for word in ("radius", "length"):
+            _positive("Rod", word, getattr(self, word))
+
+
+ConductingBody = Conductor | Plated | Rod
+"""What may touch: a thick body of one conductor, a plated one, a rod."""
+
+
+def surface_of(body: ConductingBody) -> Conductor:
+    """Return the conductor at the surface."""
+    match body:
+        case Plated():
+            return body.plating
+        case Rod():
+            return body.conductor
+        case _:
+            return body
+
+
+def resistivity_of(conductor: Conductor) -> float:
+    """Return the resistivity [ohm m], or the inverse of the thermal conductivity [m K/W]."""
+    return conductor.resistivity if isinstance(conductor, ElectricalConductor) else 1.0 / conductor.conductivity
+
+
+def bulk_of(body: ConductingBody) -> float:
+    """Return the resistance of the length of a rod [ohm or K/W]; zero of a body without end."""
+    if isinstance(body, Rod):
+        return resistivity_of(body.conductor) * body.length / (math.pi * body.radius**2)
+    return 0.0
+
+
+def _conductor(owner: str, word: str, given: object) -> None:
+    if not isinstance(given, ElectricalConductor | ThermalConductor):
+        raise InvalidInput(
+            f"{owner}: {word} is a {type(given).__name__}; give ElectricalConductor(resistivity) or "
+            "ThermalConductor(conductivity, diffusivity)."
+        )
+
+
+def _positive(owner: str, word: str, number: float) -> None:
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in m.")

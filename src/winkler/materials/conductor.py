@@ -1,0 +1,104 @@
+r"""What conducts: solids with a resistivity against electric current, or a conductivity for heat."""
+
+from __future__ import annotations
+
+import math
+
+from winkler.errors import InvalidInput
+from winkler.values import value
+
+__all__ = ["ElectricalConductor", "ThermalConductor"]
+
+
+@value
+class ElectricalConductor:
+    r"""A solid that conducts electric current, :math:`\rho(T)=\rho_0\,(1+\alpha\,(T-T_0))`.
+
+    Parameters
+    ----------
+    resistivity : float
+        rho_0 [ohm m], positive; at the temperature of the body away from the contact, T_0.
+    temperature_coefficient : float, optional
+        alpha [1/K], not negative, relative to that temperature; 0 (the default) for a resistivity that does not change.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> silver = ElectricalConductor(resistivity=15.9e-9, temperature_coefficient=3.8e-3)
+    >>> round(silver.resistivity_above(100.0) * 1e9, 3)
+    21.942
+    """
+
+    resistivity: float
+    temperature_coefficient: float = 0.0
+
+    def __post_init__(self) -> None:
+        _positive("ElectricalConductor", "resistivity", self.resistivity, "ohm m")
+        alpha = self.temperature_coefficient
+        if isinstance(alpha, bool) or not isinstance(alpha, int | float) or not 0.0 <= alpha < math.inf:
+            raise InvalidInput(
+                f"ElectricalConductor: temperature_coefficient is {alpha!r}; give zero or a positive, finite number in "
+                "1/K."
+            )
+
+    def resistivity_above(self, rise: float) -> float:
+        """Return rho [ohm m] at `rise` [K] above the temperature of the body."""
+        return self.resistivity * (1.0 + self.temperature_coefficient * rise)
+
+
+@value
+class ThermalConductor:
+    """A solid that conducts heat.
+
+    Parameters
+    ----------
+    conductivity : float
+        Thermal conductivity [W/(m K)], positive.
+    diffusivity : float
+        Thermal diffusivity [m^2/s], conductivity over heat capacity per volume, positive.  Steady conduction does not
+        depend on it; what moves or changes does.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive.
+
+    Examples
+    --------
+    >>> steel = ThermalConductor.of(conductivity=45.0, density=7850.0, heat_capacity=470.0)
+    >>> round(steel.diffusivity * 1e6, 3)
+    12.197
+    """
+
+    conductivity: float
+    diffusivity: float
+
+    def __post_init__(self) -> None:
+        _positive("ThermalConductor", "conductivity", self.conductivity, "W/(m K)")
+        _positive("ThermalConductor", "diffusivity", self.diffusivity, "m^2/s")
+
+    @classmethod
+    def of(cls, conductivity: float, density: float, heat_capacity: float) -> ThermalConductor:
+        """Return the conductor of a conductivity [W/(m K)], a density [kg/m^3] and a heat capacity [J/(kg K)].
+
+        Raises
+        ------
+        InvalidInput
+            If a number is not positive.
+        """
+        for word, number, unit in (
+            ("conductivity", conductivity, "W/(m K)"),
+            ("density", density, "kg/m^3"),
+            ("heat_capacity", heat_capacity, "J/(kg K)"),
+        ):
+            _positive("ThermalConductor", word, number, unit)
+        return cls(conductivity, conductivity / (density * heat_capacity))
+
+
+def _positive(owner: str, word: str, number: float, unit: str) -> None:
+    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")

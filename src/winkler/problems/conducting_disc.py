@@ -1,0 +1,101 @@
+"""The disc through which a pressed contact conducts, and what the medium behind it means for conduction."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.measured import MeasuredBed
+from winkler.loading import Load
+from winkler.materials.conducting_body import ConductingBody, Plated
+from winkler.media.conduction import BARBER, HOLM
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.trust import size_note, slope_note
+from winkler.validity import Note, Standing
+
+__all__ = ["mean_free_path_note", "pressed_disc", "refuse_unknown_area", "scope_notes"]
+
+
+def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
+    """Return the contact under a load: its radius is that of the disc that conducts."""
+    return Indentation(bed, load).solve()
+
+
+def refuse_unknown_area(bed: Bed, bodies: tuple[ConductingBody, ConductingBody], area_resistance: float) -> None:
+    """Refuse a film or a plating in a contact whose area is not known.
+
+    Raises
+    ------
+    OutsideValidity
+        If the bed tells the stiffness alone.
+    """
+    if isinstance(bed, MeasuredBed) and (area_resistance or any(isinstance(body, Plated) for body in bodies)):
+        raise OutsideValidity(
+            "A MeasuredBed tells how stiff the contact is, not how large its area; a film or a plating needs the area: "
+            "leave it out, or give the shape as a Foundation."
+        )
+
+
+def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
+    """Return why the disc of this bed conducts as it does; of many loads for the widest contact."""
+    widest = float(np.max(radius, initial=0.0))
+    if isinstance(bed, MeasuredBed):
+        first = Note(
+            Standing.EXACT,
+            "The contact conducts like the disc of equal stiffness, whatever its shape, if the bodies are homogeneous "
+            "and elastic and the radii of the bed are k / (2 E*).",
+            BARBER,
+        )
+    elif isinstance(bed.medium, HomogeneousMedium):
+        first = Note(
+            Standing.EXACT,
+            "Conductance and stiffness dF/dd of the contact are in proportion, 2 / (E* (rho_1 + rho_2)); so every "
+            "spring in contact conducts alike.",
+            BARBER,
+        )
+    else:
+        first = Note(
+            Standing.EXACT,
+            "The elastic medium is not homogeneous, so conductance and stiffness are not in proportion; the conductors "
+            "are taken as said, and the resistance follows from the radius of the contact alone.",
+            HOLM,
+        )
+    if widest == 0.0:
+        return (*bed.notes, first)
+    notes = [*bed.notes, first, slope_note(bed, widest)]
+    if math.isfinite(bed.size):
+        notes.append(size_note(bed, widest))
+    return tuple(notes)
+
+
+def mean_free_path_note(radius: Array, mean_free_path: float) -> tuple[Note, ...]:
+    """Return what free flight of the carriers means for the narrowest contact; nothing if their path is zero.
+
+    Parameters
+    ----------
+    radius : ndarray
+        [m].
+    mean_free_path : float
+        [m].
+    """
+    touching = np.ravel(radius)[np.ravel(radius) > 0.0]
+    if mean_free_path == 0.0 or touching.size == 0:
+        return ()
+    narrowest = float(np.min(touching))
+    number = mean_free_path / narrowest
+    # Sharvin's 4 rho l / (3 pi a^2) over Holm's rho / (2 a), of two like bodies
+    share = 8.0 * number / (3.0 * math.pi)
+    standing = Standing.ASYMPTOTIC if share < 0.01 else Standing.APPROXIMATE if share < 0.1 else Standing.OUTSIDE
+    return (
+        Note(
+            standing,
+            f"Carriers fly freely over {number:.3g} contact radii (Knudsen number of the narrowest contact): Sharvin's "
+            f"resistance, which is not included, is {100.0 * share:.3g} % of Holm's.",
+            "Yu. V. Sharvin, Sov. Phys. JETP 21 (1965) 655",
+        ),
+    )
