@@ -1,6 +1,6 @@
 """Adhesive contacts: whole curves, branches of wavy bodies, Maugis' rings.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

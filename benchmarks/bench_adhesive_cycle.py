@@ -1,6 +1,6 @@
 """Adhesive cycles: a touch of 2,000 points, and a wavy ball with a dozen jumps.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Coatings and graded bodies: stiffness, force curves, pressure and stresses below, all from nothing.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Many contacts at once: oblique impacts, and steps of a discrete element code.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The way back: pressure on 1,000 radii, and all stresses on a map of 100 x 100 points, nothing cached.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

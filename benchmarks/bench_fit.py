@@ -1,6 +1,6 @@
 """Fits: 2,000 points and four free numbers, and one curve of a batch that begins near the answer.
 
-Run it:  pytest benchmarks/bench_fit.py -m bench --benchmark-only
+Run it:  pytest benchmarks/bench_fit.py -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Springs that stick and slip: how many of them go through a step in a second, and what a whole problem takes.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 The fastest round counts: one core, arrays in the fastest memory, at whatever clock that core runs.
 """
 

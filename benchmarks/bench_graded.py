@@ -1,6 +1,6 @@
 """Graded half-spaces, measured beds and bodies made to order.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Impacts: straight, oblique, without slip and sticky, each followed to rounding.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The solver: one Hertz contact, and a thousand loads in one call.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

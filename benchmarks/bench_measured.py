@@ -1,6 +1,6 @@
 """F(d) of a measured profile of 10,000 noisy points: choice of the curve, transform and 200 depths, nothing cached.
 
-Run it:  pytest benchmarks -m bench --benchmark-only
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Put a run of the benchmarks into docs/benchmarks.md.
 
-Run it:  pytest benchmarks -m bench --benchmark-only --benchmark-json=run.json && python benchmarks/table.py run.json
+Run it:  pytest benchmarks -m bench -n 0 --benchmark-only --benchmark-json=run.json
+and      python benchmarks/table.py run.json
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ import winkler as wk
 
 SLOW = {"formula", "wavy_ball"}
 """Shapes whose contacts are checked one by one, because nobody knows beforehand that g rises."""
-PINNED = {"flat_punch", "pinned_cylinder"}
+PINNED = ("flat_punch", "pinned_cylinder")
 FREE = tuple(kind for kind in KINDS if kind not in PINNED)
 
 
