@@ -44,7 +44,14 @@ def test_script(script, tmp_path):
 
 
 # what another study shows as well runs among the slow tests
-ALIKE = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_sticky"}
+ALIKE = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_sticky"} | {
+    "braking_wheel",
+    "fretting_heat",
+    "measured_gel",
+    "rubber_ball",
+    "rubber_dma",
+    "rubber_rolling",
+}
 
 
 @pytest.mark.parametrize(

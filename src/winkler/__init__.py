@@ -28,6 +28,9 @@ from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.fit import Fit, fit
 from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution, intercept_factor, sample_young
+from winkler.fitting.viscoelastic_band import relaxation_band
+from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.viscoelastic_terms import compare_terms
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -39,10 +42,19 @@ from winkler.io.curves import PlacedCurve, read_curve, read_curves
 from winkler.io.grading_table import read_grading
 from winkler.io.path_table import read_path
 from winkler.io.profile_table import read_profile
+from winkler.io.relaxation_table import read_creep, read_dynamic, read_relaxation
 from winkler.io.traces import write_trace
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.laws.crack import RateDependentWork, SaturatingWork
+from winkler.laws.current import Current, Voltage, WiedemannFranz
+from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
+from winkler.laws.wear import Archard, PairWear
 from winkler.loading import Angle, Depth, Force, Radius, ShearForce, Shift, Torque
+from winkler.materials.at_temperature import AtTemperature
+from winkler.materials.conducting_body import Plated, Rod
+from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.materials.depth_grading import ExponentialGrading, SigmoidalGrading, TabulatedGrading
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
@@ -52,9 +64,11 @@ from winkler.materials.relaxation_data import CreepData, DynamicData, Relaxation
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
 from winkler.media.coated import CoatedHalfSpace
+from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.depth_graded import DepthGradedHalfSpace
 from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
+from winkler.media.proportional import RelaxingInProportion
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
@@ -64,23 +78,46 @@ from winkler.problems.adhesive import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShear, AdhesiveShearSolution
 from winkler.problems.bimodal import BimodalDamping, BimodalDampingSolution
+from winkler.problems.conductance_bounds import ConductanceBounds, ConductanceBoundsSolution
+from winkler.problems.constriction import Constriction, ConstrictionSolution
+from winkler.problems.constriction_fields import CurrentFields, HeatFields, restore_conduction
 from winkler.problems.contact_impacts import BallImpacts, BallImpactsSolution
 from winkler.problems.contact_trace import ContactTrace
 from winkler.problems.contacts import Contacts
+from winkler.problems.creepage import Creepage
 from winkler.problems.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.design import design_for_pressure, design_profile
+from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.equilibrium import Equilibrium, EquilibriumCurve
+from winkler.problems.fretting_heat import FrettingHeat, FrettingHeatSolution
+from winkler.problems.fretting_wear import FrettingSolution, FrettingWear
+from winkler.problems.heating import FrictionHeating, FrictionHeatingSolution
+from winkler.problems.heating_transient import TransientHeating, TransientHeatingSolution
 from winkler.problems.impact import Impact, ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpact, AdhesiveImpactSolution
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.joule_heating import JouleHeating, JouleHeatingSolution
+from winkler.problems.kalker import creep_coefficients
+from winkler.problems.limiting_profile import LimitingProfile, LimitingSolution
+from winkler.problems.oscillating_rolling import OscillatingRolling, OscillatingRollingSolution
 from winkler.problems.particle import ElasticPlasticParticle, ParticleSolution
 from winkler.problems.pull_off import PullOff, PullOffSolution
 from winkler.problems.relaxation import RelaxationDamper, RelaxationDamperSolution
+from winkler.problems.rolling import Rolling, RollingSolution
+from winkler.problems.rolling_calibration import Kalker, Uncalibrated
+from winkler.problems.rolling_start import RollingStart, RollingStartSolution
+from winkler.problems.simplified_rolling import SimplifiedRolling, SimplifiedRollingSolution
+from winkler.problems.sliding_wear import SlidingSolution, SlidingWear
+from winkler.problems.spots import SpotCluster, SpotClusterSolution
 from winkler.problems.tangential import Tangential, TangentialSolution
+from winkler.problems.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
 from winkler.problems.torsion import Torsion, TorsionSolution
 from winkler.problems.torsion_fields import TwistedFields
 from winkler.problems.viscoelastic import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic_adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic_impact import ViscoelasticImpact, ViscoelasticImpactSolution
+from winkler.problems.viscoelastic_sliding import SlidingResistance, SlidingResistanceSolution
+from winkler.problems.viscoelastic_tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.problems.viscoelastic_tests import CreepTest, HarmonicIndentation, RelaxationTest
 from winkler.problems.yielding import YieldOnset, YieldOnsetSolution
 from winkler.profiles.area import AreaFunction
@@ -109,8 +146,10 @@ __all__ = [
     "AdhesiveShearSolution",
     "AdhesiveSolution",
     "Angle",
+    "Archard",
     "AreaFunction",
     "Arrhenius",
+    "AtTemperature",
     "BallImpacts",
     "BallImpactsSolution",
     "Berkovich",
@@ -122,13 +161,23 @@ __all__ = [
     "Circle",
     "CoatedHalfSpace",
     "Comparison",
+    "ConductanceBounds",
+    "ConductanceBoundsSolution",
     "Cone",
+    "Constriction",
+    "ConstrictionSolution",
+    "ContactEllipse",
     "ContactTrace",
     "Contacts",
     "Coulomb",
     "CreepData",
+    "CreepFit",
     "CreepTest",
+    "Creepage",
     "CubeCorner",
+    "Current",
+    "CurrentFields",
+    "CurvedBodies",
     "Cylinder",
     "Depth",
     "DepthGradedHalfSpace",
@@ -138,11 +187,16 @@ __all__ = [
     "DynamicData",
     "Elastic",
     "ElasticPlasticParticle",
+    "ElectricalConductor",
+    "ElectricalConductors",
     "Ellipsoid",
+    "EqualMaximum",
+    "EqualMean",
     "Equilibrium",
     "EquilibriumCurve",
     "ExponentialGrading",
     "Fit",
+    "FixedShare",
     "FlatPunch",
     "Follow",
     "Force",
@@ -150,12 +204,20 @@ __all__ = [
     "Formula",
     "Foundation",
     "FractionalZener",
+    "FrettingHeat",
+    "FrettingHeatSolution",
+    "FrettingSolution",
+    "FrettingWear",
     "FrictionDamping",
     "FrictionDampingSolution",
+    "FrictionHeating",
+    "FrictionHeatingSolution",
     "GeneralisedKelvin",
     "GradedHalfSpace",
     "HalfSpace",
     "HarmonicIndentation",
+    "HeatConductors",
+    "HeatFields",
     "Hold",
     "Hyperboloid",
     "Impact",
@@ -163,8 +225,13 @@ __all__ = [
     "Indentation",
     "IndentationSolution",
     "InvalidInput",
+    "JouleHeating",
+    "JouleHeatingSolution",
+    "Kalker",
     "KelvinVoigt",
     "Layer",
+    "LimitingProfile",
+    "LimitingSolution",
     "Maxwell",
     "Measured",
     "MeasuredBed",
@@ -173,7 +240,10 @@ __all__ = [
     "OliverPharr",
     "OliverPharrSolution",
     "Oscillate",
+    "OscillatingRolling",
+    "OscillatingRollingSolution",
     "OutsideValidity",
+    "PairWear",
     "Paraboloid",
     "ParticleSolution",
     "Path",
@@ -181,6 +251,7 @@ __all__ = [
     "PlacedCurve",
     "PlacedStress",
     "PlaneFoundation",
+    "Plated",
     "PowerLaw",
     "PowerLawGraded",
     "PowerLawSolid",
@@ -190,21 +261,37 @@ __all__ = [
     "PullOffSolution",
     "Radius",
     "Ramp",
+    "RateDependentWork",
     "RelaxationDamper",
     "RelaxationDamperSolution",
     "RelaxationData",
     "RelaxationTest",
+    "RelaxingInProportion",
     "Rigid",
+    "Rod",
+    "Rolling",
+    "RollingSolution",
+    "RollingStart",
+    "RollingStartSolution",
     "RoundedCone",
     "RoundedPunch",
+    "SaturatingWork",
     "Shape",
     "ShearForce",
     "ShearedFields",
     "Shift",
     "ShortRange",
     "SigmoidalGrading",
+    "SimplifiedRolling",
+    "SimplifiedRollingSolution",
+    "SlidingResistance",
+    "SlidingResistanceSolution",
+    "SlidingSolution",
+    "SlidingWear",
     "Sphere",
     "SpheroConical",
+    "SpotCluster",
+    "SpotClusterSolution",
     "Springs",
     "Staircase",
     "StandardSolid",
@@ -214,30 +301,47 @@ __all__ = [
     "SubsurfaceFields",
     "Sum",
     "SurfaceFields",
+    "SurfaceFilm",
     "TabulatedGrading",
     "Tangential",
     "TangentialSolution",
+    "ThermalConductor",
+    "ThermalConstriction",
+    "ThermalConstrictionSolution",
+    "ThermalInterface",
     "Torque",
     "Torsion",
     "TorsionSolution",
+    "TransientHeating",
+    "TransientHeatingSolution",
     "TransverselyIsotropic",
     "TransverselyIsotropicHalfSpace",
     "TruncatedCone",
     "TruncatedParaboloid",
     "TwistedFields",
+    "Uncalibrated",
     "Vickers",
+    "ViscoelasticAdhesion",
+    "ViscoelasticAdhesionSolution",
+    "ViscoelasticFit",
     "ViscoelasticHalfSpace",
     "ViscoelasticImpact",
     "ViscoelasticImpactSolution",
     "ViscoelasticIndentation",
     "ViscoelasticSolution",
+    "ViscoelasticTangential",
+    "ViscoelasticTangentialSolution",
+    "Voltage",
     "Wavy",
+    "WiedemannFranz",
     "WilliamsLandelFerry",
     "WinklerError",
     "YieldOnset",
     "YieldOnsetSolution",
     "__version__",
     "compare",
+    "compare_terms",
+    "creep_coefficients",
     "design_for_pressure",
     "design_profile",
     "fit",
@@ -246,13 +350,18 @@ __all__ = [
     "peak_stress",
     "read_bed",
     "read_contacts",
+    "read_creep",
     "read_curve",
     "read_curves",
+    "read_dynamic",
     "read_grading",
     "read_path",
     "read_profile",
+    "read_relaxation",
+    "relaxation_band",
     "restore",
     "restore_body",
+    "restore_conduction",
     "restore_shift",
     "sample_young",
     "staircase",

@@ -64,6 +64,11 @@ KINDS = (
     ("1/s", "a frequency", "50 Hz"),
     ("1/m", "an inverse length", "1 1/mm"),
     ("1/Pa", "an inverse pressure", "1e-14 1/Pa"),
+    ("V", "a voltage", "20 mV"),
+    ("A", "a current", "5 A"),
+    ("ohm", "a resistance", "1 mohm"),
+    ("ohm m", "a resistivity", "16 nohm m"),
+    ("W/(m K)", "a thermal conductivity", "45 W/(m K)"),
 )
 """Unit, what it measures, and how such a quantity is written."""
 COMMON = (

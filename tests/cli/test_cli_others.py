@@ -131,7 +131,12 @@ def goes_together(problem: str, profile: str) -> bool:
 PROBLEMS = [name for name in CATALOGUE["problem"] if "bed" in hints(kinds()[name].cls)]
 
 
-LONG = {("adhesive_impact", "area_function"), ("impact", "wavy"), ("impact", "sum")}
+LONG = {
+    ("transient_heating", "area_function"),
+    ("adhesive_impact", "area_function"),
+    ("impact", "wavy"),
+    ("impact", "sum"),
+}
 
 
 @pytest.mark.parametrize(

@@ -77,6 +77,46 @@ steps = [
     { kind = "oscillate", lateral = { kind = "shift", shift = "0.1 um" }, cycles = 2.0 },
 ]
 """
+ROLLING = """
+friction = { kind = "coulomb", coefficient = 0.3 }
+creepage = { kind = "creepages", longitudinal = 0.001 }
+"""
+RELAXING = """kind = "viscoelastic_half_space"
+
+[problem.bed.medium.first]
+kind = "at_temperature"
+temperature = "60 degC"
+solid = { kind = "prony", relaxed_shear = "1 MPa", shears = ["1 MPa", "2 MPa"], relaxation_times = ["1 s", "10 s"] }
+law = { kind = "arrhenius", reference_temperature = "20 degC", activation_energy = "80 kJ/mol" }
+"""
+HELD = """[problem.path]
+kind = "path"
+time = ["0 s", "1 s"]
+normal = { kind = "depth", depth = ["0 um", "50 um"] }
+"""
+CONDUCTING = """
+[problem.drive]
+kind = "voltage"
+voltage = "20 mV"
+
+[problem.conductors]
+kind = "electrical_conductors"
+first = { kind = "electrical_conductor", resistivity = "15.9 nohm m" }
+
+[problem.conductors.second]
+kind = "rod"
+conductor = { kind = "electrical_conductor", resistivity = "15.9 nohm m" }
+radius = "1 mm"
+length = "10 mm"
+"""
+FRETTING = """
+normal = { kind = "force", force = "100 N" }
+amplitude = { kind = "shift", shift = "0.5 um" }
+cycles = [0, 100]
+count = 20
+wear = { kind = "archard", rate = "1e-5 mm^3/(N m)" }
+law = { kind = "coulomb", coefficient = 0.5 }
+"""
 BASES = {
     "half_space": BASE,
     "coated": BASE.replace(HALF_SPACE, COATED),
@@ -85,6 +125,13 @@ BASES = {
     "measured": BASE.replace(BED, MEASURED),
     "adhesive": BASE.replace('"indentation"', '"adhesive_indentation"') + LAW,
     "cycle": BASE.partition("[problem.load]")[0].replace('"indentation"', CYCLE) + PATH + LAW,
+    "rolling": BASE.replace('"indentation"', '"rolling"' + ROLLING),
+    "fretting": BASE.partition("[problem.load]")[0].replace('"indentation"', '"fretting_wear"' + FRETTING),
+    "conducting": BASE.replace('"indentation"', '"joule_heating"') + CONDUCTING,
+    "relaxing": BASE.partition("[problem.load]")[0]
+    .replace('"indentation"', '"viscoelastic_indentation"')
+    .replace(HALF_SPACE, RELAXING)
+    + HELD,
     "rubbed": BASE.partition("[problem.load]")[0].replace('"indentation"', '"tangential"') + RUBBED,
 }
 """Name -> the study that is spoilt; a case that names none spoils the first one."""

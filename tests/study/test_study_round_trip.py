@@ -49,7 +49,7 @@ def test_names_of_kinds_are_unique():
     assert not set(REFUSED) & set(names)
 
 
-ELSEWHERE = {wk.BallImpacts, wk.ContactTrace, wk.Contacts, wk.TwistedFields}
+ELSEWHERE = {wk.BallImpacts, wk.ContactTrace, wk.Contacts, wk.CurrentFields, wk.HeatFields, wk.TwistedFields}
 """Thousands of contacts at once, arrays that no study file holds; and restored fields, which are answers."""
 
 

@@ -29,13 +29,15 @@ def run(
 ) -> int:
     """Solve a study; write numbers, figures and a report.
 
-    The results are written whole or not at all. Exit code 1 if an expectation is missed; if points of a sweep have no
+    The results are written whole or not at all. A march through wear that was killed goes on where it was if the same
+    study is run again. Exit code 1 if an expectation is missed; if points of a sweep have no
     answer, the code of the first one.
 
     Example: winkler run examples/studies/hertz.toml --output results/ball
     """
     from winkler.cli import terminal
     from winkler.errors import Interrupted, WinklerError
+    from winkler.study.keeping import Keep
     from winkler.study.reading import read_study
     from winkler.study.run import gather
     from winkler.study.sweep import solve_points
@@ -48,7 +50,9 @@ def run(
         overwrite = may_overwrite(folder)
     with placed(folder, overwrite=overwrite) as partial:
         many, hidden = math.prod(asked.shape), quiet or as_json
-        points = solve_points(asked, workers=workers, watch=terminal.marching(hidden=hidden or many > 1))
+        keep = Keep.beside(folder)
+        watch = terminal.marching(hidden=hidden or many > 1)
+        points = solve_points(asked, workers=workers, watch=watch, keep=keep)
         watched = terminal.tracked(points, many, hidden=hidden)
         try:
             outcome = gather(asked, watched, started=started, source=study.name)
@@ -60,6 +64,8 @@ def run(
     elif not quiet:
         _print(outcome, folder)
     code = _code(outcome)
+    if code != Interrupted.exit_code:
+        keep.clear([point.problem for point in outcome.points])
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are kept in {folder}.")
     return code

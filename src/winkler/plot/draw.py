@@ -6,6 +6,7 @@ let a notebook show it.
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,6 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, SurfaceFields
 from winkler.fitting.outcome import Fit
-from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -24,6 +24,7 @@ from winkler.media.coated import CoatedHalfSpace
 from winkler.media.depth_graded import DepthGradedHalfSpace
 from winkler.media.graded import GradedHalfSpace
 from winkler.media.medium import Medium
+from winkler.media.relaxing import RelaxingMedium
 from winkler.plot import style
 from winkler.plot.body import draw_body, draw_contact
 from winkler.plot.curves import (
@@ -47,11 +48,10 @@ from winkler.plot.friction_sheets import (
     torsion_sheet,
     twist_sheet,
 )
-from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness, is_varied, typical_width
+from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness, stiffness_told, typical_width
 from winkler.plot.method import Contact, draw_bed_makeup, headline
 from winkler.plot.outline import draw_profile
 from winkler.plot.punches import draw_pressures, draw_steps
-from winkler.plot.series import told
 from winkler.plot.sheets import SHEETS, contact_sheet
 from winkler.plot.springs import at_first_touch, draw_springs
 from winkler.plot.stresses import draw_along, draw_field, draw_stress
@@ -83,8 +83,8 @@ if TYPE_CHECKING:
 __all__ = ["draw"]
 
 DRAWN = (
-    "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated or graded half-space, a solution of "
-    "Indentation, YieldOnset or a problem of adhesion or friction, restored fields, a Staircase, or a Fit"
+    "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
+    "that relaxes, a solution of a problem, restored fields, a Staircase, or a Fit"
 )
 CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
 
@@ -112,6 +112,10 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
           contact sticks and slips; of one state of ``Tangential`` the springs, traction, slip and stress
         - solutions of ``FrictionDamping``, ``BimodalDamping``, ``RelaxationDamper``: the loss over amplitude or phase
         - solutions of ``Impact`` and ``AdhesiveImpact``: forces, velocities, contact and energies over time
+        - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, and what springs or the surface bear
+        - solutions of ``RollingStart``, ``OscillatingRolling``: force on the way, shift over cycles, and the springs
+        - a solid that relaxes, ``ViscoelasticHalfSpace``, ``RelaxingInProportion``: relaxation, creep, storage and loss
+        - answers for them: loops, forces and energies over time, springs that press or recover, curves over frequency
         - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
         - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: what was restored
         - ``Staircase``: Jaeger's picture of flat punches
@@ -162,20 +166,15 @@ def _profile(item: Shape, *, extent: float | None = None) -> Picture:
 def _bed(item: Any, *, extent: float | None = None) -> Picture:
     end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
     shape = item.profile if isinstance(item, Foundation) else item.plane_profile
+    relaxes = isinstance(item.medium, RelaxingMedium)
+    bed = dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
     with style.styled():
         figure, (left, right) = _sheet(2, height=3.3)
-        draw_body(left, item, end)
-        draw_springs(right, at_first_touch(item), end)
+        draw_body(left, bed, end)
+        draw_springs(right, at_first_touch(bed), end)
         left.set_title(type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$")
-        right.set_title(f"springs {_stiffness_told(item, end)} under $g(x)$")
+        right.set_title(f"springs {'that relax' if relaxes else stiffness_told(bed, end)} under $g(x)$")
     return figure
-
-
-def _stiffness_told(bed: Bed, end: float) -> str:
-    stiffness = np.asarray(bed.normal_stiffness(min(end, bed.reach) * np.linspace(0.01, 1.0, 65)), dtype=float)
-    if not is_varied(stiffness):
-        return f"of {told(float(stiffness[0]), 'Pa')}"
-    return f"of {told(float(stiffness[0]), 'Pa', 3)} (middle) to {told(float(stiffness[-1]), 'Pa', 3)}"
 
 
 @draw.register(MeasuredBed)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from winkler.plot.picture import Picture
 
-__all__ = ["bar_picture", "draw_bars", "draw_family", "family_picture"]
+__all__ = ["bar_picture", "draw_bars", "draw_family", "family_picture", "spans_decades", "stretch"]
 
 TELLABLE = len(style.CYCLE)
 """So many curves are told apart by colour; more take the shades of a map."""
@@ -77,7 +77,7 @@ def draw_family(
     axes.margins(x=0.04, y=0.06)
     for axis, decades in ((axes.xaxis, steep), (axes.yaxis, steeper)):
         if decades:
-            _stretch(axes, axis)
+            stretch(axes, axis)
     axes.set_xlabel(along[0].label(across))
     axes.set_ylabel(of[0].label(upright))
 
@@ -89,7 +89,7 @@ def _scale(many: Sequence[Series], steep: bool) -> Scale:
     return common_scale(*many)
 
 
-def _stretch(axes: Axes, axis: Axis) -> None:
+def stretch(axes: Axes, axis: Axis) -> None:
     """Make one axis logarithmic, with plain numbers at its ticks."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 

@@ -10,12 +10,12 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.series import scale_of, series
-from winkler.plot.springs import plane_profile
+from winkler.plot.springs import draw_ground, plane_profile
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["draw_dragged"]
+__all__ = ["coil", "draw_dragged"]
 
 COILS = 8
 SPRINGS = 29
@@ -59,13 +59,13 @@ def draw_dragged(axes: Axes, sheared: ShearedSprings, stick: float, extent: floa
     bottom = -2.4 * depth
     for one, down, aside, hit in zip(place, sunk, lean * stretched, touching, strict=True):
         sticks = hit and stick > 0.0 and abs(one) <= stick
-        line = _coil(one, aside, bottom, -down, 0.3 * step)
+        line = coil(one, aside, bottom, -down, 0.3 * step)
         colour = style.MUTED if not hit else style.GREEN if sticks else style.RED
         points = np.stack([line[0] / across.factor, line[1] / upright.factor], axis=-1)
         axes.add_collection(
             LineCollection([points], colors=colour, linewidths=1.1, alpha=0.9 if hit else 0.5, zorder=3)
         )
-    _ground(axes, extent / across.factor, bottom / upright.factor, 0.2 * depth / upright.factor)
+    draw_ground(axes, extent / across.factor, bottom / upright.factor, 0.2 * depth / upright.factor)
     top = 1.3 * depth
     shift = float(np.clip(np.ravel(sheared.shift)[0], -most, most)) * lean
     both, lower = style.mirrored(x.content, g.content - depth)
@@ -88,25 +88,11 @@ def draw_dragged(axes: Axes, sheared: ShearedSprings, stick: float, extent: floa
         style.note(axes, f"sideways {_round(lean)} times", where="upper right")
 
 
-def _coil(x: float, aside: float, bottom: float, top: float, wide: float) -> tuple[Array, Array]:
+def coil(x: float, aside: float, bottom: float, top: float, wide: float) -> tuple[Array, Array]:
     """Return a zigzag from the ground to the top of a spring, which stands `aside` of its foot."""
     rungs = np.concatenate([[0.0, 0.1], 0.1 + 0.8 * (np.arange(2 * COILS) + 0.5) / (2 * COILS), [0.9, 1.0]])
     side = np.concatenate([[0.0, 0.0], np.where(np.arange(2 * COILS) % 2 == 0, 1.0, -1.0), [0.0, 0.0]])
     return x + aside * rungs + wide * side, bottom + rungs * (top - bottom)
-
-
-def _ground(axes: Axes, end: float, top: float, thick: float) -> None:
-    axes.fill_between(
-        [-end, end],
-        [top, top],
-        [top - thick, top - thick],
-        facecolor=style.SOLID,
-        edgecolor=style.MUTED,
-        linewidth=0.0,
-        hatch="////",
-        zorder=1,
-    )
-    axes.plot([-end, end], [top, top], color=style.INK, linewidth=1.0, zorder=2)
 
 
 def _round(number: float) -> str:

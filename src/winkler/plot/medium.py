@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.layered import Layer
@@ -32,6 +33,7 @@ __all__ = [
     "draw_stiffness",
     "interfaces",
     "is_varied",
+    "stiffness_told",
     "typical_width",
 ]
 
@@ -273,3 +275,11 @@ def draw_stiffness(axes: Axes, bed: MeasuredBed, radius: float = 0.0) -> None:
     axes.set_xlabel(series("IndentationSolution", "radius", a).label(across))
     axes.set_ylabel(series("IndentationSolution", "stiffness", stiffness).label(upright))
     style.framed_legend(axes, loc="lower right")
+
+
+def stiffness_told(bed: Bed, end: float) -> str:
+    """Return how stiff the springs of a bed are up to a place [m], for reading."""
+    stiffness = np.asarray(bed.normal_stiffness(min(end, bed.reach) * np.linspace(0.01, 1.0, 65)), dtype=float)
+    if not is_varied(stiffness):
+        return f"of {told(float(stiffness[0]), 'Pa')}"
+    return f"of {told(float(stiffness[0]), 'Pa', 3)} (middle) to {told(float(stiffness[-1]), 'Pa', 3)}"

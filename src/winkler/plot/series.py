@@ -33,7 +33,7 @@ __all__ = [
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
-PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K")
+PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S")
 """Units that take a prefix when they stand first and without a power: µm, kN, MN/m; but not m^2."""
 
 SPOKEN = {
@@ -70,6 +70,7 @@ def pretty_unit(unit: str) -> str:
     >>> pretty_unit("N/m^2"), pretty_unit("m^-3"), pretty_unit("m^1.5")
     ('N/m²', 'm⁻³', 'm^1.5')
     """
+    unit = unit.replace("ohm", "Ω")
     return re.sub(r"\^(-?\d+)(?![\d.])", lambda found: found[1].translate(SUPERSCRIPT), unit)
 
 
@@ -93,12 +94,15 @@ def scale_of(unit: str | None, *contents: ArrayLike) -> Scale:
     if unit == "rad":
         return Scale(math.pi / 180.0, "°")
     unit = re.sub(r"\^1(?![\d.])", "", unit)
+    if unit == "1/Pa":  # compliances of rubber are numbers per megapascal
+        least = scale_of("Pa", *(1.0 / part[part > 0.0] for part in map(_finite, contents)))
+        return Scale(1.0 / least.factor, f"1/{least.unit}")
     head, slash, tail = unit.partition("/")
     if head not in PREFIXED:
         return Scale(1.0, pretty_unit(unit))
     greatest = max((float(np.max(part)) for part in map(_finite, contents) if part.size), default=0.0)
     power = 3 * math.floor(math.log10(greatest * (1.0 + 1e-9)) / 3.0) if greatest > 0.0 else 0
-    power = max(min(PREFIXES), min(max(PREFIXES) if head not in ("m", "s") else 0, power))
+    power = max(min(PREFIXES), min(max(PREFIXES) if head not in ("m", "s", "K") else 0, power))
     return Scale(float(f"1e{power}"), pretty_unit(f"{PREFIXES[power]}{head}{slash}{tail}"))
 
 

@@ -16,7 +16,7 @@ from winkler.plot.series import Scale, Series, places, scale_of, series
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["at_first_touch", "draw_springs", "plane_profile"]
+__all__ = ["at_first_touch", "draw_ground", "draw_springs", "plane_profile"]
 
 COILS = 9
 SPRINGS = 33
@@ -68,7 +68,7 @@ def draw_springs(axes: Axes, pressed: Pressed, extent: float) -> None:
         style.note(axes, "thicker springs are stiffer", where="upper left")
     if pull > 0.0:
         style.note(axes, "blue springs pull", where="lower left")
-    _ground(axes, extent / across.factor, bottom / upright.factor, 0.16 * unit / upright.factor)
+    draw_ground(axes, extent / across.factor, bottom / upright.factor, 0.16 * unit / upright.factor)
     _coils(axes, pressed, extent, bottom, across, upright)
     _profile(axes, pressed, (x.content, g.content), top, across, upright)
     axes.axhline(0.0, color=style.MUTED, linewidth=0.8, linestyle=(0, (4, 3)), zorder=1)
@@ -91,7 +91,8 @@ def _pull(pressed: Pressed) -> float:
     return max(-float(np.min(pressed.value(x))), 0.0)
 
 
-def _ground(axes: Axes, end: float, top: float, thick: float) -> None:
+def draw_ground(axes: Axes, end: float, top: float, thick: float) -> None:
+    """Draw what the springs stand on, in the units of the axes."""
     axes.fill_between(
         [-end, end],
         [top, top],

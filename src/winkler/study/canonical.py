@@ -13,7 +13,7 @@ import numpy as np
 from winkler.study.catalogue import kind_of
 from winkler.study.study import Places, Study
 
-__all__ = ["canonical", "digest"]
+__all__ = ["canonical", "digest", "digest_of"]
 
 
 def canonical(study: Study) -> str:
@@ -34,6 +34,12 @@ def canonical(study: Study) -> str:
 def digest(study: Study) -> str:
     """Return the SHA-256 of the canonical form, as 64 hexadecimal digits."""
     return hashlib.sha256(canonical(study).encode()).hexdigest()
+
+
+def digest_of(problem: Any) -> str:
+    """Return the SHA-256 of the canonical form of a problem alone, as 64 hexadecimal digits."""
+    content = json.dumps(_plain(problem), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(content.encode()).hexdigest()
 
 
 def _places(places: Places) -> Any:

@@ -5,14 +5,35 @@ from __future__ import annotations
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
 from winkler.problems.bimodal import BimodalDampingSolution
+from winkler.problems.conductance_bounds import ConductanceBoundsSolution
+from winkler.problems.constriction import ConstrictionSolution
 from winkler.problems.damping import FrictionDampingSolution
 from winkler.problems.equilibrium import EquilibriumCurve
+from winkler.problems.fretting_heat import FrettingHeatSolution
+from winkler.problems.fretting_wear import FrettingSolution
+from winkler.problems.heating import FrictionHeatingSolution
+from winkler.problems.heating_transient import TransientHeatingSolution
 from winkler.problems.impact import ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpactSolution
+from winkler.problems.joule_heating import JouleHeatingSolution
+from winkler.problems.limiting_profile import LimitingSolution
+from winkler.problems.oscillating_rolling import OscillatingRollingSolution
 from winkler.problems.pull_off import PullOffSolution
 from winkler.problems.relaxation import RelaxationDamperSolution
+from winkler.problems.rolling import RollingSolution
+from winkler.problems.rolling_start import RollingStartSolution
+from winkler.problems.simplified_rolling import SimplifiedRollingSolution
+from winkler.problems.sliding_wear import SlidingSolution
+from winkler.problems.spots import SpotClusterSolution
 from winkler.problems.tangential import TangentialSolution
+from winkler.problems.thermal_constriction import ThermalConstrictionSolution
 from winkler.problems.torsion import TorsionSolution
+from winkler.problems.viscoelastic import ViscoelasticSolution
+from winkler.problems.viscoelastic_adhesion import ViscoelasticAdhesionSolution
+from winkler.problems.viscoelastic_impact import ViscoelasticImpactSolution
+from winkler.problems.viscoelastic_sliding import SlidingResistanceSolution
+from winkler.problems.viscoelastic_tangential import ViscoelasticTangentialSolution
+from winkler.problems.viscoelastic_tests import HarmonicSolution, StepSolution
 
 __all__ = ["CAPTIONS", "SHOWN_WHOLE", "STUCK"]
 
@@ -97,6 +118,103 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
     BimodalDampingSolution: ("damping", "What friction damps", "Loss in every closed cycle of depth and shift."),
     RelaxationDamperSolution: ("damping", "What relaxation damps", "Damper and spring, as the depth oscillates."),
     ImpactSolution: ("impact", "The impact", "Forces, velocities, contact and energies over time."),
+    ConstrictionSolution: (
+        "contact_resistance",
+        "The contact resistance",
+        "Over the force, and what makes it: the narrow contact, a film, the length of rods.",
+    ),
+    ThermalConstrictionSolution: (
+        "heat",
+        "Heat through the contact",
+        "Temperature around the contact, heat flux over the surface, and the resistance over the force.",
+    ),
+    JouleHeatingSolution: (
+        "joule",
+        "How hot a current makes the contact",
+        "Temperature around the contact, current density over the surface, and what other voltages would heat.",
+    ),
+    SpotClusterSolution: (
+        "spots",
+        "The spots",
+        "Which spots carry more current than others of their size, and what stands in the way of all.",
+    ),
+    ConductanceBoundsSolution: (
+        "bounds",
+        "Between two smooth bodies",
+        "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than the lines.",
+    ),
     AdhesiveImpactSolution: ("impact", "The impact", "Force, velocity, contact and energies over time."),
+    ViscoelasticSolution: (
+        "relaxing",
+        "The contact along its path",
+        "Force, depth, contact radius and energies; springs and pressure of a late contact, with the springs that have "
+        "let go and recover on their own.",
+    ),
+    FrictionHeatingSolution: (
+        "heating",
+        "How warm the bodies get",
+        "The surface that moves faster past the contact, both surfaces along the middle, and the flash temperature "
+        "over the speed; or, of many loads and speeds at once, over what was varied.",
+    ),
+    TransientHeatingSolution: (
+        "heating",
+        "How the contact warms up",
+        "The flash temperature over time, and the surface of the first body at some moments.",
+    ),
+    FrettingHeatSolution: (
+        "heating",
+        "How warm the contact gets",
+        "Where the heat of a cycle is released, and the mean temperature of the surfaces.",
+    ),
+    StepSolution: ("step", "After the step", "How the body sinks under its force, or how the force falls, over time."),
+    HarmonicSolution: (
+        "harmonic",
+        "A small oscillation",
+        "Force in phase with the motion and a quarter of a turn ahead of it, and the ratio of both.",
+    ),
+    ViscoelasticTangentialSolution: (
+        "dragged",
+        "The contact along its path",
+        "The loop of the shear force, forces, energies and the contact over time; springs and their loads of a late "
+        "contact, with those that have let go and recover.",
+    ),
+    ViscoelasticAdhesionSolution: (
+        "pulled_off",
+        "Pulled off rubber",
+        "Force over the way of the machine, depth and contact over time, and how fast the edge opens.",
+    ),
+    SlidingResistanceSolution: (
+        "sliding",
+        "What sliding or rolling costs",
+        "Resistance and coefficient of friction over the speed, and the springs under the body where it is greatest.",
+    ),
+    ViscoelasticImpactSolution: ("impact", "The impact", "Force, velocity, depth and contact until the body leaves."),
+    RollingSolution: ("creep", "Rolling", "The creep force, and what the springs bear at the greatest of these."),
+    SimplifiedRollingSolution: (
+        "creep",
+        "Rolling",
+        "The creep force; of the greatest of these the traction over the contact, and where it sticks and slides.",
+    ),
+    RollingStartSolution: ("start", "From rest to rolling", "The force on the way, and the springs at some places."),
+    OscillatingRollingSolution: (
+        "rocking",
+        "Rocking to and fro",
+        "The shift over the cycles, the springs after some of them, and the limit of shakedown.",
+    ),
+    FrettingSolution: (
+        "fretting",
+        "Worn by fretting",
+        "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and load over them.",
+    ),
+    SlidingSolution: (
+        "sliding",
+        "Worn by sliding",
+        "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
+    ),
+    LimitingSolution: (
+        "limit",
+        "Where wear ends",
+        "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
+    ),
 }
 """Answers that are curves -> the stem of the picture, its title, one sentence."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.foundation.bed import Bed
+from winkler.laws.wear import OwnWear
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.medium import Medium
 from winkler.path_steps import Kept
@@ -19,8 +20,13 @@ from winkler.profiles.flat import Cylinder
 from winkler.profiles.profile import Profile
 from winkler.study.kind import Kind
 from winkler.study.kinds_of_bodies import BODIES
+from winkler.study.kinds_of_conduction import CONDUCTION
 from winkler.study.kinds_of_contacts import CONTACTS
 from winkler.study.kinds_of_friction import FRICTION
+from winkler.study.kinds_of_heating import HEATING
+from winkler.study.kinds_of_rolling import ROLLING
+from winkler.study.kinds_of_viscoelasticity import VISCOELASTICITY
+from winkler.study.kinds_of_wear import WEAR
 
 __all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "kind_of", "kinds", "slot_of"]
 
@@ -34,13 +40,15 @@ def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
     return slots
 
 
-CATALOGUE: dict[str, dict[str, Kind]] = _merged(BODIES, CONTACTS, FRICTION)
+CATALOGUE: dict[str, dict[str, Kind]] = _merged(
+    BODIES, CONTACTS, FRICTION, VISCOELASTICITY, CONDUCTION, ROLLING, HEATING, WEAR
+)
 """Slot -> kind -> class; kinds are unique over all slots."""
 
 SLOTS: dict[Any, str] = {Profile: "profile", Medium: "medium", Bed: "bed", DepthGrading: "grading"}
 """Protocol -> slot: what may stand where a class asks for this contract."""
 
-UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw})
+UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw, OwnWear})
 """What a study file does not name where a class takes it: a load that stays, left out; a law that is a function."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}

@@ -56,7 +56,9 @@ def _reference(key: str, bibtex: str) -> Reference:
     fields = {name: text.replace("{", "").replace("}", "").replace("--", "-") for name, text in _fields(plain)}
     authors = [" ".join(reversed(name.split(", "))) for name in fields["author"].split(" and ")]
     if "journal" in fields:
-        where = f"{fields['journal']} {fields['volume']} ({fields['year']}) {fields['pages']}"
+        # what has appeared online alone has no volume
+        parts = (fields["journal"], fields.get("volume"), f"({fields['year']})", fields.get("pages"))
+        where = " ".join(part for part in parts if part)
     else:
         where = f"{fields['publisher']}, {fields['address']} {fields['year']}"
     doi = fields.get("doi", "")

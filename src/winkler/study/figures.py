@@ -26,7 +26,7 @@ from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.study import keys
 from winkler.study.captions import CAPTIONS, SHOWN_WHOLE, STUCK
 from winkler.study.inputs import content_label, setting_told
-from winkler.study.loops import ALONG, LOOPS, MARCHED, STICKING
+from winkler.study.loops import ALONG, LOOPS, MARCHED, STICKING, WITHOUT_CONTACT
 from winkler.study.outcome import Outcome, Solved
 from winkler.study.study import Axis, Study
 
@@ -90,6 +90,8 @@ def shown_contact(point: Solved) -> Contact | None:
     solution = point.each[-1]
     if isinstance(solution, MARCHED):
         solution = point.solution  # the whole path
+    if isinstance(solution, WITHOUT_CONTACT):
+        return None
     if isinstance(solution, IndentationSolution):
         return solution
     if isinstance(solution, STICKING):
@@ -132,15 +134,16 @@ def drawn(name: str, title: str, sentence: str, picture: Picture) -> Shown:
 
 def answers_over(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer over what was varied; none if nothing was."""
-    study = outcome.study
     columns = {column.name: column.content for column in outcome.table()}
     yield from _sheets(outcome)
     if any(isinstance(point.solution, EquilibriumCurve | AdhesiveCycleSolution) for point in outcome.solved):
         yield from _side_by_side(outcome)
         return
     loops = next((LOOPS[type(point.solution)] for point in outcome.solved if type(point.solution) in LOOPS), ())
-    if loops:
+    if loops and len(next(iter(columns.values()))) > len(outcome.points):
         yield from _loops(outcome, loops)
+        if len(outcome.points) > 1:
+            yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _single(outcome)})
         return
     if len(next(iter(columns.values()))) > len(outcome.points):
         over = next((name for name in ALONG if name in columns), "")
@@ -148,8 +151,13 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
         return
     if len(outcome.points) < 2:
         return
+    yield from _varied(outcome, {name: columns[name].reshape(outcome.shape) for name in _told_apart(outcome, columns)})
+
+
+def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
+    """Yield a figure for every one of the answers, one number at each point, over what was varied."""
+    study = outcome.study
     numeric = [axis for axis in study.sweep if all(isinstance(item, int | float) for item in axis.values)]
-    answers = {name: columns[name].reshape(outcome.shape) for name in _told_apart(outcome, columns)}
     if not numeric:
         yield from _bars(outcome, answers)
         return
@@ -248,14 +256,25 @@ def _loops(outcome: Outcome, loops: tuple[tuple[str, str], ...]) -> Iterator[Sho
     if len(points) < 2 and type(points[0].solution) in SHOWN_WHOLE:
         return  # the picture of the answer itself has them
     labels = [settings_of(outcome, point) for point in points]
+    worth, known = _answers_worth(outcome), set[str]()
     for over, what in loops:
-        if over in outcome.answers and what in outcome.answers:
+        if over in outcome.answers and what in worth:
             along, of = (
                 [Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what)
             )
+            if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
+                continue  # given, not answered
             picture = family_picture(along, of, labels, ordered=False)
             title = _capital(f"{spoken(what)} over {spoken(over)}")
-            yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
+            name = f"answer_{what}_over_{over}" if what in known else f"answer_{what}"
+            known.add(what)
+            yield drawn(name, title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
+
+
+def _single(outcome: Outcome) -> list[str]:
+    """Return the answers along paths or over time that are one number at every point, and differ."""
+    numbers = {name for point in outcome.solved for name, content in point.found if np.ndim(content) == 0}
+    return [name for name in _answers_worth(outcome) if name in numbers]
 
 
 def _cut(outcome: Outcome) -> str:

@@ -16,14 +16,25 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.problems.adhesive_cycle import AdhesiveCycle
 from winkler.problems.adhesive_shear import AdhesiveShear
 from winkler.problems.bimodal import BimodalDamping
+from winkler.problems.constriction import Constriction
 from winkler.problems.damping import FrictionDamping
+from winkler.problems.fretting_heat import FrettingHeat
+from winkler.problems.heating import FrictionHeating
+from winkler.problems.heating_transient import TransientHeating
 from winkler.problems.impact import Impact
 from winkler.problems.impact_adhesive import AdhesiveImpact
+from winkler.problems.joule_heating import JouleHeating
 from winkler.problems.relaxation import RelaxationDamper
 from winkler.problems.tangential import Tangential
+from winkler.problems.thermal_constriction import ThermalConstriction
 from winkler.problems.torsion import Torsion
 from winkler.problems.yielding import YieldOnset
 from winkler.study.formula import Formula
+from winkler.study.formulas_of_conduction import OF_CONDUCTION, conducted
+from winkler.study.formulas_of_heating import FRETTED, RUBBED_WARM, WARMING
+from winkler.study.formulas_of_rolling import OF_ROLLING
+from winkler.study.formulas_of_viscoelasticity import OF_VISCOELASTICITY
+from winkler.study.formulas_of_wear import worn
 
 __all__ = ["Formula", "formulas_of"]
 
@@ -237,12 +248,18 @@ def _rubbed(problem: Any) -> tuple[Formula, ...]:
             return (HELD, SWUNG, LOSS)
         case RelaxationDamper():
             return (RELAXED,)
+        case Constriction() | ThermalConstriction() | JouleHeating():
+            return conducted(problem)
         case Impact():
             return (HELD, SHIFTED, STRUCK, *([THROWN] if problem.sliding_velocity else []))
         case AdhesiveImpact():
             return (STRUCK,)
+        case FrictionHeating():
+            return RUBBED_WARM
+        case TransientHeating():
+            return WARMING
         case _:
-            return ()
+            return worn(problem)
 
 
 def _restored(problem: Any) -> tuple[Formula, ...]:
@@ -250,7 +267,12 @@ def _restored(problem: Any) -> tuple[Formula, ...]:
     return () if isinstance(problem.law, Dugdale) else (PRESSURE, SURFACE)
 
 
-OF_THEIR_OWN: dict[type, Callable[[Any], tuple[Formula, ...]]] = {}
+OF_THEIR_OWN: dict[type, Callable[[Any], tuple[Formula, ...]]] = {
+    FrettingHeat: lambda problem: (*formulas_of(problem.motion), *FRETTED),
+    **OF_CONDUCTION,
+    **OF_ROLLING,
+    **OF_VISCOELASTICITY,
+}
 """Problem -> what returns its formulas, where they do not begin with springs pressed by an elastic body."""
 
 

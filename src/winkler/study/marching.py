@@ -3,30 +3,49 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.errors import WinklerError
+from winkler.problems.fretting_wear import FrettingSolution, FrettingWear
+from winkler.problems.sliding_wear import SlidingSolution, SlidingWear
 from winkler.problems.tangential import Tangential, TangentialSolution
 from winkler.problems.torsion import Torsion, TorsionSolution
-from winkler.problems.torsion_states import TorsionState
+from winkler.problems.viscoelastic import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic_adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
+from winkler.problems.viscoelastic_tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
+from winkler.study.keeping import KEPT, Keep
 
-__all__ = ["INTERRUPTED", "MARCHES", "March", "Watch", "marched", "unwatched"]
+__all__ = ["ANEW", "INTERRUPTED", "MARCHES", "March", "Watch", "marched", "unwatched"]
 
 INTERRUPTED = 130
 """What the command line returns if it was interrupted."""
 
 
-def _twisted(problem: Torsion, states: list[TorsionState]) -> TorsionSolution:
-    """Gather states, of the whole path or of its beginning."""
-    words = [field.name for field in dataclasses.fields(TorsionSolution) if field.name not in ("problem", "states")]
-    columns = {word: np.array([getattr(state, word) for state in states]) for word in words}
-    return TorsionSolution(problem, **columns, states=tuple(states))
+def _gathered(answer: type) -> Callable[[Any, list[Any]], Any]:
+    """Return what gathers states, of a whole path or of its beginning, into an answer with the same words."""
+    words = [field.name for field in dataclasses.fields(answer) if field.name not in ("problem", "states")]
+    keeps = any(field.name == "states" for field in dataclasses.fields(answer))
+
+    def of(problem: Any, states: list[Any]) -> Any:
+        columns: dict[str, Any] = {word: np.array([getattr(state, word) for state in states]) for word in words}
+        return answer(problem, **columns, **({"states": tuple(states)} if keeps else {}))
+
+    return of
 
 
-MARCHES: dict[type, Callable[[Any, list[Any]], Any]] = {Tangential: TangentialSolution.of, Torsion: _twisted}
+MARCHES: dict[type, Callable[[Any, list[Any]], Any]] = {
+    FrettingWear: FrettingSolution.of,
+    SlidingWear: SlidingSolution.of,
+    Tangential: TangentialSolution.of,
+    Torsion: _gathered(TorsionSolution),
+    ViscoelasticAdhesion: _gathered(ViscoelasticAdhesionSolution),
+    ViscoelasticIndentation: _gathered(ViscoelasticSolution),
+    ViscoelasticTangential: ViscoelasticTangentialSolution.of,
+}
 """Problem -> what makes its answer from the states along its path, or from the first of them."""
 
 Watch = Callable[[Iterable[Any], int], Iterable[Any]]
@@ -56,7 +75,11 @@ def unwatched(states: Iterable[Any], total: int) -> Iterator[Any]:
     yield from states
 
 
-def marched(problem: Any, watch: Watch = unwatched) -> March:
+ANEW = Keep("", "")
+"""Keeps nothing, and knows of nothing."""
+
+
+def marched(problem: Any, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
     """Solve a problem of `MARCHES`, and keep what was reached if it ends early.
 
     Parameters
@@ -65,6 +88,8 @@ def marched(problem: Any, watch: Watch = unwatched) -> March:
         What to solve.
     watch
         Sees every state on its way.
+    keep
+        Where states are kept, and found again, of problems whose march can go on from one.
 
     Returns
     -------
@@ -75,12 +100,16 @@ def marched(problem: Any, watch: Watch = unwatched) -> March:
     WinklerError, KeyboardInterrupt
         If it ends before its first point.
     """
-    total = int(problem.path.time.size)
+    total = int(problem.goals.size if isinstance(problem, KEPT) else problem.path.time.size)
+    before = keep.reached(problem) if keep != ANEW else []
+    marching = problem.steps(start=before[-1]) if before else problem.steps()
     states: list[Any] = []
     stopped, code = "", 0
     try:
-        for state in watch(problem.steps(), total):
+        for state in watch(itertools.chain(before, marching), total):
             states.append(state)
+            if keep != ANEW and len(states) > len(before):
+                keep.write(problem, states)
     except KeyboardInterrupt:
         if not states:
             raise

@@ -1,8 +1,8 @@
 r"""Formulas for web pages: the house's LaTeX becomes MathML, which browsers show without any script or font of ours.
 
 A small part of LaTeX is understood: letters, numbers, signs, ``_`` and ``^``, primes, groups, ``\frac``, ``\sqrt``,
-``\int``, ``\oint``, ``\sum``, ``\dot``, ``\mathrm``, ``\text``, growing brackets by ``\left`` and ``\right``, Greek
-letters and some signs.  Anything else is refused, so that a page never shows half a formula.
+``\int``, ``\oint``, ``\sum``, ``\dot``, ``\bar``, ``\mathrm``, ``\text``, growing brackets by ``\left`` and ``\right``,
+Greek letters and some signs.  Anything else is refused, so that a page never shows half a formula.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "kappa": "κ", "lambda": "λ",
     "mu": "μ", "nu": "ν", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "phi": "φ", "xi": "ξ", "psi": "ψ",
     "omega": "ω", "eta": "η", "varphi": "φ", "ell": "ℓ",
-    "Delta": "Δ", "Gamma": "Γ", "Phi": "Φ", "Omega": "Ω", "infty": "∞", "partial": "∂",
+    "Delta": "Δ", "Gamma": "Γ", "Phi": "Φ", "Lambda": "Λ", "Omega": "Ω", "infty": "∞", "partial": "∂",
 }  # fmt: skip
 SIGNS = {
     "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "cdot": "·", "times": "×", "pm": "±", "to": "→", "dots": "…",
     "quad": "\u2003", ",": "\u2009", ";": "\u2005", " ": " ", "!": "",
 }  # fmt: skip
 BIG = {"int": "∫", "oint": "∮", "sum": "∑"}
-ABOVE = {"dot": "˙", "ddot": "¨"}
+ABOVE = {"dot": "˙", "ddot": "¨", "bar": "¯"}
 UPRIGHT = ("mathrm", "text")
 NAMED = ("max", "min", "ln", "log", "sin", "cos", "tan", "arcsin", "arccos", "arctan")
 

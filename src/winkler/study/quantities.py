@@ -75,7 +75,9 @@ GRIDS: frozenset[tuple[str, str]] = frozenset({("Designed", "slopes")})
 INFINITE = "infinite"
 ENDLESS: frozenset[str] = frozenset({"machine_stiffness", "inertia"})
 """Fields that may be infinite, written as that word."""
-ENDLESS_OF: frozenset[tuple[str, str]] = frozenset({("Coulomb", "coefficient")})
+ENDLESS_OF: frozenset[tuple[str, str]] = frozenset(
+    {("Coulomb", "coefficient"), ("ThermalInterface", "interface_conductance")}
+)
 """The same, of one class alone."""
 
 
@@ -102,7 +104,7 @@ def endless(owner: type, field: str) -> bool:
 def dependent(owner: type) -> tuple[str, ...]:
     """Return the fields of `owner` whose unit depends on another field, such as the coefficient of c r^n."""
     units = {field.name: unit_of(owner, field.name) for field in dataclasses.fields(owner)}
-    return tuple(name for name, unit in units.items() if unit is not None and re.search(r"\([^)]*[A-Za-z]", unit))
+    return tuple(name for name, unit in units.items() if unit is not None and re.search(r"\^\([^)]*[A-Za-z]", unit))
 
 
 def settled(unit: str, owner: type, content: dict[str, Any]) -> str:
@@ -133,7 +135,7 @@ def number(raw: Any, unit: str | None) -> Any:
     if isinstance(raw, np.ndarray | list | dict):
         what = "a list" if isinstance(raw, list) else "a table"
         wrong(f'{WHERE} is {what}; give one quantity, such as "{sample(unit or "")}".')
-    if unit is not None and re.search(r"\([^)]*[A-Za-z]", unit):
+    if unit is not None and re.search(r"\^\([^)]*[A-Za-z]", unit):
         return raw
     if isinstance(raw, bool) or not isinstance(raw, str | int | float):
         what = f'a quantity, such as "{sample(unit)}"' if unit else "a number, such as 0.3"

@@ -17,8 +17,11 @@ from winkler.problems.damping import FrictionDampingSolution
 from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.impact import ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpactSolution
+from winkler.problems.oscillating_rolling import OscillatingRollingSolution
 from winkler.problems.pull_off import PullOffSolution
 from winkler.problems.relaxation import RelaxationDamperSolution
+from winkler.problems.rolling import RollingSolution
+from winkler.problems.rolling_start import RollingStartSolution
 from winkler.problems.tangential import TangentialSolution
 from winkler.problems.torsion import TorsionSolution
 from winkler.study import figures
@@ -26,6 +29,7 @@ from winkler.study.archive import CSV, NETCDF
 from winkler.study.citing import cite
 from winkler.study.figures import Shown, figures_of, shown_contact, shown_point
 from winkler.study.formulas import formulas_of
+from winkler.study.loops import WITHOUT_CONTACT
 from winkler.study.markup import safe, section, table
 from winkler.study.mathml import formula
 from winkler.study.outcome import Outcome
@@ -58,6 +62,9 @@ OF_MANY: dict[type, str] = {
     TorsionSolution: "the contact at its greatest depth, its twist left out",
     ImpactSolution: "the contact at its greatest depth, its springs along the surface left out",
     AdhesiveImpactSolution: "the contact at its greatest depth, without the attraction",
+    RollingSolution: "the contact under its normal load, its springs along the surface left out",
+    RollingStartSolution: "the contact under its normal load, its springs along the surface left out",
+    OscillatingRollingSolution: "the contact under its normal load, its springs along the surface left out",
 }
 """Which contact is shown of an answer that holds many."""
 
@@ -147,8 +154,9 @@ def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
     if method:
         figures_ = "".join(map(figure_element, method))
         parts.append(section("The method in pictures", _which(outcome), f'<div class="figures">{figures_}</div>'))
-    if shown_contact(shown_point(outcome)) is None:
-        kind = type(shown_point(outcome).problem).__name__
+    point = shown_point(outcome)
+    if shown_contact(point) is None and not isinstance(point.solution, WITHOUT_CONTACT):
+        kind = type(point.problem).__name__
         sentence = (
             f"There are no pictures of the method for {kind}: its answer does not tell how the springs are pressed."
         )

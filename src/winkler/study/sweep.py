@@ -6,6 +6,7 @@ The points come out in the order of the sweep, and with the same numbers, howeve
 from __future__ import annotations
 
 import contextlib
+import functools
 import multiprocessing
 import os
 import signal
@@ -20,7 +21,8 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, WinklerError
 from winkler.fields import restore
 from winkler.study import keys
-from winkler.study.marching import INTERRUPTED, MARCHES, March, Watch, marched, unwatched
+from winkler.study.keeping import Keep
+from winkler.study.marching import ANEW, INTERRUPTED, MARCHES, March, Watch, marched, unwatched
 from winkler.study.outcome import Failed, Solved, answers_of
 from winkler.study.study import Fields, Study
 from winkler.values import value
@@ -71,11 +73,11 @@ def tasks(study: Study) -> list[Task]:
     return points
 
 
-def solved(task: Task, watch: Watch = unwatched) -> Solved | Failed:
+def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | Failed:
     """Solve one point; an error of the physics becomes a `Failed`, any other one is a mistake of ours and is raised."""
     index, settings, problem, fields = task.index, task.settings, task.problem, task.fields
     try:
-        march = marched(problem, watch) if type(problem) in MARCHES else March(problem.solve())
+        march = marched(problem, watch, keep) if type(problem) in MARCHES else March(problem.solve())
         solution = march.solution
         found = tuple(answers_of(solution).items())
         point = Solved(index, settings, problem, solution, found)
@@ -97,7 +99,9 @@ def solved(task: Task, watch: Watch = unwatched) -> Solved | Failed:
         return Failed(index, settings, problem, str(error), error.exit_code)
 
 
-def solve_points(study: Study, *, workers: int = 1, watch: Watch = unwatched) -> Iterator[Solved | Failed]:
+def solve_points(
+    study: Study, *, workers: int = 1, watch: Watch = unwatched, keep: Keep = ANEW
+) -> Iterator[Solved | Failed]:
     """Yield the points of a study as they are solved, in the order of its sweep.
 
     Parameters
@@ -109,6 +113,8 @@ def solve_points(study: Study, *, workers: int = 1, watch: Watch = unwatched) ->
     watch
         Sees the states of a march along a path, if this process solves it; what was reached when it is interrupted is
         the last point.
+    keep
+        Where long marches keep what they have reached, to go on from there if they are killed.
 
     Raises
     ------
@@ -120,12 +126,12 @@ def solve_points(study: Study, *, workers: int = 1, watch: Watch = unwatched) ->
     todo = tasks(study)
     if workers == 1 or len(todo) == 1:
         for task in todo:
-            point = solved(task, watch)
+            point = solved(task, watch, keep)
             yield point
             if point.code == INTERRUPTED:
                 return
         return
-    yield from pooled(solved, todo, min(workers, len(todo)))
+    yield from pooled(functools.partial(solved, keep=keep), todo, min(workers, len(todo)))
 
 
 def pooled(answer: Callable[[T], R], todo: list[T], workers: int) -> Iterator[R]:
