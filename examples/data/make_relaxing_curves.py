@@ -1,11 +1,12 @@
-"""Make cell_loop.csv and gel_creep.csv: curves of bodies that relax, with the scatter of a measurement.
+"""Make cell_loop.csv, gel_creep.csv and gel_relaxation.csv: bodies that relax, with the scatter of a measurement.
 
 The curves are not real ones.  What they should give is known, so that what comes out of winkler can be checked: a rigid
 bead of 5 micrometres curvature radius.  cell_loop.csv is pressed into a cell that relaxes as t^-0.2, with a shear
 modulus of 500 Pa after one second, at steady speed in and out; gel_creep.csv stands under a force of 1 nN on a gel
 with shear moduli of 300 Pa at last and 1000 Pa at first, whose relaxation takes 0.8 s.  Both bodies are incompressible.
 The force scatters by 5 pN, the depth of the creep by 2 nm (normally distributed, seeded, so that the files are the same
-every time).  The numbers follow from closed forms (Lee and Radok, Ting), written out here, not from winkler.
+every time).  gel_relaxation.csv is what a rheometer would tell of a gel with the moduli of `SPECTRUM`, one per cent of
+scatter in each.  The numbers follow from closed forms (Lee and Radok, Ting), written out here, not from winkler.
 
 Run it in the folder where the files are wanted:  python make_relaxing_curves.py
 """
@@ -17,6 +18,8 @@ from scipy.special import beta, betainc
 
 BEAD = 5e-6
 SEED = 1960
+SPECTRUM = {0.1: 500.0, 2.0: 600.0, 40.0: 450.0}
+"""Relaxation times [s] and shear moduli [Pa] of the third file, beside 1.15 kPa that stay."""
 
 HEADER = """\
 # NOT a real measurement: made by examples/data/make_relaxing_curves.py from a known contact, with seeded scatter.
@@ -59,4 +62,13 @@ if __name__ == "__main__":
     depth = creep(time, 1e-9, 300.0, 700.0, 0.8) + 2e-9 * random.standard_normal(time.size)
     what = "Gel, G = 300 Pa + 700 Pa exp(-t / 0.8 s), nu = 0.5, under 1 nN."
     write(Path("gel_creep.csv"), what, depth, np.full(time.size, 1e-9), time)
-    print("Written cell_loop.csv and gel_creep.csv")
+    time = np.geomspace(0.01, 300.0, 28)
+    shear = 1150.0 + sum(modulus * np.exp(-time / tau) for tau, modulus in SPECTRUM.items())
+    shear *= 1.0 + 0.01 * random.standard_normal(time.size)
+    rows = (f"{t:.4g}, {1e-3 * g:.4g}\n" for t, g in zip(time, shear, strict=True))
+    told = (
+        HEADER.splitlines()[0]
+        + "\n# Gel, G = 1.15 kPa and three terms, after a step of shear.\ntime [s], shear [kPa]\n"
+    )
+    Path("gel_relaxation.csv").write_text(told + "".join(rows), encoding="utf-8")
+    print("Written cell_loop.csv, gel_creep.csv and gel_relaxation.csv")
