@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 import pytest
+from python_of_kinds import NEWER
 
 import winkler as wk
 from winkler.cli import main
@@ -155,6 +156,7 @@ PYTHON = {
     "elastic_plastic_particle": wk.ElasticPlasticParticle(
         1e-3, wk.Elastic(1e9, 0.3, strength=20e6), wk.Depth(np.array([20e-6, 40e-6, 0.0]))
     ),
+    **NEWER,
 }
 LIGHT = "\n[output]\nfigures = []\nreport = false\n"
 

@@ -172,14 +172,18 @@ def table_at(table: Any, place: str) -> Any:
 
 
 def _holder(name: str) -> tuple[str, str]:
-    """Return a kind of another slot that holds `name`, and the key; a key that has it by default comes first."""
+    """Return a kind of another slot that holds `name`, and the key.
+
+    The problem that its line in the catalogue names comes first, then a key that has it by default.
+    """
     found = [
         (holder, field, _by_default(holder, field, name) and slot_of(holder) not in ("path", "step"))
         for holder, line in kinds().items()
         for field, hint in hints(line.cls).items()
         if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
     ]
-    return next(((holder, field) for holder, field, default in found if default), found[0][:2])
+    named = [(holder, field) for holder, field, _ in found if holder == kinds()[name].problem]
+    return (named or [(holder, field) for holder, field, default in found if default] or [found[0][:2]])[0]
 
 
 def _by_default(holder: str, field: str, name: str) -> bool:

@@ -38,8 +38,8 @@ FRICTION: dict[str, dict[str, Kind]] = {
         "static_kinetic": kind(StaticKinetic, problem="tangential", static_coefficient=0.4, kinetic_coefficient=0.3),
     },
     "lateral": {
-        "shift": kind(Shift, shift="1 nm"),
-        "shear_force": kind(ShearForce, shear_force="1 mN"),
+        "shift": kind(Shift, problem="adhesive_shear", shift="1 nm"),
+        "shear_force": kind(ShearForce, problem="adhesive_shear", shear_force="1 mN"),
         "angle": kind(Angle, problem="torsion", angle="1 mrad"),
         "torque": kind(Torque, problem="torsion", torque="1 mN m"),
     },

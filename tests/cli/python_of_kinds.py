@@ -1,0 +1,179 @@
+"""What the examples of bodies that relax, conduct, warm up, roll and wear are in Python."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import winkler as wk
+
+BALL = wk.Sphere(10e-3)
+BED = wk.Foundation(BALL, wk.HalfSpace(wk.Elastic(210e9, 0.3)))
+FRICTION = wk.Coulomb(0.3)
+
+# ------------------------------------------------------------------------------------------------ relaxing
+
+RUBBER = wk.StandardSolid(relaxed_shear=1e6, shear=3e6, relaxation_time=0.1)
+ON_RUBBER = wk.Foundation(BALL, wk.ViscoelasticHalfSpace(RUBBER))
+IN_AND_OUT = wk.Program(
+    [
+        wk.Start(wk.Depth(0.0)),
+        wk.Ramp(wk.Depth(100e-6), duration=0.1, count=20),
+        wk.Hold(0.2, count=10),
+        wk.Ramp(wk.Depth(0.0), duration=0.1, count=20),
+    ]
+)
+RUBBED = wk.Program(
+    [
+        wk.Start(wk.Depth(0.0)),
+        wk.Ramp(wk.Depth(100e-6), duration=0.1, count=20),
+        wk.Oscillate(lateral=wk.Shift(50e-6), frequency=5.0, count=16),
+        wk.Hold(0.2, count=10),
+        wk.Ramp(wk.Depth(0.0), duration=0.1, count=20),
+    ]
+)
+PULLED = wk.Program([wk.Start(wk.Depth(5e-6)), wk.Ramp(wk.Depth(-25e-6), duration=30.0, count=60)])
+FILM = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(2.98e6, 0.49), thickness=1e-3)], on=wk.Rigid())
+TIMES = np.array([1e-3, 1e-2, 1e-1, 1.0, 10.0])
+WLF = wk.WilliamsLandelFerry(reference_temperature=298.15, first_constant=8.86, second_constant=101.6)
+ARRHENIUS = wk.Arrhenius(reference_temperature=298.15, activation_energy=80e3)
+
+
+def relaxing(medium):
+    if not isinstance(medium, wk.RelaxingInProportion):
+        medium = wk.ViscoelasticHalfSpace(medium)
+    return wk.ViscoelasticIndentation(wk.Foundation(BALL, medium), IN_AND_OUT, count=200)
+
+
+def warm(law):
+    return relaxing(wk.AtTemperature(RUBBER, law, 313.15))
+
+
+RELAXING = {
+    **{kind: relaxing(RUBBER) for kind in ("standard_solid", "viscoelastic_half_space", "viscoelastic_indentation")},
+    "maxwell": relaxing(wk.Maxwell(3e6, 0.1)),
+    "kelvin_voigt": relaxing(wk.KelvinVoigt(1e6, 100e3)),
+    "prony": relaxing(wk.Prony(1e6, [2e6, 0.5e6, 0.5e6], [0.01, 0.1, 1.0])),
+    "generalised_kelvin": relaxing(wk.GeneralisedKelvin(2.5e-7, [5e-7, 2.5e-7], [0.05, 0.5])),
+    "power_law_solid": relaxing(wk.PowerLawSolid(2e6, 1.0, 0.2, shortest=1e-4, longest=100.0)),
+    "fractional_zener": relaxing(wk.FractionalZener(1e6, 3e6, 0.1, 0.5, shortest=1e-4, longest=100.0)),
+    "relaxation_data": relaxing(wk.RelaxationData(TIMES, np.array([3.6e6, 2.9e6, 1.9e6, 1.3e6, 1.1e6]))),
+    "creep_data": relaxing(wk.CreepData(TIMES, np.array([2.8e-7, 3.4e-7, 5.2e-7, 7.6e-7, 9e-7]))),
+    "dynamic_data": relaxing(
+        wk.DynamicData(
+            np.array([0.1, 1.0, 10.0, 100.0, 1000.0]),
+            np.array([1.1e6, 1.3e6, 1.9e6, 2.9e6, 3.6e6]),
+            np.array([0.1e6, 0.25e6, 0.5e6, 0.5e6, 0.25e6]),
+        )
+    ),
+    "at_temperature": warm(WLF),
+    "williams_landel_ferry": warm(WLF),
+    "arrhenius": warm(ARRHENIUS),
+    "relaxing_in_proportion": relaxing(wk.RelaxingInProportion(FILM, RUBBER, shear=1e6)),
+    **{
+        kind: wk.ViscoelasticAdhesion(ON_RUBBER, wk.RateDependentWork(0.05, 1e-6, 0.6), PULLED)
+        for kind in ("rate_dependent_work", "viscoelastic_adhesion")
+    },
+    "saturating_work": wk.ViscoelasticAdhesion(
+        ON_RUBBER, wk.SaturatingWork(work=0.05, fast_work=1.0, reference_speed=1e-3, exponent=0.5), PULLED
+    ),
+    "creep_test": wk.CreepTest(ON_RUBBER, force=1.0, time=np.geomspace(1e-3, 10.0, 33)),
+    "relaxation_test": wk.RelaxationTest(ON_RUBBER, depth=100e-6, time=np.geomspace(1e-3, 10.0, 33)),
+    "harmonic_indentation": wk.HarmonicIndentation(ON_RUBBER, wk.Depth(100e-6), np.geomspace(0.1, 1000.0, 33)),
+    "viscoelastic_tangential": wk.ViscoelasticTangential(ON_RUBBER, FRICTION, RUBBED, count=100),
+    "sliding_resistance": wk.SlidingResistance(ON_RUBBER, wk.Force(1.0), np.geomspace(1e-4, 1.0, 17)),
+    "viscoelastic_impact": wk.ViscoelasticImpact(ON_RUBBER, mass=30e-3, velocity=1.0, count=100, tolerance=1e-3),
+}
+
+# ---------------------------------------------------------------------------------------------- conducting
+
+SILVER = wk.ElectricalConductor(15.9e-9, 3.8e-3)
+COPPER = wk.ElectricalConductor(16.8e-9, 3.8e-3)
+PAIR = wk.ElectricalConductors(SILVER, SILVER)
+STEEL = wk.ThermalConductor(45.0, 12e-6)
+WARM_PAIR = wk.HeatConductors(STEEL, STEEL)
+
+
+def resistance(conductors=PAIR):
+    return wk.Constriction(BED, conductors, wk.Force(1.0))
+
+
+def joint(conductors=WARM_PAIR):
+    return wk.ThermalConstriction(BED, conductors, wk.Force(100.0), temperature_drop=10.0)
+
+
+def heated(drive):
+    return wk.JouleHeating(BED, PAIR, wk.Force(1.0), drive)
+
+
+SPOTS = wk.SpotCluster(
+    np.array([0.0, 10e-6, 5e-6]), np.array([0.0, 0.0, 8e-6]), np.array([2e-6, 3e-6, 1e-6]), SILVER, SILVER
+)
+CONDUCTING = {
+    **{kind: resistance() for kind in ("constriction", "electrical_conductors")},
+    "plated": resistance(wk.ElectricalConductors(wk.Plated(SILVER, thickness=5e-6, on=COPPER), SILVER)),
+    "rod": resistance(wk.ElectricalConductors(wk.Rod(SILVER, radius=1e-3, length=10e-3), SILVER)),
+    "surface_film": resistance(wk.ElectricalConductors(SILVER, SILVER, wk.SurfaceFilm(1e-12))),
+    **{kind: joint() for kind in ("thermal_constriction", "thermal_conductor", "heat_conductors")},
+    "thermal_interface": joint(wk.HeatConductors(STEEL, STEEL, wk.ThermalInterface(interface_conductance=1e7))),
+    **{kind: heated(wk.Current(5.0)) for kind in ("joule_heating", "current", "wiedemann_franz")},
+    "voltage": heated(wk.Voltage(20e-3)),
+    **dict.fromkeys(("spot_cluster", "electrical_conductor"), SPOTS),
+    "conductance_bounds": wk.ConductanceBounds(BED, PAIR, roughness=0.1e-6, force=10.0),
+}
+
+# ------------------------------------------------------------------------------------- rolling and heating
+
+CREEPAGES = np.linspace(0.0, 6e-3, 25)
+SPINNING = wk.Creepage(longitudinal=0.0005, spin=5.0)
+
+
+def rolling(**more):
+    return wk.Rolling(BED, FRICTION, wk.Creepage(longitudinal=CREEPAGES), wk.Force(100.0), **more)
+
+
+def wheel(footprint):
+    return wk.SimplifiedRolling(footprint, BED.medium, FRICTION, SPINNING, wk.Force(100.0))
+
+
+def rubbing(**more):
+    return wk.FrictionHeating(BED, FRICTION, wk.Force(20.0), WARM_PAIR, first_speed=1.0, **more)
+
+
+FRETTED = wk.Program([wk.Start(wk.Force(100.0)), wk.Oscillate(lateral=wk.Shift(1e-6), cycles=2.0)])
+ROLLING = {
+    **{kind: rolling() for kind in ("rolling", "creepages", "kalker")},
+    "uncalibrated": rolling(calibration=wk.Uncalibrated()),
+    **{kind: wheel(wk.ContactEllipse(0.2e-3, 0.15e-3)) for kind in ("simplified_rolling", "contact_ellipse")},
+    "curved_bodies": wheel(wk.CurvedBodies(20e-3, 10e-3)),
+    "rolling_start": wk.RollingStart(BED, FRICTION, wk.Creepage(longitudinal=0.001), wk.Force(100.0), distance=0.6e-3),
+    "oscillating_rolling": wk.OscillatingRolling(
+        BED, FRICTION, amplitude=40e-6, shear_force=15.0, load=wk.Force(100.0)
+    ),
+}
+HEATING = {
+    **{kind: rubbing() for kind in ("friction_heating", "equal_maximum")},
+    "equal_mean": rubbing(partition=wk.EqualMean()),
+    "fixed_share": rubbing(partition=wk.FixedShare(first_share=0.5)),
+    "transient_heating": wk.TransientHeating(
+        BED, FRICTION, wk.Force(20.0), WARM_PAIR, speed=10e-3, time=np.geomspace(1e-5, 1.0, 16)
+    ),
+    "fretting_heat": wk.FrettingHeat(wk.Tangential(BED, FRICTION, FRETTED), frequency=100.0, conductors=WARM_PAIR),
+}
+
+# ------------------------------------------------------------------------------------------------- wearing
+
+ARCHARD = wk.Archard(1e-14)
+
+
+def fretting(wear):
+    cycles = np.array([0.0, 100.0, 1000.0, 3000.0, 10000.0])
+    return wk.FrettingWear(BED, wear, FRICTION, wk.Force(100.0), wk.Shift(0.5e-6), cycles, count=100)
+
+
+WEARING = {
+    **{kind: fretting(ARCHARD) for kind in ("fretting_wear", "archard")},
+    "pair_wear": fretting(wk.PairWear(ARCHARD, wk.Archard(2e-14))),
+    "sliding_wear": wk.SlidingWear(BED, ARCHARD, wk.Force(100.0), np.array([0.0, 0.1, 0.3, 1.0]), count=100),
+    "limiting_profile": wk.LimitingProfile(BED, FRICTION, wk.Depth(1e-6), wk.Shift(0.2e-6)),
+}
+NEWER = {**RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING}
