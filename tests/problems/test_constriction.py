@@ -230,7 +230,7 @@ def test_unlike_bodies_and_a_film_against_the_equations_of_heat_and_current():
     assert hot.max_temperature == pytest.approx(greatest, rel=1e-4)
 
 
-def test_melting_voltages_of_holms_table():
+def test_melting_voltages_as_they_are_commonly_quoted():
     """Silver 0.37 V, copper 0.43 V, gold 0.43 V (Holm 1967, table X)."""
     law = wk.WiedemannFranz()
     for melting, listed in ((1235.0, 0.37), (1358.0, 0.43), (1337.0, 0.43)):
