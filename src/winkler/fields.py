@@ -364,10 +364,10 @@ def _sided(sheared: ShearedSprings, x: Array, y: Array, z: Array, sign: float) -
 def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
     try:
         numbers = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"{asker}: {word} is {given!r}; give a number or an array in m.") from None
-    if not np.all(np.isfinite(numbers)):
-        raise InvalidInput(f"{asker}: {word} holds values that are not finite; give finite places in m.")
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidInput(f"{asker}: {word} is {given!r:.60}; give a number or an array in m.") from None
+    if not np.all(np.abs(numbers) < 1e60):
+        raise InvalidInput(f"{asker}: {word} holds values that are not finite, or beyond 1e60; give places in m.")
     return numbers
 
 

@@ -194,6 +194,7 @@ def _factor(tokens: list[tuple[str, str]], depth: int) -> _Unit:
 
 @functools.lru_cache(maxsize=512)
 def _unit(text: str) -> _Unit:
+    text = text.translate(POWERS)
     for pattern, plain in SPELLINGS:
         text = pattern.sub(plain, text)
     tokens = _tokens(text.strip())

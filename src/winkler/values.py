@@ -13,13 +13,18 @@ from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
+from winkler.content import FAULTS, careful, expected_of, guarded, refuse_wrong
+from winkler.errors import InvalidInput, WinklerError
+
 __all__ = ["frozen_array", "value"]
 
 T = TypeVar("T")
 
 
 def frozen_array(array: Any) -> np.ndarray:
-    """Return a read-only float (or bool, complex, text) copy of `array`."""
+    """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
+    if isinstance(array, np.ma.MaskedArray) and array.dtype.kind in "iuf":
+        array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none
     result = np.array(array)
     if result.dtype.kind in "iu":
         result = result.astype(float)
@@ -80,7 +85,9 @@ def _setstate(self: Any, state: dict[str, Any]) -> None:
 def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
 
-    A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.
+    A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
+    is compared with the types of the fields (`winkler.content`); its ``solve`` tells in one sentence if numbers leave
+    the range of floating-point numbers.
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
 
@@ -90,9 +97,20 @@ def value(cls: type[T]) -> type[T]:
             frozen = _frozen(content)
             if frozen is not content:
                 object.__setattr__(self, field.name, frozen)
-        if check is not None:
-            check(self)
+        try:
+            if check is not None:
+                with np.errstate(**strict):
+                    check(self)
+        except WinklerError:
+            raise
+        except FAULTS as error:
+            refuse_wrong(self, expected)
+            if isinstance(error, ArithmeticError):
+                raise InvalidInput(f"{cls.__name__}: {error}; check the numbers and their units.") from error
+            raise
+        refuse_wrong(self, expected)
 
+    strict: Any = dict.fromkeys(("over", "divide", "invalid"), "raise") if careful(cls) else {}
     for name, method in (
         ("__post_init__", __post_init__),
         ("__eq__", _equal),
@@ -101,4 +119,8 @@ def value(cls: type[T]) -> type[T]:
         ("__setstate__", _setstate),
     ):
         setattr(cls, name, method)
-    return dataclasses.dataclass(frozen=True, eq=False)(cls)
+    if "solve" in vars(cls):
+        setattr(cls, "solve", guarded(vars(cls)["solve"]))  # noqa: B010 (mypy knows no such attribute)
+    made = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    expected = expected_of(made)
+    return made

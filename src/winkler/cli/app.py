@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli import cite, draw, fit, new, run, show, validate
+from winkler.cli import browser, cite, draw, fit, new, run, show, table, validate
 
 __all__ = ["app"]
 
@@ -56,6 +56,8 @@ app.command()(run.run)
 app.command()(fit.fit)
 app.command()(show.show)
 app.command()(draw.draw)
+app.command()(table.table)
 app.command()(new.new)
 app.command()(cite.cite)
 app.command()(validate.validate)
+app.command()(browser.app)

@@ -14,7 +14,7 @@ __all__ = ["draw"]
 
 PARTS = {
     "contact": "the body in its dent, the springs, their load and the pressure",
-    "profile": "the shape alone: f(r) and g(x)",
+    "profile": "the shape alone: f(r) and g(x), or the height map",
     "bed": "the shape over its springs",
     "surface": "pressure and displacement of the surface; needs [fields] with r",
     "medium": "a coated or graded solid from its surface down, and the stiffness of its springs",
@@ -94,7 +94,8 @@ def _item(answer: Solved, part: str, load: int) -> Any:
     """Return what is drawn: a part of the solved point."""
     from winkler.errors import InvalidInput
     from winkler.foundation.measured import MeasuredBed
-    from winkler.staircase import staircase
+    from winkler.stairs import staircase
+    from winkler.study.figures_of_roughness import beside
 
     bed = getattr(answer.problem, "bed", None)
     shape = getattr(bed, "profile", None) or getattr(bed, "plane_profile", None)
@@ -102,6 +103,9 @@ def _item(answer: Solved, part: str, load: int) -> Any:
         raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")
     match part:
         case "profile":
+            maps = beside(answer.solution)
+            if maps:
+                return maps[0].item
             if shape is None:
                 raise InvalidInput("draw: this study has no profile; `--part bed` shows what it has.")
             return shape

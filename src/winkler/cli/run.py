@@ -24,48 +24,75 @@ def run(
     output: Output = None,
     overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that solve a sweep.")] = 1,
+    cluster: Annotated[
+        str, typer.Option("--cluster", help="Address of a dask scheduler whose workers solve a sweep.")
+    ] = "",
+    anew: Annotated[bool, typer.Option("--anew", help="Forget what a sweep that was stopped has solved.")] = False,
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
     """Solve a study; write numbers, figures and a report.
 
-    The results are written whole or not at all. A march through wear that was killed goes on where it was if the same
-    study is run again. Exit code 1 if an expectation is missed; if points of a sweep have no
-    answer, the code of the first one.
+    The results are written whole or not at all. A sweep, or a march through wear, that was stopped goes on where it
+    was if the same study is run again. Exit code 1 if an expectation is missed; if points of a sweep have no answer,
+    the code of the first one.
 
     Example: winkler run examples/studies/hertz.toml --output results/ball
     """
     from winkler.cli import terminal
-    from winkler.errors import Interrupted, WinklerError
+    from winkler.errors import Interrupted, InvalidInput, WinklerError
+    from winkler.study.cluster import Cluster
+    from winkler.study.journal import Journal
     from winkler.study.keeping import Keep
     from winkler.study.reading import read_study
     from winkler.study.run import gather
-    from winkler.study.sweep import solve_points
-    from winkler.study.writing import holds_results, placed, write_outcome
+    from winkler.study.sweep import journaled, solve_points
+    from winkler.study.writing import clear_partial, holds_results, placed, write_outcome
 
     started = time.perf_counter()
+    if cluster and workers != 1:
+        raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
     asked = read_study(study)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     if holds_results(folder) and not overwrite:
         overwrite = may_overwrite(folder)
-    with placed(folder, overwrite=overwrite) as partial:
-        many, hidden = math.prod(asked.shape), quiet or as_json
-        keep = Keep.beside(folder)
-        watch = terminal.marching(hidden=hidden or many > 1)
-        points = solve_points(asked, workers=workers, watch=watch, keep=keep)
-        watched = terminal.tracked(points, many, hidden=hidden)
-        try:
-            outcome = gather(asked, watched, started=started, source=study.name)
-        except WinklerError as error:
-            raise type(error)(f"{study.name}: {error}") from None
-        write_outcome(outcome, partial)
+    many, hidden = math.prod(asked.shape), quiet or as_json
+    journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
+    if anew:
+        journal.remove()
+        keep.forget()
+    with journal:
+        before = journal.count
+        if before:  # it was killed, and nobody else can be at it
+            clear_partial(folder)
+        with placed(folder, overwrite=overwrite) as partial:
+            who = Cluster(cluster) if cluster else workers
+            watch = terminal.marching(hidden=hidden or many > 1)
+            try:
+                if many > 1:
+                    points = journaled(asked, journal, workers=who, watch=watch, keep=keep)
+                else:
+                    points = solve_points(asked, workers=who, watch=watch, keep=keep)
+                watched = terminal.tracked(points, many, hidden=hidden, before=before)
+                outcome = gather(asked, watched, started=started, source=study.name)
+                write_outcome(outcome, partial)
+            except WinklerError as error:
+                raise type(error)(f"{study.name}: {error}") from None
+            except KeyboardInterrupt:
+                if not journal.count:
+                    raise
+                kept = f"{journal.count} of {many} points are kept beside {folder}"
+                raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
+        code = _code(outcome)
+        if code != Interrupted.exit_code:
+            journal.remove()
+            keep.clear([point.problem for point in outcome.points])
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
         _print(outcome, folder)
-    code = _code(outcome)
-    if code != Interrupted.exit_code:
-        keep.clear([point.problem for point in outcome.points])
+        if before:
+            print(f"{before} of {many} points were known from the run before.")
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are kept in {folder}.")
     return code
@@ -103,6 +130,7 @@ def _print(outcome: Outcome, folder: Path) -> None:
     out = terminal.console()
     out.print(outcome.study.title)
     terminal.answers(outcome, out)
+    terminal.indices(outcome, out)
     if outcome.verdicts:
         out.print(verdict_table(outcome.verdicts))
     terminal.notes(outcome, out)

@@ -13,21 +13,26 @@ def known(incomplete: str) -> list[str]:
     """Return the names that begin like `incomplete`, for the completion of the shell."""
     from winkler.study.catalogue import CATALOGUE, kinds
 
-    return [name for name in ("study", *CATALOGUE, *kinds()) if name.startswith(incomplete)]
+    return [name for name in ("study", "materials", *CATALOGUE, *kinds()) if name.startswith(incomplete)]
 
 
 def show(
     name: Annotated[
-        str, typer.Argument(help="A kind, a group of kinds, or 'study'.", autocompletion=known, show_default=False)
+        str,
+        typer.Argument(
+            help="A kind, a group, a material, 'study' or 'materials'.", autocompletion=known, show_default=False
+        ),
     ] = "",
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
 ) -> None:
     """Show what a kind takes: keys, units, ranges, and an example.
 
-    Without a name, all kinds are listed; 'study' shows the sections of a study file.
+    Without a name, all kinds are listed; 'study' shows the sections of a study file, 'materials' the table of common
+    materials, and the name of a material its numbers and their sources.
 
     Example: winkler show sphero_conical
     """
+    from winkler.cli import materials
     from winkler.errors import InvalidInput, suggest
     from winkler.study.catalogue import CATALOGUE, REFUSED, kinds
 
@@ -38,12 +43,16 @@ def show(
         _kind(name)
     elif name == "study":
         _study()
+    elif name == "materials":
+        materials.every()
     elif not name or name in CATALOGUE:
         _list(name)
     elif name in REFUSED:
         REFUSED[name](1.0)
+    elif materials.has(name):
+        materials.one(name)
     else:
-        every = ["study", *CATALOGUE, *kinds()]
+        every = ["study", "materials", *CATALOGUE, *kinds(), *materials.names()]
         raise InvalidInput(f"'{name}' is not known{suggest(name, every)}; `winkler show` lists every kind.")
 
 

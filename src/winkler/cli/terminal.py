@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from winkler.study.outcome import Column, Outcome
 
-__all__ = ["answers", "console", "marching", "notes", "plain_numbers", "prefixed", "tracked"]
+__all__ = ["answers", "console", "indices", "marching", "notes", "plain_numbers", "prefixed", "tracked"]
 
 T = TypeVar("T")
 
@@ -97,6 +97,26 @@ def answers(outcome: Outcome, out: Console) -> None:
     out.print(table)
 
 
+def indices(outcome: Outcome, out: Console) -> None:
+    """Show how much of the scatter of each answer every key makes, if the study asks for it."""
+    from rich import box
+    from rich.table import Table
+
+    if not outcome.indices:
+        return
+    out.print("How much of the scatter each key makes, alone and with the others (indices of Sobol, 95 % intervals):")
+    table = Table("answer", "varied", "alone", "with the others", box=box.SIMPLE_HEAD)
+    for one in outcome.indices:
+        for place, axis in enumerate(outcome.study.axes):
+            first = (one.first_order, one.first_order_low, one.first_order_high)
+            total = (one.total_order, one.total_order_low, one.total_order_high)
+            told = (
+                f"{level[place]:.3f} ({low[place]:.3f} to {high[place]:.3f})" for level, low, high in (first, total)
+            )
+            table.add_row(one.answer, axis.key.removeprefix("problem."), *told)
+    out.print(table)
+
+
 def notes(outcome: Outcome, out: Console) -> None:
     """Show how far the numbers can be trusted, each statement once."""
     if outcome.validity:
@@ -123,8 +143,22 @@ def _marching(states: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
     yield from tracked(states, total, hidden=hidden, doing="marching")
 
 
-def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solving") -> Iterator[T]:
-    """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches."""
+def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solving", before: int = 0) -> Iterator[T]:
+    """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches.
+
+    Parameters
+    ----------
+    points
+        What is waited for.
+    total
+        How many there will be.
+    hidden
+        Whether nothing is shown.
+    doing
+        What is said beside the bar.
+    before
+        How many of them are known already: they do not count in the time that is left.
+    """
     if hidden or total < 2 or not sys.stderr.isatty():
         yield from points
         return
@@ -132,4 +166,8 @@ def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solv
 
     bar = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*bar, console=console(stderr=True), transient=True) as progress:
-        yield from progress.track(points, total=total, description=doing)
+        task = progress.add_task(doing, total=total, completed=before)
+        for number, point in enumerate(points):
+            yield point
+            if number >= before:
+                progress.advance(task)

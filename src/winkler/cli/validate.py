@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from winkler.study.ledger import Entry
+    from winkler.study.ledger_page import Chapter
     from winkler.study.outcome import Verdict
 
 __all__ = ["validate", "verdict_json", "verdict_table"]
@@ -28,7 +29,8 @@ def validate(
 ) -> int:
     """Repeat published and independently computed numbers.
 
-    Each case says how independent it is: analytical, cross-code, or published table. Exit code 1 if a number is missed.
+    Each case says how independent it is: analytical, cross-code, published table or measured. Exit code 1 if a number
+    is missed.
 
     Example: winkler validate --json
     """
@@ -36,7 +38,8 @@ def validate(
 
     from winkler.cli import terminal
     from winkler.errors import InvalidInput
-    from winkler.study.ledger import case_files, ledger, markdown
+    from winkler.study.ledger import case_files, ledger
+    from winkler.study.ledger_page import markdown
 
     files = case_files(cases or ())
     if not files:
@@ -54,35 +57,52 @@ def validate(
 
 def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
     from winkler.cli.terminal import console
+    from winkler.study.ledger_page import chapters
 
     out = console()
+    parts = chapters(entries)
     for entry in shown:
         out.print(f"{entry.name} ({entry.grade}): {entry.title}", soft_wrap=True)
         out.print(f"  {entry.source}", soft_wrap=True)
         if entry.failure:
             out.print(f"  not answered: {entry.failure}", soft_wrap=True)
         if entry.verdicts:
-            out.print(verdict_table(entry.verdicts))
+            out.print(verdict_table(entry.verdicts, entry.points))
     if not quiet:
-        verdicts = [verdict for entry in entries for verdict in entry.verdicts]
-        missed = sum(not verdict.passed for verdict in verdicts) + sum(bool(entry.failure) for entry in entries)
+        out.print(_summary(parts))
+        missed = sum(part.missed for part in parts)
         told = f"{missed} missed" if missed else "none missed"
-        out.print(f"{len(entries)} cases, {len(verdicts)} numbers, {told}.")
+        out.print(f"{len(entries)} cases, {sum(part.numbers for part in parts)} numbers, {told}.")
 
 
-def verdict_table(verdicts: Iterable[Verdict]) -> Table:
-    """Return a table of what was expected and what came out."""
+def _summary(parts: tuple[Chapter, ...]) -> Table:
+    """Return a table of all physics: cases, numbers, and which case agrees least."""
     from rich import box
     from rich.table import Table
 
-    from winkler.study.ledger import digits, shown, where
+    table = Table("physics", "cases", "numbers", "missed", "fewest digits", "in", box=box.SIMPLE_HEAD)
+    for part in parts:
+        worst = part.worst
+        counts = (str(len(part.entries)), str(part.numbers), str(part.missed))
+        table.add_row(part.physics, *counts, f"{worst.digits:.1f}", f"{worst.name} ({worst.grade})")
+    return table
+
+
+def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Table:
+    """Return a table of what was expected and what came out, with the points of a sweep as text."""
+    from rich import box
+    from rich.table import Table
+
+    from winkler.study.ledger_page import digits, shown, where
 
     table = Table("quantity", "expected", "got", "digits", "tolerance", "", box=box.SIMPLE_HEAD)
+    shown_points = iter(points)
     for verdict in verdicts:
+        point = next(shown_points, "")
         asked = verdict.expectation
         got, passed = shown(verdict.got, asked), "passed" if verdict.passed else "missed"
         digits_ = digits(verdict).removesuffix(" (missed)")
-        table.add_row(where(asked), shown(asked.expected, asked), got, digits_, f"{asked.tolerance:.0e}", passed)
+        table.add_row(where(asked, point), shown(asked.expected, asked), got, digits_, f"{asked.tolerance:.0e}", passed)
     return table
 
 
@@ -113,7 +133,11 @@ def _json(entry: Entry) -> dict[str, Any]:
         "title": entry.title,
         "source": entry.source,
         "grade": entry.grade,
+        "physics": entry.physics,
         "passed": entry.passed,
         "failure": entry.failure,
-        "numbers": [verdict_json(verdict) for verdict in entry.verdicts],
+        "numbers": [
+            verdict_json(verdict) | ({"point": point} if point else {})
+            for verdict, point in zip(entry.verdicts, entry.points, strict=True)
+        ],
     }

@@ -179,13 +179,35 @@ class MeasuredBed:
 
     def height(self, r: Array) -> Array:
         """f(r) [m] of the body of revolution that a homogeneous half-space would need for these springs."""
-        return abel.surface(self.gap, [b for b, _ in self.kinks], r)
+        return self._restored(r, times_exponent=False)
 
     def slope(self, r: Array) -> Array:
         """f'(r) [-] of that body."""
         r = np.asarray(r, dtype=float)
-        moment = abel.surface(lambda x: x * self.gap_slope(x), [b for b, _ in self.kinks], r)
-        return np.where(r > 0.0, moment / np.where(r > 0.0, r, 1.0), 0.0)
+        return np.where(r > 0.0, self._restored(r, times_exponent=True) / np.where(r > 0.0, r, 1.0), 0.0)
+
+    def _restored(self, r: Array, *, times_exponent: bool) -> Array:
+        """Return the transform of g, or of x g', to the body.
+
+        Below the first point g is a power, often a broken one that no quadrature meets: its part is in closed form.
+        """
+        from scipy.special import beta, betainc
+
+        r = np.asarray(r, dtype=float)
+        first = float(self.radii[0] if self.radii[0] > 0.0 else self.radii[1])
+        level, rise = (float(part[0]) for part in _springs(self).gap(np.array([0.5 * first])))
+        power = 0.5 * first * rise / level if level > 0.0 else 0.0  # none under a flat end
+
+        def above(x: Array) -> Array:
+            return np.where(x > first, x * self.gap_slope(x) if times_exponent else self.gap(x), 0.0)
+
+        # (2/pi) times the integral of x^n / sqrt(r^2 - x^2) from 0 to the first point, or to r if that comes before
+        half = 0.5 * power + 0.5
+        share = (first / np.maximum(r, first)) ** 2
+        strength = level * (power if times_exponent else 1.0) * beta(half, 0.5) / math.pi
+        below = strength * (2.0 * r / first) ** power * betainc(half, 0.5, share)
+        edges = sorted({first, *(b for b, _ in self.kinks)})
+        return np.asarray(abel.surface(above, edges, r) + below)
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
@@ -194,6 +216,10 @@ class MeasuredBed:
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
         return _springs(self).gap(self._off_axis(x))[1]
+
+    def gap_bend(self, x: Array) -> Array:
+        """g''(x) [1/m], for x > 0; of a spline between few points, so not better than they tell."""
+        return _springs(self).gap_bend(self._off_axis(x))
 
     def gap_load(self, radius: Array) -> Array:
         """The integral of k'(x) g(x) from 0 to `radius` [N]."""

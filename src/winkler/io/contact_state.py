@@ -82,4 +82,10 @@ def read_contacts(path: str | os.PathLike[str]) -> Contacts:
         ) from None
     if str(found.pop("format")) != FORMAT:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
+    spoilt = [word for word, content in found.items() if content.dtype.kind != "f" or not np.isfinite(content).all()]
+    if spoilt:
+        raise InvalidInput(
+            f"{path}: no contacts can be read from it ({spoilt[0]} holds what is no finite number); give a file of "
+            "write_contacts."
+        )
     return Contacts(**found)

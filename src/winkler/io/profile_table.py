@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 
 import numpy as np
 
@@ -54,10 +55,22 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
         raise InvalidInput(f"{table.path}: {error}") from None
 
 
+def _parabola(x: Array, f: Array, degree: int) -> Array:
+    """Return the coefficients of the parabola fitted to points, highest power first."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", np.exceptions.RankWarning)
+        try:
+            return np.asarray(np.polyfit(x, f, degree))
+        except np.exceptions.RankWarning:
+            raise InvalidInput(
+                "all points of the scan but a few lie at one place; remove those that are far away."
+            ) from None
+
+
 def _apex(x: Array, f: Array) -> float:
     """Return where the apex of a scan lies."""
     first, last = float(np.min(x)), float(np.max(x))
-    if np.unique(x).size > 2 and np.polyfit((x - first) / (last - first), f, 2)[0] < 0.0:
+    if np.unique(x).size > 2 and _parabola((x - first) / (last - first), f, 2)[0] < 0.0:
         raise InvalidInput(
             "the heights of the scan fall away from the apex; change their sign, or call read_profile(path, peak=True)."
         )
@@ -69,7 +82,7 @@ def _apex(x: Array, f: Array) -> float:
         sides = np.count_nonzero(x[near] < centre), np.count_nonzero(x[near] > centre)
         if min(sides) < 2 or np.unique(x[near]).size < 5:
             break
-        bend, tilt, _ = np.polyfit((x[near] - centre) / half, f[near], 2)
+        bend, tilt, _ = _parabola((x[near] - centre) / half, f[near], 2)
         step = -0.5 * tilt / bend if bend > 0.0 else math.inf
         if abs(step) < 1e-9:
             low = high = centre
@@ -93,9 +106,11 @@ def _compare_flanks(x: Array, f: Array) -> None:
     order = np.argsort(x)
     x, f = x[order], f[order]
     left, common = x < 0.0, np.abs(x) <= min(-x[0], x[-1])
+    span = float(np.ptp(f[common]))
+    f = f / span if span > 0.0 else f  # squares of large heights have no number
     r, end = x[common & ~left], f[common & ~left]
-    lead = np.polyfit(r / r[-1], end - np.interp(r, -x[left][::-1], f[left][::-1]), min(2, r.size - 1))
-    uneven = float(np.sqrt(np.mean(np.polyval(lead, r / r[-1]) ** 2)) / np.ptp(f[common]))
+    lead = _parabola(r / r[-1], end - np.interp(r, -x[left][::-1], f[left][::-1]), min(2, r.size - 1))
+    uneven = float(np.sqrt(np.mean(np.polyval(lead, r / r[-1]) ** 2)))
     if uneven > UNEVEN:
         raise InvalidInput(
             f"the two flanks of the scan differ by {uneven:.0%} of its height; level the scan, or give one flank with "

@@ -16,20 +16,18 @@ import os
 import re
 from array import array
 from collections.abc import Sequence
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
+from winkler.errors import InvalidInput
+from winkler.io.text_file import lines_of
 from winkler.numerics.types import Array
 from winkler.units import scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "names_columns", "read_table"]
 
-LARGEST = 200_000_000
-"""Most bytes of a table."""
 ABOVE = 500
 """Most lines above the numbers."""
 SEPARATORS = ("\t", ";", ",", None)
@@ -41,13 +39,6 @@ NAME_AND_UNIT = (
     r"(.+?)\s+in\s+(\S+)",
     r"(.+)_([^_]+)",
     r"(\S+)\s+(\S+)",
-)
-SPREADSHEET = "this is a spreadsheet or an archive; save the table as text (CSV)"
-SIGNATURES = (
-    (b"\xff\xfe", "the file is written in UTF-16; save it as UTF-8"),
-    (b"\xfe\xff", "the file is written in UTF-16; save it as UTF-8"),
-    (b"PK\x03\x04", SPREADSHEET),
-    (b"\xd0\xcf\x11", SPREADSHEET),
 )
 DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
 
@@ -127,7 +118,7 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         If the file cannot be read; the message names the line.
     """
     shown = str(path)
-    lines = _text(path, columns).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = _lines(path, columns)
     header = _header(lines, columns, shown)
     separator = _separator(lines, header)
     numbers, places, absent = array("d"), array("d"), list[int]()
@@ -159,7 +150,12 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     if not places:
         raise InvalidInput(f"{shown}: there are no numbers below the header in line {header.line}.")
     factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
-    return Table(shown, np.array(numbers).reshape(-1, len(columns)) / factors, np.array(places))
+    with np.errstate(over="ignore"):
+        values = np.array(numbers).reshape(-1, len(columns)) / factors
+    if not np.all(np.isfinite(values)):
+        line = int(places[int(np.argmax(~np.all(np.isfinite(values), axis=1)))])
+        raise InvalidInput(f"{shown}, line {line}: a number is too large to be computed with in SI units; check it.")
+    return Table(shown, values, np.array(places))
 
 
 def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
@@ -177,7 +173,7 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
     InvalidInput
         If the file cannot be read.
     """
-    lines = re.split(r"\r\n|\r|\n", _text(path, columns))[:ABOVE]
+    lines = _lines(path, columns)[:ABOVE]
     texts = [line.lstrip(COMMENT).rstrip() for line in lines if _may_name(line.lower(), columns)]
     rows = [_cells(text, separator) for text in texts if text for separator in SEPARATORS]
     return any(all(any(_named(cell, column)[0] for cell in cells) for column in columns) for cells in rows)
@@ -192,46 +188,8 @@ def _example(columns: Sequence[Column]) -> str:
     return ", ".join(column.example for column in columns)
 
 
-def _text(given: str | os.PathLike[str], columns: Sequence[Column]) -> str:
-    """Return the text of a file, or say why it is none."""
-    if not isinstance(given, str | os.PathLike):
-        raise InvalidInput(f"{given!r} is no path of a file; give one such as 'tip.csv'.")
-    path = Path(given)
-    try:
-        if path.is_dir():
-            raise InvalidInput(f"{path}: this is a folder; give a file in it.")
-        if not path.exists():
-            raise InvalidInput(f"{path}: {_not_there(path)}; give the path of a text file.")
-        if not path.is_file():
-            raise InvalidInput(f"{path}: this is not a file with contents; give the path of a text file.")
-        size = path.stat().st_size
-        if size > LARGEST:
-            raise InvalidInput(f"{path}: {size / 1e6:.0f} MB are too much; at most {LARGEST / 1e6:.0f} MB are read.")
-        content = path.read_bytes()
-    except OSError as error:
-        raise InvalidInput(f"{path}: the file cannot be read ({error.strerror}).") from None
-    for start, what in SIGNATURES:
-        if content.startswith(start):
-            raise InvalidInput(f"{path}: {what}.")
-    if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
-        raise InvalidInput(f"{path}: the file is not a text; save the table as text (CSV) in UTF-8.")
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = content.decode("latin-1")
-    if not text.strip():
-        raise InvalidInput(
-            f"{path}: the file is empty; it needs a header such as '{_example(columns)}', and numbers below."
-        )
-    return text
-
-
-def _not_there(path: Path) -> str:
-    if not path.parent.is_dir():
-        return f"there is no folder '{path.parent}'"
-    return (
-        f"there is no such file in '{path.parent}'{suggest(path.name, [item.name for item in path.parent.iterdir()])}"
-    )
+def _lines(given: str | os.PathLike[str], columns: Sequence[Column]) -> list[str]:
+    return lines_of(given, f"a header such as '{_example(columns)}', and numbers below")
 
 
 def _cells(line: str, separator: str | None) -> list[str]:

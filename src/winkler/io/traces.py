@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.vocabulary import GLOSSARY, Word, word
 
-__all__ = ["write_trace"]
+__all__ = ["CONVENTIONS", "asked_of", "write_trace"]
 
 CONVENTIONS = (
     "SI units throughout: m, s, kg, N, Pa, J, rad.",
@@ -65,7 +65,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
         raise InvalidInput(
             f"write_trace: the {type(solution).__name__} has no columns; solve for many loads, or along a path."
         )
-    asked = dict(_told(solution.problem, "problem"))
+    asked = asked_of(solution.problem)
     text = _csv(columns, asked) if path.suffix == ".csv" else _yaml(columns, asked)
     try:
         path.write_text(text, encoding="utf-8")
@@ -74,6 +74,11 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
             f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
         ) from None
     return path
+
+
+def asked_of(problem: Any) -> dict[str, str | float]:
+    """Return what a problem holds, by dotted names; rows are left out."""
+    return dict(_told(problem, "problem"))
 
 
 def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:

@@ -25,6 +25,21 @@ def _words(kind: type[WearState]) -> tuple[str, ...]:
     return tuple(field.name for field in dataclasses.fields(kind) if field.name != "bed")
 
 
+def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
+    """Return how many states there are, if all rows agree on it."""
+    count, nodes = (*rows["radii"].shape, 0, 0)[:2]
+    for field in dataclasses.fields(kind):
+        if field.name == "bed":
+            continue
+        row, wanted = rows[field.name], (count, nodes) if field.type == "Array" else (count,)
+        if row.dtype.kind != "f" or row.shape != wanted or np.isnan(row).any():
+            raise InvalidInput(
+                f"{path}: no wear can be read from it ({field.name} is not numbers of the shape {wanted}); give a file "
+                "of write_wear."
+            )
+    return int(count)
+
+
 def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Path:
     """Keep states of wear; a file of that name is replaced only once the new one is whole.
 
@@ -95,7 +110,7 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
         raise InvalidInput(f"{path}: no wear can be read from it ({error}); give a file of write_wear.") from None
     if said != FORMAT:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
-    count = len(rows["elapsed"])
+    count = _count(kind, rows, path)
 
     def state(i: int) -> WearState:
         content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows.items()}

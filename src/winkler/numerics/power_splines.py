@@ -56,11 +56,13 @@ class PowerSplines:
 
     def stiffness_bend(self, x: Array) -> Array:
         """Return k'', for x > 0."""
-        w = np.log(x)
-        height, rise = _read(self.log_stiffness, self.w, w)
-        inside = (w >= self.w[0]) & (w <= self.w[-1])
-        bend = np.where(inside, self.log_stiffness(np.clip(w, self.w[0], self.w[-1]), 2), 0.0)
-        return np.asarray(np.exp(height) * (rise * (rise - 1.0) + bend) / (x * x))
+        return _bent(self.log_stiffness, self.w, x)
+
+    def gap_bend(self, x: Array) -> Array:
+        """Return g'', for x > b; zero under the flat end."""
+        y = x - self.flat
+        inside = y > 0.0
+        return np.where(inside, _bent(self.log_gap, self.v, np.where(inside, y, 1.0)), 0.0)
 
     def _between(self, low: Array, high: Array) -> Array:
         """Integrate k' g over pieces of ln(x - b)."""
@@ -105,3 +107,12 @@ def _read(spline: Callable[..., Array], x: Array, place: Array) -> tuple[Array, 
     inside = np.clip(place, x[0], x[-1])
     rise = spline(inside, 1)
     return spline(inside) + rise * (place - inside), rise
+
+
+def _bent(spline: Callable[..., Array], x: Array, place: Array) -> Array:
+    """Return the second derivative of a function of `place` whose logarithm is a spline of that of `place`."""
+    w = np.log(place)
+    height, rise = _read(spline, x, w)
+    inside = (w >= x[0]) & (w <= x[-1])
+    bend = np.where(inside, spline(np.clip(w, x[0], x[-1]), 2), 0.0)
+    return np.asarray(np.exp(height) * (rise * (rise - 1.0) + bend) / (place * place))

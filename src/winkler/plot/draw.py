@@ -73,7 +73,7 @@ from winkler.problems.torsion import TorsionSolution
 from winkler.problems.torsion_states import TorsionState
 from winkler.problems.yielding import YieldOnsetSolution
 from winkler.profiles.profile import Shape
-from winkler.staircase import Staircase
+from winkler.stairs import Staircase
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -84,7 +84,7 @@ __all__ = ["draw"]
 
 DRAWN = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
-    "that relaxes, a solution of a problem, restored fields, a Staircase, or a Fit"
+    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, or a Fit"
 )
 CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
 
@@ -119,6 +119,7 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - a solution of ``YieldOnset``: the stress where yielding begins, and F(d) up to there
         - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: what was restored
         - ``Staircase``: Jaeger's picture of flat punches
+        - ``Topography``, spectra, answers for rough surfaces: maps, cuts, spectra, what they bear over the load
         - a ``Fit``: the curve with its model, and the residuals
     extent : float, optional
         Distance from the axis up to which is drawn [m]; chosen to show what matters if left out.

@@ -21,7 +21,7 @@ from winkler.problems.pull_off import PullOffSolution
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["draw_around", "draw_equilibrium", "draw_last", "draw_radii"]
+__all__ = ["curve_around", "draw_around", "draw_equilibrium", "draw_last", "draw_radii"]
 
 WIDER, WIDER_PULLED = 1.4, 2.2
 """The curve around a state goes to so many contact radii; around one under tension further, to where the force is zero
@@ -86,13 +86,11 @@ def _stretches(curve: EquilibriumCurve) -> list[Array]:
     return [np.flatnonzero((curve.radius >= start) & (curve.radius <= stop)) for start, stop in pairs]
 
 
-def draw_around(axes: Axes, solution: AdhesiveSolution) -> None:
-    """Draw F(d) of all equilibria around a state, and the state itself as a point.
+def curve_around(solution: AdhesiveSolution) -> EquilibriumCurve:
+    """Return all equilibria around a state.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     solution : AdhesiveSolution
         For one load, with a contact; a force, or a radius, is a dead load, a depth fixed grips.
 
@@ -105,7 +103,20 @@ def draw_around(axes: Axes, solution: AdhesiveSolution) -> None:
     if radius == 0.0:
         raise InvalidInput("draw: the bodies do not touch under this load, so there is no F(d) around it.")
     machine = math.inf if isinstance(problem.load, Depth) else 0.0
-    curve = _curve(problem.bed, problem.law, (WIDER if solution.force >= 0.0 else WIDER_PULLED) * radius, machine)
+    return _curve(problem.bed, problem.law, (WIDER if solution.force >= 0.0 else WIDER_PULLED) * radius, machine)
+
+
+def draw_around(axes: Axes, solution: AdhesiveSolution) -> None:
+    """Draw F(d) of all equilibria around a state, and the state itself as a point.
+
+    Parameters
+    ----------
+    axes : Axes
+        Empty.
+    solution : AdhesiveSolution
+        As for `curve_around`.
+    """
+    problem, radius, curve = solution.problem, float(solution.radius), curve_around(solution)
     across, upright = draw_equilibrium(axes, curve, jumps=False)
     depth, force = float(solution.depth) / across.factor, float(solution.force) / upright.factor
     if radius >= problem.bed.rim:  # the edge is held there: the springs go on together
@@ -114,7 +125,7 @@ def draw_around(axes: Axes, solution: AdhesiveSolution) -> None:
     axes.plot([depth], [force], "o", color=style.RED, clip_on=False, zorder=7)
     law = problem.law
     receding = isinstance(law, ShortRange) and law.work_closing < law.work_opening
-    told = f"judged under {'fixed grips' if machine > 0.0 else 'a dead load'}"
+    told = f"judged under {'fixed grips' if isinstance(problem.load, Depth) else 'a dead load'}"
     style.note(axes, f"the edge about to recede,\n{told}" if receding else told, where="lower right")
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.fields import restore
 from winkler.plot import style
 from winkler.plot.series import places, scale_of, series
-from winkler.staircase import Staircase
+from winkler.stairs import Staircase
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

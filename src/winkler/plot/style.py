@@ -30,6 +30,7 @@ __all__ = [
     "framed_legend",
     "mirrored",
     "note",
+    "reliefs",
     "shades",
     "styled",
     "tensions",
@@ -124,6 +125,13 @@ def shades() -> Colormap:
     from matplotlib import colormaps
 
     return colormaps["viridis_r"]
+
+
+def reliefs() -> Colormap:
+    """Return the colour map of heights: dark valleys, bright peaks."""
+    from matplotlib import colormaps
+
+    return colormaps["cividis"]
 
 
 def tensions() -> Colormap:

@@ -20,10 +20,10 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Force
-from winkler.materials.conducting_body import Plated, Rod, resistivity_of
 from winkler.media.conduction import BARBER
 from winkler.media.conductors import ElectricalConductors
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
 from winkler.validity import Note, Standing
@@ -97,11 +97,11 @@ class ConductanceBounds:
                 f"ConductanceBounds: on a {type(self.bed.medium).__name__} stiffness and conductance are not in "
                 "proportion; give a homogeneous medium."
             )
-        pair = self.conductors
-        if pair.film.area_resistance or any(isinstance(body, Plated | Rod) for body in (pair.first, pair.second)):
-            raise OutsideValidity(
-                "ConductanceBounds: the bounds hold for thick conductors without film or plating; leave them out."
-            )
+        self._conductance_of_stiffness()
+
+    def _conductance_of_stiffness(self) -> float:
+        medium: HomogeneousMedium = self.bed.medium  # type: ignore[assignment]
+        return conductance_of_stiffness("ConductanceBounds", medium, self.conductors)
 
     def solve(self) -> ConductanceBoundsSolution:
         """Return the bounds.
@@ -163,9 +163,7 @@ class ConductanceBounds:
         )
 
     def _told(self, least: float, smooth: float, greatest: float) -> ConductanceBoundsSolution:
-        modulus = self.bed.medium.modulus  # type: ignore[attr-defined]
-        rho = resistivity_of(self.conductors.first) + resistivity_of(self.conductors.second)  # type: ignore[arg-type]
-        factor = 2.0 / (modulus * rho)
+        factor = self._conductance_of_stiffness()
         stiffness = (least, smooth, greatest)
         return ConductanceBoundsSolution(self, *stiffness, *(factor * part for part in stiffness))
 

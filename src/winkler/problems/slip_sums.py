@@ -18,6 +18,8 @@ from winkler.problems.slip_memory import LossPiece, SlipMemory
 
 __all__ = ["NormalStates", "SlipSums"]
 
+MANY = 256
+"""Gaps that are remembered at most."""
 NARROW = 2e-3
 """Part of its outer gap below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""
 
@@ -55,6 +57,8 @@ class SlipSums:
         """Return K, F and W at a gap [m]; nothing at zero, where a flat end comes into contact at once."""
         known = self._points.get(gap)
         if known is None:
+            if len(self._points) > MANY:
+                self._points = {0.0: self._points[0.0]}
             known = self._points[gap] = self.states.at(gap)
         return known
 
@@ -72,6 +76,8 @@ class SlipSums:
                     outer[1] - inner[1] - width * inner[0],
                     2.0 * (outer[2] - inner[2]) - width * (2.0 * inner[1] + width * inner[0]),
                 )
+            if len(self._rings) > MANY:  # a long march must not remember every gap it has met
+                self._rings.clear()
             self._rings[start, stop] = known
         return known
 

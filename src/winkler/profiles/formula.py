@@ -83,11 +83,18 @@ class Formula(Shape):
     ) -> None:
         if "kinks" in named:
             raise InvalidInput("Formula: radii where the slope jumps are given as corners=(...), not as kinks.")
-        known = dict(constants) | named
+        try:
+            known = dict(constants) | named
+            listed = tuple(corners)
+        except (TypeError, ValueError):
+            raise InvalidInput(
+                "Formula: constants are a table of names and numbers, as {'R': 0.01}, and corners a list of radii, as "
+                f"[1e-3]; constants is {constants!r:.60} and corners {corners!r:.60}."
+            ) from None
         object.__setattr__(self, "expression", expression)
         object.__setattr__(self, "constants", tuple(sorted(known.items())))
         object.__setattr__(self, "reach", reach)
-        object.__setattr__(self, "corners", tuple(corners))
+        object.__setattr__(self, "corners", listed)
         self.__post_init__()
 
     def __post_init__(self) -> None:

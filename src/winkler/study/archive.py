@@ -8,8 +8,11 @@
     jumps.csv, branches.csv, limit.csv, stages.csv
                    one row per jump of an adhesive cycle or curve, stable branch, limit of a sheared contact, or stage
                    of sticking and sliding in an impact
+    sensitivity.csv
+                   one row per answer and varied key: how much of the scatter it makes, if the design is sensitivity
 
-All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only.
+All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only, and so are
+heights, pressure and distance over the pixels of a height map.
 """
 
 from __future__ import annotations
@@ -23,15 +26,20 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study import keys
+from winkler.study.archive_maps import add_maps
 from winkler.study.events import EVENTS, columns_of, found_in
-from winkler.study.outcome import Outcome, Solved
+from winkler.study.netcdf import netcdf_attributes
+from winkler.study.outcome import Answered, Outcome
 from winkler.study.reading import study_text
+from winkler.study.sensitivity import SENSITIVITY
+from winkler.study.sensitivity import variables as index_variables
+from winkler.study.sensitivity import write as write_indices
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "netcdf_attributes", "write"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -66,6 +74,8 @@ def write(outcome: Outcome, folder: Path) -> None:
     )
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)
+    if outcome.indices:
+        write_indices(outcome.indices, [axis.key for axis in outcome.study.axes], folder / SENSITIVITY)
     for name in EVENTS:
         if columns_of(outcome, name):
             _write_events(outcome, name, folder / f"{name}.csv")
@@ -91,7 +101,7 @@ def _write_rows(path: Path, headings: list[str], rows: Any) -> None:
 
 def _write_surface(outcome: Outcome, path: Path) -> None:
     swept = [axis.key for axis in outcome.study.sweep]
-    many = any(len(point.each) > 1 for point in outcome.solved)
+    many = any(len(point.surface) > 1 for point in outcome.solved)
     first = next(fields for point in outcome.solved for fields in point.surface)
     names = [field.name for field in dataclasses.fields(first)]
     headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([ACROSS] if many else [])
@@ -123,8 +133,8 @@ def _write_events(outcome: Outcome, name: str, path: Path) -> None:
 
 def _swept_word(outcome: Outcome, key: str) -> Word:
     told = outcome.word(key)
-    axis = next(axis for axis in outcome.study.sweep if axis.key == key)
-    return told if all(isinstance(item, int | float) for item in axis.values) else told._replace(unit=None)
+    axis = next(axis for axis in outcome.study.axes if axis.key == key)
+    return told if axis.numeric else told._replace(unit=None)
 
 
 # ---------------------------------------------------------------------------------------------------- NetCDF
@@ -141,7 +151,7 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     Returns
     -------
     xarray.Dataset
-        Dimensions: the keys of the sweep (``point`` if they vary together), ``load`` if points ask for many loads at
+        Dimensions: the keys of the sweep (``point`` if they are not crossed), ``load`` if points ask for many loads at
         once, ``r`` and ``z`` of restored fields (``r_over_a`` and ``z_over_a`` if they were given as multiples of the
         contact radius; r and z then are coordinates), ``jumps``, ``branches`` or ``limit`` where answers have them.
         NaN where a point has no answer.
@@ -149,12 +159,13 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     import xarray
 
     study = outcome.study
-    dims = ("point",) if study.together else tuple(axis.key for axis in study.sweep)
+    dims = study.dims
     coords: dict[str, Any] = {}
-    for place, axis in enumerate(study.sweep):
+    for place, axis in enumerate(study.axes):
         told = _swept_word(outcome, axis.key)
         values = [item if told.unit is not None else keys.label(item) for item in axis.values]
-        coords[axis.key] = (("point",) if study.together else dims[place], np.array(values), netcdf_attributes(told))
+        along = dims[place] if len(dims) == len(study.axes) else dims[0]
+        coords[axis.key] = ((along,), np.array(values), netcdf_attributes(told))
     variables: dict[str, Any] = {}
     for name in outcome.answers:
         content = outcome.answer(name)
@@ -168,15 +179,13 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
         variables["failure"] = (dims, reasons.astype(str), {"long_name": "why a point has no answer"})
     _add_fields(outcome, dims, variables, coords)
     _add_events(outcome, dims, variables)
+    add_maps(outcome, dims, variables, coords)
+    if outcome.indices:
+        more, places = index_variables(outcome.indices, [axis.key for axis in study.axes])
+        variables, coords = {**variables, **more}, {**coords, **places}
     return xarray.Dataset(
         variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
     )
-
-
-def netcdf_attributes(told: Word) -> dict[str, str]:
-    """Return what a NetCDF variable says of itself: unit, meaning and symbol of its word."""
-    found = {"long_name": told.meaning, "symbol": told.symbol}
-    return found if told.unit is None else {"units": told.unit or "1", **found}
 
 
 def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any], coords: dict[str, Any]) -> None:
@@ -232,7 +241,7 @@ def _place_dims(
     return tuple(dims)
 
 
-def _stacked(outcome: Outcome, of_point: list[tuple[Solved, Any]], name: str, loads: int) -> Array:
+def _stacked(outcome: Outcome, of_point: list[tuple[Answered, Any]], name: str, loads: int) -> Array:
     """Return one field of all points and loads, NaN where there is none; no axis of loads if each has one."""
     shape = next(
         np.broadcast_shapes(fields[0].r.shape, np.shape(getattr(fields[0], name))) for _, fields in of_point if fields

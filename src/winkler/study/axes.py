@@ -1,4 +1,4 @@
-"""The lines of ``[sweep]``: their values are checked like the key that they replace."""
+"""The lines of ``[sweep]`` and its design: values are checked like the key that they replace."""
 
 from __future__ import annotations
 
@@ -9,16 +9,50 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
 from winkler.study import keys
 from winkler.study.build import assembled, unbuild, written_field, written_number
-from winkler.study.study import Axis
+from winkler.study.designs import DESIGNS, Design
+from winkler.study.varied import Axis, Range
 
-__all__ = ["axis", "written"]
+__all__ = ["design", "line", "written", "written_design"]
 
 
-def axis(key: str, raw: Any, problem: Any, *, file: str, folder: Path) -> Axis:
+def design(raw: Any) -> Design:
+    """Return the design of a sweep, from a table with a kind.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such design, or it does not take what is given.
+    """
+    known = ", ".join(DESIGNS)
+    if not isinstance(raw, dict) or "kind" not in raw:
+        raise InvalidInput(
+            f'sweep.design is {_shown(raw)} without a kind; give a table such as {{ kind = "zipped" }}, of a kind from '
+            f"{known}."
+        )
+    kind, given = raw["kind"], {name: content for name, content in raw.items() if name != "kind"}
+    if kind not in DESIGNS:
+        raise InvalidInput(f"sweep.design.kind is {kind!r}{suggest(str(kind), DESIGNS)}; give one of {known}.")
+    fields = {field.name: field.default for field in dataclasses.fields(DESIGNS[kind])}
+    taken = ", ".join(("kind", *fields))
+    for name in given:
+        if name not in fields:
+            raise InvalidInput(f"sweep.design.{name} is not known{suggest(name, fields)}; {kind} takes {taken}.")
+    for name, default in fields.items():
+        if name not in given and default is dataclasses.MISSING:
+            raise InvalidInput(f"sweep.design has no '{name}'; {kind} takes {taken}.")
+    return DESIGNS[kind](**given)
+
+
+def written_design(content: Design) -> dict[str, Any]:
+    """Return what stands in a study file for a design."""
+    return {"kind": content.kind, **{field.name: getattr(content, field.name) for field in dataclasses.fields(content)}}
+
+
+def line(key: str, raw: Any, problem: Any, of: Design, *, file: str, folder: Path) -> Axis | Range:
     """Return one line of ``[sweep]``.
 
     Parameters
@@ -26,9 +60,12 @@ def axis(key: str, raw: Any, problem: Any, *, file: str, folder: Path) -> Axis:
     key
         Path of the key, ``problem.load.force``.
     raw
-        What stands there: a list, or a range ``{ from, to, count, spacing }``.
+        What stands there: a list, a range ``{ from, to, count, spacing }``, or a range ``{ from, to, scale }`` to draw
+        from.
     problem
         The problem whose key varies.
+    of
+        The design of the sweep.
     file, folder
         As for `winkler.study.build.build`.
 
@@ -38,6 +75,8 @@ def axis(key: str, raw: Any, problem: Any, *, file: str, folder: Path) -> Axis:
         If there is no such key, or it cannot take one of the values.
     """
     first, _, rest = key.partition(".")
+    if key == "together":
+        raise InvalidInput("sweep: 'together' is not known; write design = { kind = \"zipped\" }.")
     if first != "problem" or not rest:
         raise InvalidInput(f"sweep: the key '{key}' does not start with 'problem.'; sweep a key of the problem.")
     try:
@@ -45,6 +84,8 @@ def axis(key: str, raw: Any, problem: Any, *, file: str, folder: Path) -> Axis:
     except InvalidInput as error:
         raise InvalidInput(f"sweep: {str(error).replace(rest, key, 1)}") from None
     where = f'sweep."{key}"'
+    if isinstance(raw, dict) and "kind" not in raw and target.is_number and of.draws:
+        return Range(key, **_ends(raw, target, where, of.kind))
     if isinstance(raw, dict) and "kind" not in raw and target.is_number:
         return Axis(key, tuple(float(number) for number in target.numbers(raw, where)))
     if not isinstance(raw, list):
@@ -55,10 +96,35 @@ def axis(key: str, raw: Any, problem: Any, *, file: str, folder: Path) -> Axis:
     return Axis(key, tuple(target.content(item, f"{where}[{place}]", file, folder) for place, item in enumerate(raw)))
 
 
-def written(line: Axis, problem: Any) -> list[Any]:
-    """Return what stands in a study file for the values of an axis."""
+def written(line: Axis | Range, problem: Any) -> Any:
+    """Return what stands in a study file for the values of a key, or for its range."""
     target = _Target(problem, line.key.partition(".")[2])
+    if isinstance(line, Range):
+        ends = {"from": target.text(line.start), "to": target.text(line.stop)}
+        return ends if line.scale == "linear" else {**ends, "scale": line.scale}
     return [target.text(content) for content in line.values]
+
+
+DRAWN = {"from": "start", "to": "stop", "scale": "scale"}
+"""What a range to draw from says -> what it is called in Python."""
+
+
+def _ends(raw: dict[str, Any], target: _Target, where: str, kind: str) -> dict[str, Any]:
+    """Return the ends and the scale of a range that a design draws from."""
+    for name in raw:
+        if name not in DRAWN:
+            told = {"count": "; the count of the points stands in sweep.design", "spacing": "; write scale"}.get(
+                name, ""
+            )
+            raise InvalidInput(
+                f"{where}.{name} is not known{told or suggest(name, DRAWN)}; a range that {kind} draws from takes "
+                f"{', '.join(DRAWN)}."
+            )
+    for name in ("from", "to"):
+        if name not in raw:
+            raise InvalidInput(f"{where} has no '{name}'; a range that {kind} draws from needs from, to.")
+    found = {DRAWN[name]: float(target.numbers([raw[name]], f"{where}.{name}")[0]) for name in ("from", "to")}
+    return found | ({"scale": raw["scale"]} if "scale" in raw else {})
 
 
 def _shown(raw: Any) -> str:

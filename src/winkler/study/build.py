@@ -139,7 +139,7 @@ def _same(content: Any, default: Any) -> bool:
 
 def written_field(owner: Any, field: str, content: Any) -> Any:
     """Return what stands at the key `field` of a study file for `content`."""
-    from winkler.study import quantities
+    from winkler.study import maps, quantities
 
     cls = type(owner)
     if dataclasses.is_dataclass(content):
@@ -150,7 +150,11 @@ def written_field(owner: Any, field: str, content: Any) -> Any:
         return {"values": [float(number) for number in content]}
     if (cls.__name__, field) in quantities.GRIDS:
         return np.asarray(content, dtype=float).tolist()
+    if typing.get_type_hints(cls)[field] == tuple[int, int]:
+        return list(content)
     unit = word(cls.__name__, field).unit or ""
+    if (cls.__name__, field) in maps.MAPS:
+        return maps.written_map(content, unit)
     if field in quantities.dependent(cls):
         unit = quantities.settled(
             unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}

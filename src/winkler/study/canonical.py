@@ -13,7 +13,10 @@ import numpy as np
 from winkler.study.catalogue import kind_of
 from winkler.study.study import Places, Study
 
-__all__ = ["canonical", "digest", "digest_of"]
+__all__ = ["canonical", "digest", "digest_of", "plain"]
+
+LARGE = 4096
+"""Maps with more numbers are told by their hash."""
 
 
 def canonical(study: Study) -> str:
@@ -23,9 +26,9 @@ def canonical(study: Study) -> str:
     expectations do not matter, nor how the units were written.
     """
     content = {
-        "problem": _plain(study.problem),
-        "sweep": [[axis.key, _plain(axis.values)] for axis in study.sweep],
-        "together": study.together,
+        "problem": plain(study.problem),
+        "sweep": [plain(line) for line in study.sweep],
+        "design": plain(study.design),
         "fields": [_places(study.fields.r), _places(study.fields.z)],
     }
     return json.dumps(content, sort_keys=True, separators=(",", ":"), allow_nan=False)
@@ -38,23 +41,28 @@ def digest(study: Study) -> str:
 
 def digest_of(problem: Any) -> str:
     """Return the SHA-256 of the canonical form of a problem alone, as 64 hexadecimal digits."""
-    content = json.dumps(_plain(problem), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    content = json.dumps(plain(problem), sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(content.encode()).hexdigest()
 
 
 def _places(places: Places) -> Any:
-    return [places.relative, _plain(places.values)]
+    return [places.relative, plain(places.values)]
 
 
-def _plain(content: Any) -> Any:
+def plain(content: Any) -> Any:
+    """Return a value as lists, tables, texts and floats."""
     if isinstance(content, str | bool):
         return content
     if isinstance(content, int | float):
         return float(content) + 0.0 if math.isfinite(content) else str(float(content))
+    if isinstance(content, np.ndarray) and content.ndim == 2 and content.size > LARGE:
+        told = np.where(np.isnan(content), np.nan, content + 0.0)  # one nan, one zero
+        stored = np.ascontiguousarray(told, dtype="<f8").tobytes()
+        return {"shape": list(content.shape), "sha256": hashlib.sha256(stored).hexdigest()}
     if isinstance(content, np.ndarray):
-        return _plain(content.tolist())
+        return plain(content.tolist())
     if isinstance(content, tuple | list):
-        return [_plain(item) for item in content]
+        return [plain(item) for item in content]
     cls = type(content)
-    fields = {field.name: _plain(getattr(content, field.name)) for field in dataclasses.fields(content)}
+    fields = {field.name: plain(getattr(content, field.name)) for field in dataclasses.fields(content)}
     return {"kind": kind_of(cls) or cls.__name__, **fields}

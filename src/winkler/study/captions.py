@@ -8,6 +8,8 @@ from winkler.problems.bimodal import BimodalDampingSolution
 from winkler.problems.conductance_bounds import ConductanceBoundsSolution
 from winkler.problems.constriction import ConstrictionSolution
 from winkler.problems.damping import FrictionDampingSolution
+from winkler.problems.elastomer_friction import ElastomerFrictionSolution
+from winkler.problems.elliptic_indentation import EllipticSolution
 from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.fretting_heat import FrettingHeatSolution
 from winkler.problems.fretting_wear import FrettingSolution
@@ -17,14 +19,20 @@ from winkler.problems.impact import ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.joule_heating import JouleHeatingSolution
 from winkler.problems.limiting_profile import LimitingSolution
+from winkler.problems.near_round import NearlyRoundSolution
 from winkler.problems.oscillating_rolling import OscillatingRollingSolution
 from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.reduce import ReductionSolution
 from winkler.problems.relaxation import RelaxationDamperSolution
 from winkler.problems.rolling import RollingSolution
 from winkler.problems.rolling_start import RollingStartSolution
+from winkler.problems.rough_contact import RoughContactSolution
+from winkler.problems.rough_indentation import RoughIndentationSolution
 from winkler.problems.simplified_rolling import SimplifiedRollingSolution
 from winkler.problems.sliding_wear import SlidingSolution
 from winkler.problems.spots import SpotClusterSolution
+from winkler.problems.surface_conduction import SurfaceConductionSolution
+from winkler.problems.surface_contact import SurfaceContactSolution
 from winkler.problems.tangential import TangentialSolution
 from winkler.problems.thermal_constriction import ThermalConstrictionSolution
 from winkler.problems.torsion import TorsionSolution
@@ -210,6 +218,40 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
         "sliding",
         "Worn by sliding",
         "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
+    ),
+    SurfaceContactSolution: (
+        "contact",
+        "Where the surfaces touch",
+        "Contact, pressure and distance under the last load, by boundary elements; of many loads also force, stiffness "
+        "and contact area.",
+    ),
+    SurfaceConductionSolution: (
+        "conductance",
+        "Stiffness, conductance and contact area over the load",
+        "By boundary elements and by lines of springs with the same power spectrum; shaded grey between Barber's "
+        "bounds, which no surface of this height can leave.",
+    ),
+    ReductionSolution: (
+        "reduction",
+        "Springs in place of the surface",
+        "The points were computed by boundary elements; the springs bear the same forces.",
+    ),
+    RoughContactSolution: (
+        "lines",
+        "Rough lines of springs",
+        "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+    ),
+    RoughIndentationSolution: (
+        "lines",
+        "Rough lines of springs under the body",
+        "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+    ),
+    NearlyRoundSolution: ("contour", "The contact", "Its contour, computed in the directions of the points."),
+    EllipticSolution: ("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
+    ElastomerFrictionSolution: (
+        "friction",
+        "Friction of the rough surface on the elastomer",
+        "A trend with the velocity, no prediction; beside it the spectrum whose waves are felt.",
     ),
     LimitingSolution: (
         "limit",

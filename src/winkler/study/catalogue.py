@@ -18,6 +18,7 @@ from winkler.path_steps import Kept
 from winkler.problems.spring_states import OwnLaw
 from winkler.profiles.flat import Cylinder
 from winkler.profiles.profile import Profile
+from winkler.profiles.spectrum import Spectrum
 from winkler.study.kind import Kind
 from winkler.study.kinds_of_bodies import BODIES
 from winkler.study.kinds_of_conduction import CONDUCTION
@@ -25,6 +26,7 @@ from winkler.study.kinds_of_contacts import CONTACTS
 from winkler.study.kinds_of_friction import FRICTION
 from winkler.study.kinds_of_heating import HEATING
 from winkler.study.kinds_of_rolling import ROLLING
+from winkler.study.kinds_of_roughness import ROUGHNESS
 from winkler.study.kinds_of_viscoelasticity import VISCOELASTICITY
 from winkler.study.kinds_of_wear import WEAR
 
@@ -41,11 +43,17 @@ def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
 
 
 CATALOGUE: dict[str, dict[str, Kind]] = _merged(
-    BODIES, CONTACTS, FRICTION, VISCOELASTICITY, CONDUCTION, ROLLING, HEATING, WEAR
+    BODIES, CONTACTS, FRICTION, VISCOELASTICITY, CONDUCTION, ROLLING, HEATING, WEAR, ROUGHNESS
 )
 """Slot -> kind -> class; kinds are unique over all slots."""
 
-SLOTS: dict[Any, str] = {Profile: "profile", Medium: "medium", Bed: "bed", DepthGrading: "grading"}
+SLOTS: dict[Any, str] = {
+    Profile: "profile",
+    Medium: "medium",
+    Bed: "bed",
+    DepthGrading: "grading",
+    Spectrum: "spectrum",
+}
 """Protocol -> slot: what may stand where a class asks for this contract."""
 
 UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw, OwnWear})

@@ -7,10 +7,13 @@ Each is a list of small values; here every one becomes a row of numbers with nam
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from winkler.study.outcome import Outcome, Solved
 from winkler.vocabulary import Word, word
+
+if TYPE_CHECKING:
+    from winkler.study.outcome import Outcome
+    from winkler.study.points import Answered
 
 __all__ = ["EVENTS", "Event", "columns_of", "events_of", "found_in"]
 
@@ -69,7 +72,7 @@ def columns_of(outcome: Outcome, name: str) -> tuple[Event, ...]:
     return next((rows[0] for _, rows in found_in(outcome, name)), ())
 
 
-def found_in(outcome: Outcome, name: str) -> list[tuple[Solved, tuple[tuple[Event, ...], ...]]]:
+def found_in(outcome: Outcome, name: str) -> list[tuple[Answered, tuple[tuple[Event, ...], ...]]]:
     """Return the points that have events of a kind, with their rows."""
-    pairs = [(point, events_of(point.solution, name)) for point in outcome.solved]
+    pairs = [(point, point.events(name)) for point in outcome.solved]
     return [(point, rows) for point, rows in pairs if rows]

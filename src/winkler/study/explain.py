@@ -9,7 +9,7 @@ import typing
 from typing import Any, NamedTuple
 
 from winkler.errors import InvalidInput
-from winkler.study import quantities
+from winkler.study import maps, quantities
 from winkler.study.catalogue import kinds, slot_of
 from winkler.study.schema import allowed_in_list, allowed_kinds, hints, options
 from winkler.vocabulary import Word, word
@@ -49,6 +49,7 @@ class Key(NamedTuple):
 
 def plain_symbol(symbol: str) -> str:
     """Return a LaTeX symbol as plain text."""
+    symbol = symbol.replace(r"\mathrm", "")
     for name, letter in GREEK.items():
         symbol = symbol.replace(f"\\{name}", letter)
     return re.sub(r"[{}\\]", "", symbol.replace("^*", "*"))
@@ -88,7 +89,8 @@ def keys_of(name: str) -> tuple[Key, ...]:
         told = _parameters(line.reader)
         for option, hint in options(line).items():
             if option not in fields:
-                how = Word("", None, "how the file is read") if hint is bool else word(line.cls.__name__, option)
+                plain = hint in (bool, int, str)
+                how = Word("", None, "how the file is read") if plain else word(line.cls.__name__, option)
                 how = how._replace(meaning=f"{how.meaning}; with a file only")
                 found.append(Key(option, how, _takes(line.cls, option, hint), told.get(option, ""), False))
     return tuple(found)
@@ -105,6 +107,12 @@ def _takes(cls: type, field: str, hint: Any) -> str:
         return f"list of quantities [{', '.join(units)} ...]"
     if (cls.__name__, field) in quantities.GRIDS:
         return "list of lists of numbers"
+    if (cls.__name__, field) in maps.MAPS:
+        return f"list of lists of quantity [{quantities.unit_of(cls, field)}]"
+    if (cls.__name__, field) in maps.PAIRS:
+        return f"two of quantity [{quantities.unit_of(cls, field)}]"
+    if hint == tuple[int, int]:
+        return "two whole numbers"
     if hint is str:
         return "text"
     if hint in (int, bool):

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import io
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -23,15 +22,15 @@ from winkler.problems.adhesive import AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.study import keys
 from winkler.study.captions import CAPTIONS, SHOWN_WHOLE, STUCK
+from winkler.study.designs import POINT
+from winkler.study.figures_of_roughness import Beside, beside
 from winkler.study.inputs import content_label, setting_told
 from winkler.study.loops import ALONG, LOOPS, MARCHED, STICKING, WITHOUT_CONTACT
-from winkler.study.outcome import Outcome, Solved
+from winkler.study.outcome import Answered, Outcome
+from winkler.study.shown import Shown, capital, drawn
 from winkler.study.study import Axis, Study
-
-if TYPE_CHECKING:
-    from winkler.plot.picture import Picture
+from winkler.study.sweep_figures import clouds, mapped, maps, parts, varied_series
 
 __all__ = [
     "CAPTIONS",
@@ -50,42 +49,12 @@ MOST_CURVES = 24
 MOST_BARS = 40
 
 
-class Shown(NamedTuple):
-    """A figure of a study, or why there is none.
-
-    Parameters
-    ----------
-    name
-        The stem of its files: a picture of the method, or ``answer_`` and the name of an answer.
-    title, sentence
-        What it shows.
-    picture
-        The figure; None if it could not be drawn.
-    svg
-        The same as text; empty if it could not be drawn.
-    missing
-        Why there is none; empty if there is one.
-    """
-
-    name: str
-    title: str
-    sentence: str
-    picture: Picture | None
-    svg: str = ""
-    missing: str = ""
-
-    @property
-    def of_method(self) -> bool:
-        """Whether this is a picture of the method, not of the answers."""
-        return self.name in CAPTIONS
-
-
-def shown_point(outcome: Outcome) -> Solved:
+def shown_point(outcome: Outcome) -> Answered:
     """Return the point whose contact the pictures show: the last one that was solved."""
     return outcome.solved[-1]
 
 
-def shown_contact(point: Solved) -> Contact | None:
+def shown_contact(point: Answered) -> Contact | None:
     """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
     solution = point.each[-1]
     if isinstance(solution, MARCHED):
@@ -110,7 +79,7 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
     wanted = pictures_of(contact) if contact is not None else ()
-    if type(shown_point(outcome).solution) in SHEETS:  # its own picture has F(d), as the edge came here
+    if shown_point(outcome).answer_type in SHEETS:  # its own picture has F(d), as the edge came here
         wanted = tuple(name for name in wanted if name != "force")
     captions = CAPTIONS | (STUCK if isinstance(contact, AdhesiveSolution) else {})
     for name, make in ((name, make) for name, make in PICTURES.items() if name in wanted):
@@ -121,14 +90,6 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     return tuple(found)
 
 
-def drawn(name: str, title: str, sentence: str, picture: Picture) -> Shown:
-    """Return a figure with its text, laid out once for all formats."""
-    store = io.BytesIO()
-    picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
-    picture.set_layout_engine("none")  # it is laid out now: what is saved afterwards need not do it again
-    return Shown(name, title, sentence, picture, store.getvalue().decode("utf-8"))
-
-
 # ------------------------------------------------------------------------------------- answers over what was varied
 
 
@@ -136,10 +97,10 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer over what was varied; none if nothing was."""
     columns = {column.name: column.content for column in outcome.table()}
     yield from _sheets(outcome)
-    if any(isinstance(point.solution, EquilibriumCurve | AdhesiveCycleSolution) for point in outcome.solved):
+    if any(issubclass(point.answer_type, EquilibriumCurve | AdhesiveCycleSolution) for point in outcome.solved):
         yield from _side_by_side(outcome)
         return
-    loops = next((LOOPS[type(point.solution)] for point in outcome.solved if type(point.solution) in LOOPS), ())
+    loops = next((LOOPS[point.answer_type] for point in outcome.solved if point.answer_type in LOOPS), ())
     if loops and len(next(iter(columns.values()))) > len(outcome.points):
         yield from _loops(outcome, loops)
         if len(outcome.points) > 1:
@@ -151,13 +112,20 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
         return
     if len(outcome.points) < 2:
         return
-    yield from _varied(outcome, {name: columns[name].reshape(outcome.shape) for name in _told_apart(outcome, columns)})
+    yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _told_apart(outcome, columns)})
 
 
 def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     """Yield a figure for every one of the answers, one number at each point, over what was varied."""
     study = outcome.study
-    numeric = [axis for axis in study.sweep if all(isinstance(item, int | float) for item in axis.values)]
+    numeric = [axis for axis in study.axes if axis.numeric]
+    if study.design.draws and numeric:
+        yield from parts(outcome)
+        yield from clouds(outcome, answers)
+        return
+    if mapped(study):
+        yield from maps(outcome, answers)
+        return
     if not numeric:
         yield from _bars(outcome, answers)
         return
@@ -165,32 +133,25 @@ def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     curves = _curves(study, along)
     cut = f" The first {MOST_CURVES} of {len(curves)} curves are shown." if len(curves) > MOST_CURVES else ""
     curves = curves[:MOST_CURVES]
-    entry = keys.word_at(study, along.key)
-    if ".constants." in along.key:
-        entry = entry._replace(symbol="")  # a name that the reader chose, not a symbol of the glossary
-    x = Series(along.key.rpartition(".")[2], entry, np.array(along.values, dtype=float))
+    x = varied_series(study, along)
     sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "Everything else was kept."
     for name, content in answers.items():
         of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
         picture = family_picture([x for _ in curves], of, [label for label, _ in curves])
-        yield drawn(f"answer_{name}", _capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
+        yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
 
 
 def _curves(study: Study, along: Axis) -> list[tuple[str, Any]]:
     """Return ``(label, where)`` of every curve over one axis of the sweep: where it stands in an array of answers."""
-    if study.together:
+    if study.dims == (POINT,):
         return [("", slice(None))]
-    place = study.sweep.index(along)
-    others = [axis for axis in study.sweep if axis is not along]
+    place = study.axes.index(along)
+    others = [axis for axis in study.axes if axis is not along]
     curves: list[tuple[str, Any]] = []
     for index in np.ndindex(*(len(axis.values) for axis in others)):
         told = (setting_told(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
         curves.append((", ".join(told), (*index[:place], slice(None), *index[place:])))
     return curves
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]
 
 
 def _told_apart(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
@@ -213,23 +174,25 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     for name, content in answers.items():
         of = Series(name, outcome.word(name), content.ravel()[:MOST_BARS])
         sentence = f"One bar for each that was varied.{cut}"
-        yield drawn(f"answer_{name}", _capital(spoken(name)), sentence, bar_picture(labels, of))
+        yield drawn(f"answer_{name}", capital(spoken(name)), sentence, bar_picture(labels, of))
 
 
 def _sheets(outcome: Outcome) -> Iterator[Shown]:
     """Yield the picture of an answer that is a curve by itself: of the last point."""
     point = shown_point(outcome)
-    if type(point.solution) in SHOWN_WHOLE:
-        name, title, sentence = SHOWN_WHOLE[type(point.solution)]
-        where = settings_of(outcome, point)
-        sentence = f"{sentence} Shown is {where}." if where else sentence
+    wanted = [*beside(point.solution)]
+    if point.answer_type in SHOWN_WHOLE:
+        wanted.append(Beside(*SHOWN_WHOLE[point.answer_type], point.solution))
+    where = settings_of(outcome, point)
+    for name, title, told_by, item in wanted:
+        sentence = f"{told_by} Shown is {where}." if where else told_by
         try:
-            yield drawn(f"answer_{name}", title, sentence, draw(point.solution))
+            yield drawn(f"answer_{name}", title, sentence, draw(item))
         except WinklerError as error:
             yield Shown(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def settings_of(outcome: Outcome, point: Solved) -> str:
+def settings_of(outcome: Outcome, point: Answered) -> str:
     """Return what was varied, at one point."""
     pairs = zip(outcome.study.sweep, point.settings, strict=True)
     return ", ".join(setting_told(outcome.study, axis, item) for axis, item in pairs)
@@ -246,14 +209,14 @@ def _side_by_side(outcome: Outcome) -> Iterator[Shown]:
     for what in ("force", "radius"):
         of = [Series(what, outcome.word(what), answers[what]) for answers in answered]
         picture = family_picture(along, of, labels, ordered=False)
-        title = _capital(f"{spoken(what)} over {spoken(name)}")
+        title = capital(f"{spoken(what)} over {spoken(name)}")
         yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
 def _loops(outcome: Outcome, loops: tuple[tuple[str, str], ...]) -> Iterator[Shown]:
     """Yield answers along paths over each other, one curve for every point of the sweep, in its order."""
     points = outcome.solved[:MOST_CURVES]
-    if len(points) < 2 and type(points[0].solution) in SHOWN_WHOLE:
+    if len(points) < 2 and points[0].answer_type in SHOWN_WHOLE:
         return  # the picture of the answer itself has them
     labels = [settings_of(outcome, point) for point in points]
     worth, known = _answers_worth(outcome), set[str]()
@@ -265,7 +228,7 @@ def _loops(outcome: Outcome, loops: tuple[tuple[str, str], ...]) -> Iterator[Sho
             if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
                 continue  # given, not answered
             picture = family_picture(along, of, labels, ordered=False)
-            title = _capital(f"{spoken(what)} over {spoken(over)}")
+            title = capital(f"{spoken(what)} over {spoken(over)}")
             name = f"answer_{what}_over_{over}" if what in known else f"answer_{what}"
             known.add(what)
             yield drawn(name, title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
@@ -293,7 +256,7 @@ def _over(outcome: Outcome, over: str) -> Iterator[Shown]:
             of = [Series(name, outcome.word(name), answers[name]) for answers in answered]
             sentence = f"All loads that were asked at once.{cut}"
             picture = family_picture(along, of, labels)
-            yield drawn(f"answer_{name}", _capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
+            yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:

@@ -19,9 +19,9 @@ from winkler.study.canonical import digest
 from winkler.study.correcting import corrected
 from winkler.study.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.fitting import FitStudy
+from winkler.study.pool import pooled
 from winkler.study.run import ERRORS, provenance
 from winkler.study.study import Study
-from winkler.study.sweep import pooled
 from winkler.validity import Note, Standing
 
 __all__ = ["fit_curves", "fit_study", "gather_fits", "pieces", "seen_from"]

@@ -23,8 +23,9 @@ from winkler.fitting.outcome import Fit
 from winkler.fitting.viscoelastic_outcome import CreepFit
 from winkler.numerics.types import Array
 from winkler.plot.fits import Grid, grid_of
-from winkler.study.archive import heading, netcdf_attributes
+from winkler.study.archive import heading
 from winkler.study.fit_outcome import FitOutcome, Fitted
+from winkler.study.netcdf import netcdf_attributes
 from winkler.study.writing import write_provenance
 from winkler.vocabulary import Word
 

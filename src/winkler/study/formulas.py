@@ -33,6 +33,7 @@ from winkler.study.formula import Formula
 from winkler.study.formulas_of_conduction import OF_CONDUCTION, conducted
 from winkler.study.formulas_of_heating import FRETTED, RUBBED_WARM, WARMING
 from winkler.study.formulas_of_rolling import OF_ROLLING
+from winkler.study.formulas_of_roughness import OF_ROUGHNESS
 from winkler.study.formulas_of_viscoelasticity import OF_VISCOELASTICITY
 from winkler.study.formulas_of_wear import worn
 
@@ -271,6 +272,7 @@ OF_THEIR_OWN: dict[type, Callable[[Any], tuple[Formula, ...]]] = {
     FrettingHeat: lambda problem: (*formulas_of(problem.motion), *FRETTED),
     **OF_CONDUCTION,
     **OF_ROLLING,
+    **OF_ROUGHNESS,
     **OF_VISCOELASTICITY,
 }
 """Problem -> what returns its formulas, where they do not begin with springs pressed by an elastic body."""

@@ -32,8 +32,10 @@ SECTIONS: dict[str, dict[str, str]] = {
         "grade": "of a literature case: analytical, cross-code or published table",
     },
     "sweep": {
-        '"problem.load.force"': "the values of a key in turn: a list or a range { from, to, count, spacing }",
-        "together": "true: all keys vary together, first values first",
+        '"problem.load.force"': "the values of a key in turn: a list or a range { from, to, count, spacing }; "
+        "or the range { from, to, scale } that a design draws from",
+        "design": "which points are solved, a table with a kind: crossed (the default), zipped, or with a count and a "
+        "seed latin_hypercube, sobol, sensitivity",
     },
     "fields": {
         "r": 'distances from the axis: lengths, or multiples of the contact radius a, as "2 a"; a list or a range',
@@ -65,7 +67,7 @@ SECTIONS: dict[str, dict[str, str]] = {
     },
     "expect": {
         "quantity": "an answer (depth), a restored field (pressure, von_mises), a function (line_load), or a path",
-        "value": "a quantity, or a number with its unit in unit; a list where the load is one",
+        "value": "a quantity, or a number with its unit in unit; a list where the load is one, or for each point",
         "unit": "unit of value and scale, where they are numbers",
         "tolerance": "largest allowed deviation, relative to the value or to scale",
         "scale": "what deviations are relative to; needed where the value is zero",

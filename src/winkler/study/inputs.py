@@ -14,7 +14,8 @@ from winkler.plot.series import scale_of, spoken, told
 from winkler.study import keys
 from winkler.study.catalogue import kind_of
 from winkler.study.explain import summary
-from winkler.study.study import Axis, Study
+from winkler.study.study import Study
+from winkler.study.varied import Axis, Range
 from winkler.vocabulary import OWNED, Word, word
 
 __all__ = ["Input", "content_label", "in_words", "inputs", "setting_told", "values_told"]
@@ -83,7 +84,7 @@ def _name(owner: str, field: str) -> str:
     return field.replace("_", " ") if (owner, field) in OWNED else spoken(field)
 
 
-def _rows(content: Any, path: str, group: str, swept: dict[str, Axis]) -> Iterator[Input]:
+def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -> Iterator[Input]:
     owner = type(content).__name__
     below: list[tuple[Any, str, str]] = []
     for field in dataclasses.fields(content):
@@ -133,12 +134,14 @@ def _unit(owner: Any, field: str) -> str | None:
     return unit
 
 
-def _content_told(owner: Any, field: str, content: Any, path: str, swept: dict[str, Axis]) -> str:
+def _content_told(owner: Any, field: str, content: Any, path: str, swept: dict[str, Axis | Range]) -> str:
     from winkler.study import quantities
 
     indexed = quantities.INDEXED.get((type(owner).__name__, field))
     if indexed is not None:
         return ", ".join(told(float(number), indexed(place), 6) for place, number in enumerate(content))
+    if isinstance(content, tuple) and all(isinstance(number, int) for number in content):
+        return " × ".join(map(str, content))
     if isinstance(content, tuple):
         parts = [
             f"{name} = varied" if f"{path}.{field}.{name}" in swept else f"{name} = {told(float(number), '', 6)}"
@@ -168,8 +171,11 @@ def values_told(content: Any, unit: str | None) -> str:
     return f"{numbers.size} values from {told(low, unit, 6)} to {told(high, unit, 6)}"
 
 
-def _axis_told(axis: Axis, entry: Word) -> str:
-    if all(isinstance(item, int | float) for item in axis.values):
+def _axis_told(axis: Axis | Range, entry: Word) -> str:
+    if isinstance(axis, Range):
+        ends = f"{told(axis.start, entry.unit, 6)} to {told(axis.stop, entry.unit, 6)}"
+        return ends if axis.scale == "linear" else f"{ends}, evenly in its logarithm"
+    if axis.numeric:
         return values_told(np.array(axis.values, dtype=float), entry.unit)
     return ", ".join(content_label(item) for item in axis.values)
 
@@ -179,7 +185,7 @@ def content_label(content: Any) -> str:
     return _described(content, "", set()) if dataclasses.is_dataclass(content) else keys.label(content)
 
 
-def setting_told(study: Study, axis: Axis, content: Any) -> str:
+def setting_told(study: Study, axis: Axis | Range, content: Any) -> str:
     """Return one value of a varied key for reading: ``force = 10 N``."""
     name = axis.key.rpartition(".")[2].replace("_", " ")
     if isinstance(content, int | float):
@@ -200,8 +206,8 @@ def in_words(study: Study) -> str:
     for axis in study.sweep:
         entry = keys.word_at(study, axis.key)
         sentences.append(f"Varied: {axis.key.removeprefix('problem.')} = {_axis_told(axis, entry)}.")
-    if len(study.sweep) > 1:
-        sentences.append("They vary together." if study.together else "Every combination was solved.")
+    if len(study.sweep) > 1 or study.design.draws:
+        sentences.append(study.design.told)
     return " ".join(sentences)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
 from typing import Any
 
 import numpy as np
@@ -15,8 +17,15 @@ from winkler.study.study import Expectation
 __all__ = ["judge"]
 
 
-def judge(point: Solved, expectation: Expectation) -> Verdict:
+def judge(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> Verdict:
     """Return the verdict on one expectation at one point.
+
+    Parameters
+    ----------
+    point, expectation
+        What came out, and what was expected: one number for all points, or as many as the sweep has points.
+    shape
+        Number of points along each axis of the sweep; ``()`` without one.
 
     Raises
     ------
@@ -25,6 +34,9 @@ def judge(point: Solved, expectation: Expectation) -> Verdict:
     """
     got = _found(point.solution, expectation)
     expected = np.asarray(expectation.expected, dtype=float)
+    if shape and np.ndim(got) == 0 and expected.size == math.prod(shape) and expected.ndim:
+        expected = expected.reshape(shape)[point.index]
+        expectation = dataclasses.replace(expectation, expected=float(expected))
     if np.shape(got) != expected.shape:
         if expected.ndim:
             raise InvalidInput(

@@ -7,6 +7,7 @@ state, and is removed when the results are written.
 from __future__ import annotations
 
 import contextlib
+import glob
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +63,12 @@ class Keep:
         """Keep the states of a march so far, where it can go on from them."""
         if isinstance(problem, KEPT) and Path(self.folder).is_dir():
             write_wear(states, self.path(problem))
+
+    def forget(self) -> None:
+        """Remove the files of all problems with this stem."""
+        for path in Path(self.folder).glob(f".{glob.escape(self.stem)}.*{ENDING}"):
+            with contextlib.suppress(OSError):
+                path.unlink()
 
     def clear(self, problems: list[Any]) -> None:
         """Remove the files of these problems: their results are written."""

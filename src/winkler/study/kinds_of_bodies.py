@@ -12,6 +12,7 @@ from winkler.materials.depth_grading import ExponentialGrading, SigmoidalGrading
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
+from winkler.materials.named import NamedElastic
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.depth_graded import DepthGradedHalfSpace
 from winkler.media.graded import GradedHalfSpace
@@ -95,6 +96,7 @@ BODIES: dict[str, dict[str, Kind]] = {
     "solid": {
         "elastic": kind(Elastic, young="210 GPa", poisson=0.3),
         "rigid": kind(Rigid),
+        "named_elastic": kind(NamedElastic, name="fused silica"),
         "transversely_isotropic": kind(
             TransverselyIsotropic, c11="162 GPa", c12="92 GPa", c13="69 GPa", c33="181 GPa", c44="47 GPa"
         ),

@@ -8,6 +8,7 @@ from winkler.laws.current import Current, Voltage, WiedemannFranz
 from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
+from winkler.materials.named import NamedElectricalConductor, NamedThermalConductor
 from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.problems.conductance_bounds import ConductanceBounds
 from winkler.problems.constriction import Constriction
@@ -37,6 +38,8 @@ CONDUCTION: dict[str, dict[str, Kind]] = {
             conductivity="45 W/(m K)",
             diffusivity="12 mm^2/s",
         ),
+        "named_electrical_conductor": kind(NamedElectricalConductor, name="copper"),
+        "named_thermal_conductor": kind(NamedThermalConductor, problem="thermal_constriction", name="copper"),
         "plated": kind(Plated, plating=SILVER, thickness="5 um", on=COPPER),
         "rod": kind(Rod, conductor=SILVER, radius="1 mm", length="10 mm"),
     },

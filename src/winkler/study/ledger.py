@@ -1,26 +1,29 @@
 """The validation ledger: literature cases, run and judged.
 
-A case is a study with ``[[expect]]``, a ``source`` and a ``grade``; those of the package lie in ``winkler/cases``.
+A case is a study with ``[[expect]]``, a ``source`` and a ``grade``; those of the package lie in ``winkler/cases``.  A
+case with ``[fit]`` fits a curve, and expects what the curve must tell.
 """
 
 from __future__ import annotations
 
-import math
+import dataclasses
 import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-import numpy as np
-
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.study.outcome import Verdict
+from winkler.study import keys
+from winkler.study.fit_case import fit_verdicts, is_fit, read_fit_case
+from winkler.study.outcome import Outcome, Verdict
+from winkler.study.physics import FITS, physics_of
 from winkler.study.reading import read_study
 from winkler.study.run import gather
-from winkler.study.study import GRADES, Expectation
+from winkler.study.study import GRADES
 from winkler.study.sweep import solve_points
+from winkler.study.varied import Axis
 from winkler.values import value
 
-__all__ = ["CASES", "Entry", "case_files", "examined", "ledger", "markdown", "shown", "where"]
+__all__ = ["CASES", "Entry", "case_files", "examined", "ledger"]
 
 CASES = Path(__file__).parent.parent / "cases"
 """The folder of the cases that come with the package."""
@@ -36,8 +39,12 @@ class Entry:
         Name of the case file without its ending.
     title, source, grade
         What the case says about itself.
+    physics
+        The chapter it belongs to.
     verdicts
-        On every expectation, in the order of the file.
+        On every expectation, in the order of the file, point after point of a sweep.
+    points
+        For every verdict the point of the sweep it stands for, as text; empty texts without a sweep.
     failure
         The sentence of the error if the case could not be run; empty otherwise.
     """
@@ -46,7 +53,9 @@ class Entry:
     title: str
     source: str
     grade: str
+    physics: str
     verdicts: tuple[Verdict, ...]
+    points: tuple[str, ...]
     failure: str = ""
 
     @property
@@ -96,68 +105,57 @@ def examined(path: Path) -> Entry:
     InvalidInput
         If the file is no case: it cannot be read, or lacks source, grade or expectations.
     """
+    if is_fit(path):
+        return _fitted(path)
     study = read_study(path)
-    for key, content in (("source", study.source), ("grade", study.grade), ("[[expect]]", study.expect)):
-        if not content:
-            raise InvalidInput(f"{path.name}: a case needs {key}; add it, `winkler show study` tells how.")
+    _complete(path, study.source, study.grade, study.expect)
+    entry = Entry(path.stem, study.title, study.source, study.grade, physics_of(study), (), ())
     try:
         outcome = gather(study, solve_points(study), started=time.perf_counter(), source=path.name)
     except WinklerError as error:
-        return Entry(path.stem, study.title, study.source, study.grade, (), str(error))
+        return dataclasses.replace(entry, failure=str(error))
     failure = outcome.failed[0].reason if outcome.failed else ""
-    return Entry(path.stem, study.title, study.source, study.grade, outcome.verdicts, failure)
+    return dataclasses.replace(entry, verdicts=outcome.verdicts, points=_points(outcome), failure=failure)
+
+
+def _fitted(path: Path) -> Entry:
+    case = read_fit_case(path)
+    _complete(path, case.source, case.grade, case.expect)
+    if case.grade not in GRADES:
+        raise InvalidInput(f"{path.name}: grade: '{case.grade}' is not known; give one of {', '.join(GRADES)}.")
+    entry = Entry(path.stem, case.study.title, case.source, case.grade, FITS, (), ())
+    try:
+        verdicts = fit_verdicts(case)
+    except WinklerError as error:
+        return dataclasses.replace(entry, failure=str(error))
+    return dataclasses.replace(entry, verdicts=verdicts, points=("",) * len(verdicts))
+
+
+def _complete(path: Path, source: str, grade: str, expect: tuple[object, ...]) -> None:
+    for key, content in (("source", source), ("grade", grade), ("[[expect]]", expect)):
+        if not content:
+            raise InvalidInput(f"{path.name}: a case needs {key}; add it, `winkler show study` tells how.")
+
+
+def _points(outcome: Outcome) -> tuple[str, ...]:
+    """Return the point of the sweep that each verdict stands for: ``poisson = 0.25``."""
+    settings = {point.index: point.settings for point in outcome.points}
+    told = []
+    for verdict in outcome.verdicts:
+        pairs = zip(outcome.study.axes, settings[verdict.index], strict=True)
+        told.append(", ".join(_told(outcome, axis, content) for axis, content in pairs))
+    return tuple(told)
+
+
+def _told(outcome: Outcome, axis: Axis, content: object) -> str:
+    """Return what stands at a key as text: a number with its unit, or which of its values it is."""
+    name = axis.key.rpartition(".")[2]
+    if isinstance(content, int | float):
+        unit = keys.word_at(outcome.study.problem, axis.key.removeprefix("problem.")).unit or ""
+        return f"{name} = {content:.6g} {unit}".strip()
+    return f"{name} {axis.values.index(content) + 1} of {len(axis.values)}"
 
 
 def ledger(paths: Iterable[Path]) -> Iterator[Entry]:
     """Yield the entries of the ledger as the cases are run."""
     yield from map(examined, paths)
-
-
-def where(expectation: Expectation) -> str:
-    """Return the quantity and its place as text: ``pressure at r = 0 m``."""
-    place = ", ".join(f"{name} = {number:.6g} m" for name, number in expectation.place)
-    return f"{expectation.quantity} at {place}" if place else expectation.quantity
-
-
-def shown(number: object, expectation: Expectation) -> str:
-    """Return a number with its unit, or the first of several."""
-    numbers = np.ravel(np.asarray(number, dtype=float))
-    more = f" ... ({numbers.size})" if numbers.size > 1 else ""
-    return f"{numbers[0]:.12g} {expectation.unit}".strip() + more
-
-
-def markdown(entries: Iterable[Entry]) -> str:
-    """Return the page of the manual that shows the ledger."""
-    found = list(entries)
-    numbers = sum(len(entry.verdicts) for entry in found)
-    lines = [
-        "# Validation",
-        "",
-        "Every number below was taken from a source that does not depend on winkler, and is computed anew by",
-        "`winkler validate`. This page is made by `winkler validate --markdown`.",
-        "",
-        f"{len(found)} cases, {numbers} numbers. *Digits* is how many decimal digits agree.",
-    ]
-    for grade in GRADES:
-        chosen = [entry for entry in found if entry.grade == grade]
-        if not chosen:
-            continue
-        lines += ["", f"## {grade.capitalize()}"]
-        for entry in chosen:
-            lines += ["", f"### {entry.title}", "", f"`{entry.name}`. Source: {entry.source}", ""]
-            if entry.failure:
-                lines += [f"Not answered: {entry.failure}", ""]
-            if entry.verdicts:
-                lines += ["| quantity | expected | got | digits | tolerance |", "|---|---|---|---|---|"]
-            for verdict in entry.verdicts:
-                asked = verdict.expectation
-                cells = (where(asked), shown(asked.expected, asked), shown(verdict.got, asked), digits(verdict))
-                lines.append(f"| {' | '.join(cells)} | {asked.tolerance:.0e} |")
-    return "\n".join(lines) + "\n"
-
-
-def digits(verdict: Verdict) -> str:
-    """Return the digits that agree as text; ``exact`` if all do."""
-    if verdict.deviation == 0.0:
-        return "exact"
-    return f"{math.floor(10.0 * verdict.digits) / 10.0:.1f}" + ("" if verdict.passed else " (missed)")

@@ -5,20 +5,28 @@ from __future__ import annotations
 from winkler.problems.adhesive import AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
+from winkler.problems.elastomer_friction import ElastomerFrictionSolution
+from winkler.problems.elliptic_indentation import EllipticSolution
 from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.fretting_wear import FrettingSolution
 from winkler.problems.heating_transient import TransientHeatingSolution
 from winkler.problems.impact import ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.limiting_profile import LimitingSolution
+from winkler.problems.near_round import NearlyRoundSolution
 from winkler.problems.oscillating_rolling import OscillatingRollingSolution, RockingState
 from winkler.problems.particle import ParticleSolution
 from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.reduce import ReductionSolution
 from winkler.problems.rolling import RollingSolution
 from winkler.problems.rolling_start import RollingStartSolution, RollingState
+from winkler.problems.rough_contact import RoughContactSolution
+from winkler.problems.rough_indentation import RoughIndentationSolution
 from winkler.problems.simplified_rolling import SimplifiedRollingSolution
 from winkler.problems.sliding_wear import SlidingSolution
 from winkler.problems.spring_states import SpringState
+from winkler.problems.surface_conduction import SurfaceConductionSolution
+from winkler.problems.surface_contact import SurfaceContactSolution
 from winkler.problems.tangential import TangentialSolution
 from winkler.problems.tangential_states import TangentialState
 from winkler.problems.torsion import TorsionSolution
@@ -79,6 +87,18 @@ LOOPS: dict[type, tuple[tuple[str, str], ...]] = {
     OscillatingRollingSolution: (("cycle", "shift"),),
     FrettingSolution: (("cycles", "worn_volume"), ("cycles", "stick_radius"), ("cycles", "force"), ("cycles", "depth")),
     SlidingSolution: (("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
+    SurfaceContactSolution: (("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
+    SurfaceConductionSolution: (("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
+    ReductionSolution: (("depth", "force"), ("depth", "stiffness")),
+    RoughContactSolution: (("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
+    RoughIndentationSolution: (("depth", "force"), ("force", "stiffness"), ("force", "area")),
+    NearlyRoundSolution: (("depth", "force"),),
+    ElastomerFrictionSolution: (("velocity", "coefficient"),),
+    EllipticSolution: (
+        ("depth", "force"),
+        ("depth", "longitudinal_semi_axis"),
+        ("depth", "lateral_semi_axis"),
+    ),
 }
 """Answers along a path or over time: what is drawn over what, for a sweep."""
 ALONG = ("shift", "depth")
@@ -98,5 +118,13 @@ WITHOUT_CONTACT = (
     FrettingSolution,
     SlidingSolution,
     LimitingSolution,
+    SurfaceContactSolution,
+    SurfaceConductionSolution,
+    ReductionSolution,
+    RoughContactSolution,
+    RoughIndentationSolution,
+    NearlyRoundSolution,
+    EllipticSolution,
+    ElastomerFrictionSolution,
 )
 """Answers of which no single elastic contact can be shown: their own pictures hold all."""

@@ -10,8 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import WinklerError
+from winkler.loading import Force
 from winkler.problems.fretting_wear import FrettingSolution, FrettingWear
 from winkler.problems.sliding_wear import SlidingSolution, SlidingWear
+from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.tangential import Tangential, TangentialSolution
 from winkler.problems.torsion import Torsion, TorsionSolution
 from winkler.problems.viscoelastic import ViscoelasticIndentation, ViscoelasticSolution
@@ -40,6 +42,7 @@ def _gathered(answer: type) -> Callable[[Any, list[Any]], Any]:
 MARCHES: dict[type, Callable[[Any, list[Any]], Any]] = {
     FrettingWear: FrettingSolution.of,
     SlidingWear: SlidingSolution.of,
+    SurfaceContact: SurfaceContactSolution.of,
     Tangential: TangentialSolution.of,
     Torsion: _gathered(TorsionSolution),
     ViscoelasticAdhesion: _gathered(ViscoelasticAdhesionSolution),
@@ -79,6 +82,13 @@ ANEW = Keep("", "")
 """Keeps nothing, and knows of nothing."""
 
 
+def _points(problem: Any) -> int:
+    """Return how many states a march has."""
+    if isinstance(problem, SurfaceContact):
+        return int(np.size(problem.load.force if isinstance(problem.load, Force) else problem.load.depth))
+    return int(problem.goals.size if isinstance(problem, KEPT) else problem.path.time.size)
+
+
 def marched(problem: Any, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
     """Solve a problem of `MARCHES`, and keep what was reached if it ends early.
 
@@ -100,7 +110,7 @@ def marched(problem: Any, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
     WinklerError, KeyboardInterrupt
         If it ends before its first point.
     """
-    total = int(problem.goals.size if isinstance(problem, KEPT) else problem.path.time.size)
+    total = _points(problem)
     before = keep.reached(problem) if keep != ANEW else []
     marching = problem.steps(start=before[-1]) if before else problem.steps()
     states: list[Any] = []

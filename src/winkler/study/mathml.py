@@ -23,8 +23,8 @@ LETTERS = {
     "Delta": "Δ", "Gamma": "Γ", "Phi": "Φ", "Lambda": "Λ", "Omega": "Ω", "infty": "∞", "partial": "∂",
 }  # fmt: skip
 SIGNS = {
-    "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "cdot": "·", "times": "×", "pm": "±", "to": "→", "dots": "…",
-    "quad": "\u2003", ",": "\u2009", ";": "\u2005", " ": " ", "!": "",
+    "langle": "⟨", "rangle": "⟩", "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "cdot": "·", "times": "×", "pm": "±",
+    "to": "→", "dots": "…", "quad": "\u2003", ",": "\u2009", ";": "\u2005", " ": " ", "!": "",
 }  # fmt: skip
 BIG = {"int": "∫", "oint": "∮", "sum": "∑"}
 ABOVE = {"dot": "˙", "ddot": "¨", "bar": "¯"}

@@ -37,6 +37,9 @@ def sentences(error: ValidationError, raw: Any, root: str = "") -> list[str]:
     for mistake in sorted(error.errors(include_url=False), key=lambda mistake: mistake["type"] == "missing"):
         path, table = _place(mistake["loc"], raw)
         key = _joined([root, *path[1:]] if root else path) or "the study"
+        if len(found) >= MANY:  # counted, never shown: each sentence costs a search for the nearest word
+            found.setdefault(key, "")
+            continue
         if mistake["type"] == "extra_forbidden":
             near = difflib.get_close_matches(str(path[-1]), _allowed(key, table), n=1, cutoff=0.6)
             misspelt.update(f"{_parent(key)}.{name}" for name in near)
@@ -110,6 +113,8 @@ def _parent(key: str) -> str:
 def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
     given, context = mistake["input"], mistake.get("ctx", {})
     name = str(path[-1]) if path else ""
+    if _kindless(key) and isinstance(table, Mapping):  # a kind has no business there, and says nothing of the table
+        table = {word: content for word, content in table.items() if word != "kind"}
     owner = kinds().get(str(table.get("kind"))) if isinstance(table, Mapping) else None
     match mistake["type"]:
         case "winkler":
@@ -134,6 +139,14 @@ def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
             return f"{key} is {_shown(given)}; give a whole number."
         case _:
             return f"{key} is {_shown(given)}: {mistake['msg']}."
+
+
+def _kindless(key: str) -> bool:
+    """Return whether the table around a key is a section that is of no kind, such as [[expect]]."""
+    from winkler.study.grammar import SECTIONS
+
+    section = _parent(key).partition("[")[0]
+    return section in SECTIONS and "kind" not in SECTIONS[section] and section != "problem"
 
 
 def _unknown(key: str, name: str, table: Any, owner: Any) -> str:

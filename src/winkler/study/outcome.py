@@ -2,15 +2,17 @@
 
 ::
 
-    outcome.study                 the `Study` that was run (title, problem, sweep, fields, output, expect)
-    outcome.points                one `Solved` or `Failed` per point of the sweep, in its order (one without a sweep)
+    outcome.study                 the `Study` that was run (title, problem, sweep, design, fields, output, expect)
+    outcome.points                one `Solved` or `Failed` per point of the sweep, in its order (one without a sweep);
+                                  `Recalled` if the solution was not kept, which then is solved again when asked for
     outcome.solved, .failed       the same, apart
     outcome.verdicts              one `Verdict` for every [[expect]] at every solved point
     outcome.provenance            `Provenance`: version, hash of the study, time, versions of what computed
     outcome.validity              the notes of all points, each kind of statement once, in its worst standing
-    outcome.shape                 number of points along each axis of the sweep
+    outcome.shape                 number of points along each dimension of the sweep
     outcome.table()               `Column` after `Column`: a long table with one row per load; swept keys, then answers
     outcome.answers               names of the answers (depth, force, ...), as in the glossary
+    outcome.indices               `Indices` of every answer, if the design is sensitivity: what makes it scatter
     outcome.answer("depth")       the same numbers as an array of shape ``shape + (loads,)``, NaN where a point failed
 
     point.index, point.settings   place in the sweep, and the values of its keys there (in the order of study.sweep)
@@ -26,8 +28,8 @@ Numbers are SI.  Symbols, units and meanings come from `winkler.vocabulary`.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import re
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -35,12 +37,26 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array, Quantity
 from winkler.study import keys
-from winkler.study.study import Expectation, Study
+from winkler.study.designs import Sensitivity
+from winkler.study.points import Answered, Failed, Point, Recalled, Solved, Verdict
+from winkler.study.sensitivity import Indices, sensitivity
+from winkler.study.study import Study
 from winkler.validity import Note, worst
 from winkler.values import value
 from winkler.vocabulary import Word, word
 
-__all__ = ["Column", "Failed", "Outcome", "Provenance", "Solved", "Verdict", "answers_of"]
+__all__ = [
+    "Answered",
+    "Column",
+    "Failed",
+    "Outcome",
+    "Point",
+    "Provenance",
+    "Recalled",
+    "Solved",
+    "Verdict",
+    "answers_of",
+]
 
 
 def answers_of(solution: Any) -> dict[str, Quantity]:
@@ -104,107 +120,6 @@ class Column:
 
 
 @value
-class Solved:
-    """A point of the study that was solved; see the module for its parts.
-
-    A march that ended before the end of its path says why in `stopped`; `code` is then what the command line returns.
-    """
-
-    index: tuple[int, ...]
-    settings: tuple[Any, ...]
-    problem: Any
-    solution: Any
-    found: tuple[tuple[str, Quantity], ...]
-    surface: tuple[Any, ...] = ()
-    subsurface: tuple[Any, ...] = ()
-    stopped: str = ""
-    code: int = 0
-
-    @property
-    def answers(self) -> dict[str, Array]:
-        """Name -> numbers of shape (loads,), SI."""
-        count = max((np.size(content) for _, content in self.found), default=1)
-        return {name: np.broadcast_to(np.ravel(content), (count,)) for name, content in self.found}
-
-    @property
-    def each(self) -> tuple[Any, ...]:
-        """The solution load by load: one scalar solution for every load."""
-        return tuple(_loads(self.solution))
-
-    @property
-    def validity(self) -> tuple[Note, ...]:
-        """What was assumed and checked."""
-        return tuple(getattr(self.solution, "validity", ()))
-
-
-def _loads(solution: Any) -> Iterator[Any]:
-    if hasattr(solution, "states"):  # a march: one state for every point of its path
-        yield from solution.states
-        return
-    shape = max(
-        (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
-    )
-    if shape == () or not hasattr(solution, "at"):
-        yield solution
-        return
-    for index in np.ndindex(shape):
-        yield solution.at(index[0] if len(index) == 1 else index)
-
-
-@value
-class Failed:
-    """A point of the study that has no answer, and why.
-
-    Parameters
-    ----------
-    index, settings, problem
-        As for `Solved`.
-    reason
-        The sentence of the error.
-    code
-        What the command line returns for it: 2 input, 3 not converged, 4 outside validity.
-    """
-
-    index: tuple[int, ...]
-    settings: tuple[Any, ...]
-    problem: Any
-    reason: str
-    code: int
-
-
-@value
-class Verdict:
-    """Whether an expected number came out.
-
-    Parameters
-    ----------
-    index
-        Point of the sweep.
-    expectation
-        What was expected.
-    got : float or ndarray
-        What came out.
-    deviation
-        Largest deviation, relative to the scale of the expectation; infinite if no number came out.
-    """
-
-    index: tuple[int, ...]
-    expectation: Expectation
-    got: Quantity
-    deviation: float
-
-    @property
-    def passed(self) -> bool:
-        """Whether the deviation is within the tolerance."""
-        return self.deviation <= self.expectation.tolerance
-
-    @property
-    def digits(self) -> float:
-        """Decimal digits that agree, at most 16."""
-        return float(min(16.0, max(0.0, -np.log10(max(self.deviation, 1e-16)))))
-
-
-@value
 class Provenance:
     """What made the numbers.
 
@@ -213,7 +128,7 @@ class Provenance:
     version
         Version of winkler.
     hash
-        SHA-256 of the canonical form of problem, sweep and fields: equal hashes mean equal questions.
+        SHA-256 of the canonical form of problem, sweep, design and fields: equal hashes mean equal questions.
     created
         Time of the run in UTC, ISO 8601.
     seconds
@@ -251,58 +166,78 @@ class Outcome:
     """What a study came to; see the module for its parts."""
 
     study: Study
-    points: tuple[Solved | Failed, ...]
+    points: tuple[Point, ...]
     verdicts: tuple[Verdict, ...]
     provenance: Provenance
 
-    @property
-    def solved(self) -> tuple[Solved, ...]:
+    @functools.cached_property
+    def solved(self) -> tuple[Answered, ...]:
         """The points that were solved, in the order of the sweep."""
-        return tuple(point for point in self.points if isinstance(point, Solved))
+        return tuple(point for point in self.points if not isinstance(point, Failed))
 
-    @property
+    @functools.cached_property
     def failed(self) -> tuple[Failed, ...]:
         """The points that have no answer, in the order of the sweep."""
         return tuple(point for point in self.points if isinstance(point, Failed))
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Number of points along each axis of the sweep; ``()`` without a sweep."""
+        """Number of points along each dimension of the sweep; ``()`` without a sweep."""
         return self.study.shape
 
-    @property
+    @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
         """The notes of all points; of statements that differ in their numbers only, the worst."""
         found: dict[str, Note] = {}
-        for note in (note for point in self.solved for note in point.validity):
+        each = {(note.standing, note.statement): note for point in self.solved for note in point.validity}
+        for note in each.values():
             topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
             if topic not in found or worst((found[topic], note)) is note.standing:
                 found[topic] = note
         return tuple(found.values())
 
-    @property
+    @functools.cached_property
     def answers(self) -> tuple[str, ...]:
         """Names of the answers, in the order of the solution."""
-        return tuple(dict.fromkeys(name for point in self.solved for name in point.answers))
+        return tuple(dict.fromkeys(name for point in self.solved for name, _ in point.found))
 
     def answer(self, name: str) -> Array:
         """Return one answer, shape ``shape + (loads,)``, SI; NaN where a point failed or has fewer loads."""
-        found = [(point.index, point.answers[name]) for point in self.solved if name in point.answers]
+        found = [
+            (point.index, numbers[name])
+            for point, numbers in zip(self.points, self._numbers, strict=True)
+            if name in numbers
+        ]
         result = np.full((*self.shape, max((len(numbers) for _, numbers in found), default=1)), np.nan)
         for index, numbers in found:
             result[index][: len(numbers)] = numbers
         return result
 
+    @functools.cached_property
+    def indices(self) -> tuple[Indices, ...]:
+        """How much of the scatter of each answer every key makes; none unless the design is a `Sensitivity`."""
+        return sensitivity(self) if isinstance(self.study.design, Sensitivity) else ()
+
+    @functools.cached_property
+    def _numbers(self) -> tuple[dict[str, Array], ...]:
+        """Answers of every point; none where there is no answer."""
+        return tuple({} if isinstance(point, Failed) else point.answers for point in self.points)
+
     def word(self, name: str) -> Word:
         """Return symbol, unit and meaning of an answer or of a swept key."""
-        if any(axis.key == name for axis in self.study.sweep):
+        if any(line.key == name for line in self.study.sweep):
             return keys.word_at(self.study, name)
-        owner = next((type(point.solution) for point in self.solved if name in point.answers), type(None))
+        having = (point for point in self.solved if any(name == one for one, _ in point.found))
+        owner = next((point.answer_type for point in having), type(None))
         return word(owner.__name__, name)
 
     def table(self) -> tuple[Column, ...]:
         """Return the long table, one row per point and load: swept keys, answers, and failures if there are any."""
-        numbers = [point.answers if isinstance(point, Solved) else {} for point in self.points]
+        return self._table
+
+    @functools.cached_property
+    def _table(self) -> tuple[Column, ...]:
+        numbers = self._numbers
         counts = [max((len(content) for content in found.values()), default=1) for found in numbers]
         columns = []
         for place, axis in enumerate(self.study.sweep):

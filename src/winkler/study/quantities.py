@@ -76,7 +76,12 @@ INFINITE = "infinite"
 ENDLESS: frozenset[str] = frozenset({"machine_stiffness", "inertia"})
 """Fields that may be infinite, written as that word."""
 ENDLESS_OF: frozenset[tuple[str, str]] = frozenset(
-    {("Coulomb", "coefficient"), ("ThermalInterface", "interface_conductance")}
+    {
+        ("Coulomb", "coefficient"),
+        ("ThermalInterface", "interface_conductance"),
+        ("SurfaceContact", "hardness"),
+        ("SelfAffine", "roll_off"),
+    }
 )
 """The same, of one class alone."""
 
@@ -302,7 +307,7 @@ def either_file_or(
     """
     if not isinstance(raw, dict):
         return raw
-    given = [key for key in required if key in raw]
+    given = [key for key in required if key in raw and not ("file" in raw and key in options)]
     listed = ", ".join(required[:-1]) + f" and {required[-1]}"
     if "file" in raw:
         if given:

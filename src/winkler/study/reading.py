@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,12 +12,16 @@ import numpy as np
 from winkler.errors import InvalidInput, WinklerError
 from winkler.study import axes
 from winkler.study.build import assembled, unbuild, written_number, written_numbers
+from winkler.study.designs import Crossed
 from winkler.study.study import Expectation, Fields, Output, Places, Study
 
 if TYPE_CHECKING:
     from pydantic import BaseModel
 
 __all__ = ["parse_study", "parsed", "read_study", "read_text", "study_text"]
+
+DEEPEST = 50
+"""Levels of tables and lists within each other."""
 
 
 def read_study(path: str | Path) -> Study:
@@ -98,11 +103,30 @@ def parsed(text: str, file: str) -> dict[str, Any]:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InvalidInput(f"{_at(file)}this is not TOML: {_lowered(str(error))}.") from None
+    except ValueError:  # Python turns at most 4300 digits into a whole number
+        raise InvalidInput(f"{_at(file)}a number has thousands of digits; write it as 1e9.") from None
+    except RecursionError:
+        raise InvalidInput(f"{_at(file)}tables or lists are nested too deep; a study needs about ten levels.") from None
+    if _deep(raw):
+        raise InvalidInput(f"{_at(file)}tables or lists are nested more than {DEEPEST} deep; write it more simply.")
     if not raw:
         raise InvalidInput(
             f"{_at(file)}the study is empty; it needs at least [problem], see `winkler new indentation`."
         )
     return raw
+
+
+def _deep(content: Any) -> bool:
+    """Return whether anything is nested deeper than a study needs."""
+    level = [content]
+    for _ in range(DEEPEST):
+        level = [
+            inner
+            for outer in level
+            for inner in (outer.values() if isinstance(outer, dict) else outer)
+            if isinstance(inner, dict | list)
+        ]
+    return bool(level)
 
 
 def _at(file: str) -> str:
@@ -124,10 +148,8 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
     except ValidationError as error:
         raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
     problem = assembled(form.problem, folder=folder, file=file, key="problem")
-    together = form.sweep.pop("together", False)
     try:
-        if not isinstance(together, bool):
-            raise InvalidInput(f"sweep.together is {together!r}; give true or false.")
+        design = axes.design(form.sweep.pop("design", {"kind": "crossed"}))
         expect = []
         for place, item in enumerate(form.expect):
             try:
@@ -140,9 +162,9 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
             title=form.title or Path(file).stem,
             problem=problem,
             sweep=tuple(
-                axes.axis(key, values, problem, file=file, folder=folder) for key, values in form.sweep.items()
+                axes.line(key, values, problem, design, file=file, folder=folder) for key, values in form.sweep.items()
             ),
-            together=together,
+            design=design,
             fields=Fields() if form.fields is MISSING else Fields(**_given(form.fields)),
             output=Output() if form.output is MISSING else Output(**_given(form.output)),
             expect=tuple(expect),
@@ -173,17 +195,27 @@ def study_text(study: Study) -> str:
     table: dict[str, Any] = {"title": study.title} if study.title else {}
     table |= {name: text for name, text in (("source", study.source), ("grade", study.grade)) if text}
     table["problem"] = unbuild(study.problem)
-    if study.sweep:
-        table["sweep"] = {"together": True} if study.together else {}
-        table["sweep"] |= {axis.key: axes.written(axis, study.problem) for axis in study.sweep}
+    if study.expect:
+        table["expect"] = [_expected(item) for item in study.expect]
+    text = tomli_w.dumps(table) + _sweep(study)
+    table = {}
     if study.fields != Fields():
         asked = (("r", study.fields.r), ("z", study.fields.z))
         table["fields"] = {name: _places(places) for name, places in asked if places.values.size}
     if study.output != Output():
         table["output"] = _output(study.output)
-    if study.expect:
-        table["expect"] = [_expected(item) for item in study.expect]
-    return tomli_w.dumps(table)
+    return f"{text}\n{tomli_w.dumps(table)}" if table else text
+
+
+def _sweep(study: Study) -> str:
+    """Return the section of the sweep; its keys stay in their order, which drawn points depend on."""
+    from winkler.study.template import inline
+
+    if not study.sweep:
+        return ""
+    lines = [] if study.design == Crossed() else [f"design = {inline(axes.written_design(study.design))}"]
+    lines += [f"{json.dumps(line.key)} = {inline(axes.written(line, study.problem))}" for line in study.sweep]
+    return "\n[sweep]\n" + "\n".join(lines) + "\n"
 
 
 def _places(places: Places) -> Any:

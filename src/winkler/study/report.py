@@ -6,6 +6,7 @@ paper.  Everything that a reader wrote is escaped.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -168,7 +169,7 @@ def _which(outcome: Outcome) -> str:
     point = shown_point(outcome)
     contact = shown_contact(point)
     where = [settings_told(outcome, point.settings)] if outcome.study.sweep else []
-    which = OF_MANY.get(type(point.solution))
+    which = OF_MANY.get(point.answer_type)
     if which and contact is not None:
         where.append(f"{which}, at a depth of {told(float(contact.depth), 'm')}")
     if len(point.each) > 1 and contact is not None and not which:
@@ -230,6 +231,11 @@ def papers(content: Any) -> str:
     return section("Papers", lead, f'<ol class="papers">{"".join(items)}</ol>') if items else ""
 
 
+def _readable(text: str) -> str:
+    """Return the text of a study without packed height maps, which nobody reads."""
+    return re.sub(r'packed = "([^"]*)"', lambda found: f'packed = "... {len(found[1])} letters, in study.toml"', text)
+
+
 def _provenance(outcome: Outcome) -> str:
     made = outcome.provenance
     rows = [
@@ -245,7 +251,7 @@ def _provenance(outcome: Outcome) -> str:
     ]
     text = (
         "<details><summary>The study as a file; it gives the same numbers again</summary>"
-        f"<pre>{safe(study_text(outcome.study))}</pre></details>"
+        f"<pre>{safe(_readable(study_text(outcome.study)))}</pre></details>"
     )
     files = f"<p class='small'>All numbers with all digits: {CSV} and {NETCDF}, beside this page.</p>"
     return section("What made these numbers", table([], lines), text, files)

@@ -7,20 +7,23 @@ import platform
 import time
 from collections.abc import Iterable
 from importlib.metadata import version
+from pathlib import Path
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.study.canonical import digest
+from winkler.study.journal import Journal
 from winkler.study.judging import judge
-from winkler.study.outcome import Failed, Outcome, Provenance, Solved, Verdict
+from winkler.study.outcome import Failed, Outcome, Point, Provenance, Solved, Verdict
+from winkler.study.pool import Workers
 from winkler.study.study import Study
-from winkler.study.sweep import solve_points
+from winkler.study.sweep import journaled, solve_points
 
 __all__ = ["ERRORS", "gather", "provenance", "run"]
 
 ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity)}
 
 
-def run(study: Study, *, workers: int = 1) -> Outcome:
+def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outcome:
     """Run a study.
 
     Parameters
@@ -28,12 +31,16 @@ def run(study: Study, *, workers: int = 1) -> Outcome:
     study
         What to solve, from `winkler.study.reading.read_study` or made in Python.
     workers
-        Number of processes for a sweep; the numbers do not depend on it.
+        Number of processes for a sweep, or a `winkler.study.cluster.Cluster`; the numbers do not depend on it.
+    journal
+        File in which points are kept while it runs: the same call goes on from there if it was stopped. It is removed
+        at the end.
 
     Returns
     -------
     Outcome
-        Points that failed are in it, with their reasons.
+        Points that failed are in it, with their reasons.  Of sweeps with more than 256 points the solutions are not
+        kept; ``point.solution`` solves one again.
 
     Raises
     ------
@@ -41,10 +48,15 @@ def run(study: Study, *, workers: int = 1) -> Outcome:
         If no point of the study has an answer: the reason of the first.
     """
     started = time.perf_counter()
+    if journal:
+        with Journal(Path(journal), study) as kept:
+            outcome = gather(study, journaled(study, kept, workers=workers), started=started)
+            kept.remove()
+        return outcome
     return gather(study, solve_points(study, workers=workers), started=started)
 
 
-def gather(study: Study, points: Iterable[Solved | Failed], *, started: float, source: str = "") -> Outcome:
+def gather(study: Study, points: Iterable[Point], *, started: float, source: str = "") -> Outcome:
     """Return the outcome of a study from the stream of its points.
 
     Parameters
@@ -52,24 +64,27 @@ def gather(study: Study, points: Iterable[Solved | Failed], *, started: float, s
     study
         What was asked.
     points
-        What `solve_points` yields.
+        What `solve_points` or `journaled` yields, in any order.
     started
         ``time.perf_counter()`` when the run began.
     source
         Name of the study file.
     """
-    found: list[Solved | Failed] = []
-    verdicts: list[Verdict] = []
+    judged: list[tuple[Point, tuple[Verdict, ...]]] = []
     for point in points:
-        found.append(point)
         if isinstance(point, Solved):
-            verdicts += [judge(point, expectation) for expectation in study.expect]
-    if not any(isinstance(point, Solved) for point in found):
+            judged.append((point, tuple(judge(point, expectation, study.shape) for expectation in study.expect)))
+        else:
+            judged.append((point, () if isinstance(point, Failed) else point.verdicts))
+    judged.sort(key=lambda pair: pair[0].index)
+    found = tuple(point for point, _ in judged)
+    if all(isinstance(point, Failed) for point in found):
         first = next(point for point in found if isinstance(point, Failed))
         many = f"none of the {len(found)} points of the sweep has an answer; the first: " if len(found) > 1 else ""
         raise ERRORS.get(first.code, NotConverged)(many + first.reason)
+    verdicts = tuple(verdict for _, verdicts in judged for verdict in verdicts)
     made = provenance(digest(study), time.perf_counter() - started, source)
-    return Outcome(study, tuple(found), tuple(verdicts), made)
+    return Outcome(study, found, verdicts, made)
 
 
 def provenance(question: str, seconds: float, source: str) -> Provenance:

@@ -29,7 +29,7 @@ from pydantic import (
 )
 
 from winkler.numerics.types import Array
-from winkler.study import mistakes, quantities
+from winkler.study import maps, mistakes, quantities
 from winkler.study.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
 
 __all__ = [
@@ -79,6 +79,12 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
         return _checked(functools.partial(quantities.indexed, units=quantities.INDEXED[owner.__name__, field]))
     if (owner.__name__, field) in quantities.GRIDS:
         return _checked(quantities.grid)
+    if (owner.__name__, field) in maps.MAPS:
+        return _checked(functools.partial(maps.height_map, unit=unit))
+    if (owner.__name__, field) in maps.PAIRS:
+        return _checked(functools.partial(maps.pair, unit=unit))
+    if hint == tuple[int, int]:
+        return _checked(maps.counts)
     if hint is float:
         taken = quantities.number_or_infinite if quantities.endless(owner, field) else quantities.number
         return _checked(functools.partial(taken, unit=unit))

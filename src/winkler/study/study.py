@@ -17,6 +17,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, Quantity
+from winkler.study.designs import POINT, Crossed, Design, Zipped, axes_of
+from winkler.study.varied import Axis, Range
 from winkler.values import value
 from winkler.vocabulary import GLOSSARY
 
@@ -25,35 +27,8 @@ __all__ = ["Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"
 PICTURES = ("svg", "png", "pdf")
 """Formats that figures can be written in."""
 
-GRADES = ("analytical", "cross-code", "published table")
+GRADES = ("analytical", "cross-code", "published table", "measured")
 """How independent a literature case is of this package."""
-
-
-@value
-class Axis:
-    """One line of ``[sweep]``: a key of the study and the values it takes in turn.
-
-    Parameters
-    ----------
-    key
-        Path of the key, from ``problem`` on, with dots: ``problem.load.force``; a part of a list is named by its
-        number, from zero: ``problem.bed.profile.parts.1.amplitude``.
-    values
-        What stands there in turn: SI numbers for quantities, otherwise whatever the key takes (a profile, a load).
-    """
-
-    key: str
-    values: tuple[Any, ...]
-
-    def __post_init__(self) -> None:
-        if isinstance(self.values, np.ndarray):
-            object.__setattr__(self, "values", tuple(float(number) for number in self.values.ravel()))
-        if not self.key.startswith("problem."):
-            raise InvalidInput(
-                f"sweep: the key '{self.key}' does not start with 'problem.'; sweep a key of the problem."
-            )
-        if len(self.values) == 0:
-            raise InvalidInput(f"sweep: '{self.key}' has no values; give at least one.")
 
 
 @value
@@ -151,7 +126,7 @@ class Expectation:
         Name of an answer (``depth``) or, with `place`, of a restored field (``pressure``, ``von_mises``) or of a
         function of the solution (``line_load``); or a path inside the solution (``problem.bed.medium.modulus``).
     expected : float or ndarray
-        The number in SI units; an array where the load is one.
+        The number in SI units; an array where the load is one, or of a sweep one number for each of its points.
     tolerance
         Largest allowed deviation, relative to `scale`.
     place
@@ -198,9 +173,9 @@ class Study:
     problem
         What is asked: a value with a method ``solve()``.
     sweep
-        The keys that vary; every combination is solved, the last key changing fastest.
-    together
-        Vary all keys together instead: the first values, then the second ones.
+        The keys that vary.
+    design
+        Which points are solved: every combination, unless it says otherwise.
     fields
         Where fields are restored.
     output
@@ -209,13 +184,13 @@ class Study:
         What must come out; checked at every point of the study.
     source, grade
         Of a literature case: where the expected numbers come from, and how independent they are (analytical,
-        cross-code, published table).
+        cross-code, published table, measured).
     """
 
     title: str
     problem: Any
-    sweep: tuple[Axis, ...] = ()
-    together: bool = False
+    sweep: tuple[Axis | Range, ...] = ()
+    design: Design = Crossed()
     fields: Fields = Fields()
     output: Output = Output()
     expect: tuple[Expectation, ...] = ()
@@ -223,24 +198,36 @@ class Study:
     grade: str = ""
 
     def __post_init__(self) -> None:
-        if self.together and len({len(axis.values) for axis in self.sweep}) > 1:
-            counts = ", ".join(f"'{axis.key}' {len(axis.values)}" for axis in self.sweep)
-            raise InvalidInput(f"sweep: keys that vary together need equally many values; here {counts}.")
-        keys = [axis.key for axis in self.sweep]
+        keys = [line.key for line in self.sweep]
         for key in keys:
             if keys.count(key) > 1:
                 raise InvalidInput(f"sweep: '{key}' is there twice; give each key once.")
+        if self.sweep or not isinstance(self.design, Crossed | Zipped):
+            axes_of(self.design, self.sweep)
         if self.grade and self.grade not in GRADES:
             raise InvalidInput(f"grade: '{self.grade}' is not known; give one of {', '.join(GRADES)}.")
 
     @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The keys that vary, each with its values: of a design that is not crossed, one for each point."""
+        return axes_of(self.design, self.sweep)
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """Names of the dimensions of the answers: the keys of a crossed sweep, else ``point``; none without a sweep."""
+        if isinstance(self.design, Crossed):
+            return tuple(line.key for line in self.sweep)
+        return (POINT,) if self.sweep else ()
+
+    @property
     def shape(self) -> tuple[int, ...]:
-        """Number of points along each axis of the sweep; ``()`` without a sweep."""
-        counts = tuple(len(axis.values) for axis in self.sweep)
-        return counts[:1] if self.together else counts
+        """Number of points along each dimension; ``()`` without a sweep."""
+        return tuple(len(axis.values) for axis in self.axes)[: len(self.dims)]
 
     def settings(self) -> Iterator[tuple[tuple[int, ...], tuple[Any, ...]]]:
-        """Yield ``(index, values)`` of every point of the sweep; the values in the order of its axes."""
+        """Yield ``(index, values)`` of every point of the sweep; the values in the order of its keys."""
+        axes = self.axes
+        crossed = isinstance(self.design, Crossed)
         for index in itertools.product(*(range(count) for count in self.shape)):
-            places = index * len(self.sweep) if self.together else index
-            yield index, tuple(axis.values[place] for axis, place in zip(self.sweep, places, strict=True))
+            places = index if crossed else index * len(axes)
+            yield index, tuple(axis.values[place] for axis, place in zip(axes, places, strict=True))

@@ -1,46 +1,34 @@
-"""The points of a study, solved one after the other or in a pool of processes, as a stream.
+"""The points of a study, solved one after the other, in a pool of processes or on a cluster, as a stream.
 
-The points come out in the order of the sweep, and with the same numbers, however many workers solve them.
+The numbers are the same whoever solves them.  With a journal, points are written as soon as they are solved, and those
+that an earlier run has written are not solved again.
 """
 
 from __future__ import annotations
 
-import contextlib
 import functools
-import multiprocessing
-import os
-import signal
-import threading
-from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
-from typing import Any, TypeVar
+import math
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, WinklerError
+from winkler.errors import InvalidInput, WinklerError
 from winkler.fields import restore
 from winkler.study import keys
+from winkler.study.journal import Journal
 from winkler.study.keeping import Keep
 from winkler.study.marching import ANEW, INTERRUPTED, MARCHES, March, Watch, marched, unwatched
-from winkler.study.outcome import Failed, Solved, answers_of
-from winkler.study.study import Fields, Study
+from winkler.study.outcome import Failed, Point, Solved, answers_of
+from winkler.study.pool import Workers, checked_workers, completed
+from winkler.study.recording import light, read, written
+from winkler.study.study import Expectation, Fields, Study
 from winkler.values import value
 
-__all__ = ["Task", "pooled", "solve_points", "tasks"]
+__all__ = ["Task", "journaled", "solve_points", "tasks"]
 
-T = TypeVar("T")
-R = TypeVar("R")
-
-ONE_THREAD = (
-    "OMP_NUM_THREADS",
-    "OPENBLAS_NUM_THREADS",
-    "MKL_NUM_THREADS",
-    "VECLIB_MAXIMUM_THREADS",
-    "NUMEXPR_NUM_THREADS",
-    "NUMBA_NUM_THREADS",
-)
-"""What libraries read how many threads they may start from."""
+WHOLE = 256
+"""Of sweeps with more points the solutions are not kept, only what tables and archives tell of them."""
 
 
 @value
@@ -64,7 +52,7 @@ def tasks(study: Study) -> list[Task]:
     points = []
     for index, settings in study.settings():
         problem = study.problem
-        for axis, content in zip(study.sweep, settings, strict=True):
+        for axis, content in zip(study.axes, settings, strict=True):
             try:
                 problem = keys.replaced(problem, axis.key.partition(".")[2], content)
             except WinklerError as error:
@@ -99,9 +87,7 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
         return Failed(index, settings, problem, str(error), error.exit_code)
 
 
-def solve_points(
-    study: Study, *, workers: int = 1, watch: Watch = unwatched, keep: Keep = ANEW
-) -> Iterator[Solved | Failed]:
+def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW) -> Iterator[Point]:
     """Yield the points of a study as they are solved, in the order of its sweep.
 
     Parameters
@@ -109,7 +95,7 @@ def solve_points(
     study
         What to solve.
     workers
-        Number of processes; 1 solves in this one.
+        Number of processes, or a cluster; 1 solves in this one.
     watch
         Sees the states of a march along a path, if this process solves it; what was reached when it is interrupted is
         the last point.
@@ -121,71 +107,75 @@ def solve_points(
     InvalidInput
         Before the first point, if one of them cannot be asked.
     """
-    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
-        raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
-    todo = tasks(study)
-    if workers == 1 or len(todo) == 1:
-        for task in todo:
-            point = solved(task, watch, keep)
-            yield point
-            if point.code == INTERRUPTED:
-                return
-        return
-    yield from pooled(functools.partial(solved, keep=keep), todo, min(workers, len(todo)))
+    checked_workers(workers)
+    early: dict[int, Point] = {}
+    due = 0
+    for place, point in _answered(study, tasks(study), workers, watch, keep):
+        early[place] = point
+        while due in early:
+            yield early.pop(due)
+            due += 1
 
 
-def pooled(answer: Callable[[T], R], todo: list[T], workers: int) -> Iterator[R]:
-    """Yield ``answer(item)`` of every item, in their order, from so many processes with one thread each.
+def journaled(
+    study: Study, journal: Journal, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW
+) -> Iterator[Point]:
+    """Yield the points of a study, first those in its journal, then others as soon as they are solved and written.
+
+    Parameters
+    ----------
+    study, workers, watch, keep
+        As for `solve_points`.
+    journal
+        Where points are kept.
 
     Raises
     ------
     InvalidInput
-        If a worker of another pool asks.
-    NotConverged
-        If a worker ends before its time.
+        Before the first point, if one of them cannot be asked, or the journal is of another study.
     """
-    if getattr(multiprocessing.current_process(), "_inheriting", False):
-        raise InvalidInput("workers: put the call of run(...) under `if __name__ == '__main__':`, as pools need it.")
-    before = set(multiprocessing.active_children())
-    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), initializer=_left_alone)
-    chunk = max(1, min(32, len(todo) // (8 * workers)))
-    mine = set(before)
-    try:
-        with _quiet_start():
-            answers = pool.map(answer, todo, chunksize=chunk)
-            mine = set(multiprocessing.active_children()) - before
-        yield from answers
-        pool.shutdown()
-    except BrokenProcessPool:
-        raise NotConverged(
-            "workers: a worker process ended before its time (out of memory, stopped from outside, or started by a "
-            "script that does not call run under `if __name__ == '__main__':`); run again with workers=1."
-        ) from None
-    finally:
-        pool.shutdown(wait=False, cancel_futures=True)
-        for process in mine - before:
-            process.terminate()
+    checked_workers(workers)
+    todo = {task.index: task for task in tasks(study)}
+    useful = False
+    for content in journal.recalled():
+        task = todo.pop(tuple(content["at"]))
+        known = read(content, task.settings, task.problem, study.expect)
+        useful = useful or not isinstance(known, Failed)
+        yield known
+    for _, point in _answered(study, list(todo.values()), workers, watch, keep):
+        if isinstance(point, Failed) or point.code != INTERRUPTED:
+            slim = light(point, study.expect, study.shape) if isinstance(point, Solved) else point
+            journal.write(written(slim))
+        useful = useful or not isinstance(point, Failed)
+        yield point
+    if not useful:  # the study has to be changed
+        journal.remove()
 
 
-def _left_alone() -> None:
-    """Leave Ctrl-C to the process that started the workers."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _answered(
+    study: Study, todo: list[Task], workers: Workers, watch: Watch, keep: Keep
+) -> Iterator[tuple[int, Point]]:
+    """Yield the places and the points of tasks, as they are ready."""
+    whole = math.prod(study.shape) <= WHOLE
+    if workers == 1 or (len(todo) <= 1 and isinstance(workers, int)):
+        for place, task in enumerate(todo):
+            point = _slimmed(task, study.expect, study.shape, keep, watch, whole=whole)
+            yield place, point
+            if point.code == INTERRUPTED:
+                return
+        return
+    answer = functools.partial(_slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole)
+    yield from completed(answer, todo, workers)
 
 
-@contextlib.contextmanager
-def _quiet_start() -> Iterator[None]:
-    """Start processes with one thread each, and deaf to Ctrl-C from their first moment on."""
-    kept = {name: os.environ.get(name) for name in ONE_THREAD}
-    os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
-    main = threading.current_thread() is threading.main_thread()
-    handler = signal.signal(signal.SIGINT, signal.SIG_IGN) if main else None
-    try:
-        yield
-    finally:
-        if main:
-            signal.signal(signal.SIGINT, handler)
-        for name, content in kept.items():
-            if content is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = content
+def _slimmed(
+    task: Task,
+    expect: tuple[Expectation, ...],
+    shape: tuple[int, ...],
+    keep: Keep,
+    watch: Watch = unwatched,
+    *,
+    whole: bool,
+) -> Point:
+    point = solved(task, watch, keep)
+    return light(point, expect, shape) if isinstance(point, Solved) and not whole else point

@@ -14,7 +14,7 @@ from winkler.study.events import EVENTS, found_in
 from winkler.study.inputs import content_label, in_words, inputs, setting_told
 from winkler.study.markup import kept, number, safe, section, table
 from winkler.study.mathml import symbol
-from winkler.study.outcome import Column, Failed, Outcome, Solved, Verdict
+from winkler.study.outcome import Answered, Column, Failed, Outcome, Verdict
 
 __all__ = ["answered", "asked", "expected", "failures", "settings_told"]
 
@@ -49,7 +49,28 @@ def answered(outcome: Outcome) -> str:
     cut = ""
     if rows > ROWS:
         cut = f"<p class='small'>{rows} rows, of which the first and last {ROWS // 2} are shown; {CSV} holds all.</p>"
-    return section("What came out", _many(columns, outcome), cut, _events(outcome))
+    return section("What came out", _many(columns, outcome), cut, _events(outcome), _indices(outcome))
+
+
+def _indices(outcome: Outcome) -> str:
+    """Return the table of how much of the scatter of each answer every key makes; nothing if it was not asked."""
+    rows = []
+    for one in outcome.indices:
+        for place, axis in enumerate(outcome.study.axes):
+            cells = [
+                number(f"{level[place] + 0.0:.3f}".replace("-", "−"))
+                + number(f"{low[place] + 0.0:.3f} … {high[place] + 0.0:.3f}".replace("-", "−"))
+                for level, low, high in (
+                    (one.first_order, one.first_order_low, one.first_order_high),
+                    (one.total_order, one.total_order_low, one.total_order_high),
+                )
+            ]
+            head = f"<td>{safe(spoken(one.answer))}</td><td>{safe(axis.key.removeprefix('problem.'))}</td>"
+            rows.append(f"<tr>{head}{''.join(cells)}</tr>")
+    if not rows:
+        return ""
+    heads = ["answer", "varied", f"#alone {symbol('S_i')}", "#95 %", f"#with the others {symbol('S_{Ti}')}", "#95 %"]
+    return f"<h3>How much of the scatter each key makes</h3>{table(heads, rows)}"
 
 
 def _events(outcome: Outcome) -> str:
@@ -136,7 +157,7 @@ def _many(columns: tuple[Column, ...], outcome: Outcome) -> str:
 def _labels(outcome: Outcome, key: str) -> dict[str, str]:
     """Return what the table says -> what the report says, of a varied key that takes no numbers."""
     return {
-        keys.label(item): content_label(item) for axis in outcome.study.sweep if axis.key == key for item in axis.values
+        keys.label(item): content_label(item) for axis in outcome.study.axes if axis.key == key for item in axis.values
     }
 
 
@@ -169,7 +190,7 @@ def failures(outcome: Outcome) -> str:
     return section("Where a march ended early", f"<ul>{items}</ul>") + _without(outcome)
 
 
-def _stopped(outcome: Outcome, point: Solved) -> str:
+def _stopped(outcome: Outcome, point: Answered) -> str:
     where = settings_told(outcome, point.settings)
     return f"<li>{safe(where)}: {safe(point.stopped)}</li>" if where else f"<li>{safe(point.stopped)}</li>"
 

@@ -7,6 +7,7 @@ into one folder never mix, and a run that is stopped leaves what was there befor
 from __future__ import annotations
 
 import contextlib
+import glob
 import json
 import os
 import shutil
@@ -18,7 +19,7 @@ from winkler.errors import InvalidInput
 from winkler.study.outcome import Outcome, Provenance
 from winkler.study.reading import study_text
 
-__all__ = ["PROVENANCE", "holds_results", "placed", "write_outcome", "write_provenance"]
+__all__ = ["PROVENANCE", "clear_partial", "holds_results", "placed", "write_outcome", "write_provenance"]
 
 PROVENANCE = "provenance.json"
 """Marks a folder of results, and lists its files."""
@@ -150,6 +151,12 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
             for path in created:
                 with contextlib.suppress(OSError):
                     path.rmdir()
+
+
+def clear_partial(folder: Path) -> None:
+    """Remove what runs into `folder` that were killed have left; no other run may be under way."""
+    for path in folder.parent.glob(f".{glob.escape(folder.name)}.*.partial"):
+        shutil.rmtree(path, ignore_errors=True)
 
 
 def _occupied(folder: Path) -> InvalidInput:

@@ -181,8 +181,8 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     >>> round(contact.force, 9), round(staircase(contact, 10).force, 9), round(staircase(contact, 100).force, 9)
     (0.166666667, 0.16625, 0.1666625)
     """
-    if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
-        raise InvalidInput(f"staircase: count is {count!r}; give a whole number of punches, at least 1.")
+    if isinstance(count, bool) or not isinstance(count, int | np.integer) or not 1 <= count <= 1_000_000:
+        raise InvalidInput(f"staircase: count is {count!r}; give a whole number of punches, 1 to 1000000.")
     pressed = solution.pressed
     medium = pressed.bed.medium
     if not isinstance(medium, HomogeneousMedium):

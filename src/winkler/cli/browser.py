@@ -1,0 +1,27 @@
+"""``winkler app``: the app in the browser."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+__all__ = ["app"]
+
+
+def app(
+    port: Annotated[int, typer.Option("--port", "-p", min=1, max=65535, help="Port on this machine.")] = 8765,
+    browser: Annotated[
+        bool, typer.Option("--browser/--no-browser", help="Whether to open a page of the browser.")
+    ] = True,
+    time_limit: Annotated[float, typer.Option(help="The longest that a study may take [s].")] = 60.0,
+) -> None:
+    """Open the app in the browser: forms, sliders, pictures, and the study file that tells it all.
+
+    It serves this machine alone, works without a network, and ends with Ctrl-C. Needs: pip install "winkler[app]".
+
+    Example: winkler app --port 8080
+    """
+    from winkler.web.serve import serve
+
+    serve(port=port, limit=time_limit, browser=browser)

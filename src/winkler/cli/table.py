@@ -1,0 +1,42 @@
+"""``winkler table``: the contact law of a study as a look-up table for other programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+__all__ = ["table"]
+
+
+def table(
+    study: Annotated[Path, typer.Argument(help="A study of an indentation (TOML).", show_default=False)],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The table: .csv or .json.", show_default=False)],
+    tolerance: Annotated[float, typer.Option(help="Error of the interpolated force, over the greatest force.")] = 1e-6,
+    overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing table.")] = False,
+) -> None:
+    """Write force, stiffnesses and radius over the depth, up to the deepest load of a study, for other programs.
+
+    Example: winkler table examples/studies/hertz.toml --output ball.csv
+    """
+    import numpy as np
+
+    from winkler.errors import InvalidInput
+    from winkler.io.law_table import write_law
+    from winkler.problems.contact_law import ContactLaw
+    from winkler.problems.indentation import Indentation
+    from winkler.study.reading import read_study
+
+    problem = read_study(study).problem
+    if not isinstance(problem, Indentation):
+        raise InvalidInput(f"{study.name}: the problem is no indentation; only that has one curve for all histories.")
+    if output.exists() and not overwrite:
+        raise InvalidInput(f"output: '{output}' exists; add --overwrite to replace it, or give another name.")
+    deepest = float(np.max(problem.solve().depth))
+    law = ContactLaw(problem.bed, deepest, tolerance).solve()
+    write_law(law, output)
+    print(
+        f"{law.depth.size} rows written to {output}; errors of the force: {law.hermite_error:.2g} by cubics, "
+        f"at most {law.linear_error:.2g} by straight lines."
+    )

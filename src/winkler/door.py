@@ -1,0 +1,226 @@
+"""What `import winkler` offers, each name from the page where it lives.
+
+The package loads this page when the first of the names is asked for; the command line, which asks for none, starts
+without it.
+"""
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
+from winkler.fields import (
+    PeakStress,
+    PlacedStress,
+    SubsurfaceFields,
+    SurfaceFields,
+    peak_stress,
+    restore,
+    restore_body,
+    restore_shift,
+)
+from winkler.fitting.compare import Comparison, compare
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.fit import Fit, fit
+from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution, intercept_factor, sample_young
+from winkler.fitting.viscoelastic_band import relaxation_band
+from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.viscoelastic_terms import compare_terms
+from winkler.foundation.foundation import Foundation
+from winkler.foundation.measured import MeasuredBed
+from winkler.foundation.plane import PlaneFoundation
+from winkler.foundation.sheared_fields import BodyFields, ShearedFields
+from winkler.foundation.springs import Springs
+from winkler.io.bed_table import read_bed
+from winkler.io.contact_state import read_contacts, write_contacts
+from winkler.io.curves import PlacedCurve, read_curve, read_curves
+from winkler.io.grading_table import read_grading
+from winkler.io.law_table import write_law
+from winkler.io.path_table import read_path
+from winkler.io.profile_table import read_profile
+from winkler.io.relaxation_table import read_creep, read_dynamic, read_relaxation
+from winkler.io.scan_table import read_scan
+from winkler.io.spectrum_table import read_spectrum
+from winkler.io.topography_file import read_topography
+from winkler.io.traces import write_trace
+from winkler.io.vtk import write_vtk
+from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.laws.crack import RateDependentWork, SaturatingWork
+from winkler.laws.current import Current, Voltage, WiedemannFranz
+from winkler.laws.film import SurfaceFilm, ThermalInterface
+from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
+from winkler.laws.wear import Archard, PairWear
+from winkler.loading import Angle, Depth, Force, Radius, ShearForce, Shift, Torque
+from winkler.materials.at_temperature import AtTemperature
+from winkler.materials.conducting_body import Plated, Rod
+from winkler.materials.conductor import ElectricalConductor, ThermalConductor
+from winkler.materials.depth_grading import ExponentialGrading, SigmoidalGrading, TabulatedGrading
+from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
+from winkler.materials.fractional import FractionalZener, PowerLawSolid
+from winkler.materials.graded import PowerLawGraded
+from winkler.materials.layered import Layer
+from winkler.materials.named import (
+    NamedElastic,
+    NamedElectricalConductor,
+    NamedMaterial,
+    NamedThermalConductor,
+    material,
+    material_names,
+)
+from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
+from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.conductors import ElectricalConductors, HeatConductors
+from winkler.media.depth_graded import DepthGradedHalfSpace
+from winkler.media.graded import GradedHalfSpace
+from winkler.media.halfspace import HalfSpace
+from winkler.media.proportional import RelaxingInProportion
+from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.path import Path
+from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
+from winkler.problems.adhesion_model import maugis_parameter, tabor_parameter, which_model
+from winkler.problems.adhesive import AdhesiveIndentation, AdhesiveSolution
+from winkler.problems.adhesive_cycle import AdhesiveCycle, AdhesiveCycleSolution
+from winkler.problems.adhesive_shear import AdhesiveShear, AdhesiveShearSolution
+from winkler.problems.bimodal import BimodalDamping, BimodalDampingSolution
+from winkler.problems.conductance_bounds import ConductanceBounds, ConductanceBoundsSolution
+from winkler.problems.constriction import Constriction, ConstrictionSolution
+from winkler.problems.constriction_fields import CurrentFields, HeatFields, restore_conduction
+from winkler.problems.contact_impacts import BallImpacts, BallImpactsSolution
+from winkler.problems.contact_law import ContactLaw, ContactLawSolution
+from winkler.problems.contact_trace import ContactTrace
+from winkler.problems.contacts import Contacts
+from winkler.problems.creepage import Creepage
+from winkler.problems.damping import FrictionDamping, FrictionDampingSolution
+from winkler.problems.design import design_for_pressure, design_profile
+from winkler.problems.elastomer_friction import ElastomerFriction, ElastomerFrictionSolution
+from winkler.problems.ellipse import ContactEllipse, CurvedBodies
+from winkler.problems.elliptic_indentation import EllipticIndentation, EllipticSolution
+from winkler.problems.equilibrium import Equilibrium, EquilibriumCurve
+from winkler.problems.fretting_heat import FrettingHeat, FrettingHeatSolution
+from winkler.problems.fretting_wear import FrettingSolution, FrettingWear
+from winkler.problems.heating import FrictionHeating, FrictionHeatingSolution
+from winkler.problems.heating_transient import TransientHeating, TransientHeatingSolution
+from winkler.problems.impact import Impact, ImpactSolution
+from winkler.problems.impact_adhesive import AdhesiveImpact, AdhesiveImpactSolution
+from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.joule_heating import JouleHeating, JouleHeatingSolution
+from winkler.problems.kalker import creep_coefficients
+from winkler.problems.limiting_profile import LimitingProfile, LimitingSolution
+from winkler.problems.near_round import NearlyRoundIndentation, NearlyRoundSolution
+from winkler.problems.oscillating_rolling import OscillatingRolling, OscillatingRollingSolution
+from winkler.problems.particle import ElasticPlasticParticle, ParticleSolution
+from winkler.problems.persson import area_fraction, mean_separation
+from winkler.problems.pull_off import PullOff, PullOffSolution
+from winkler.problems.reduce import Reduction, ReductionSolution, reduce
+from winkler.problems.reduced_bed import ReducedBed
+from winkler.problems.relaxation import RelaxationDamper, RelaxationDamperSolution
+from winkler.problems.rolling import Rolling, RollingSolution
+from winkler.problems.rolling_calibration import Kalker, Uncalibrated
+from winkler.problems.rolling_start import RollingStart, RollingStartSolution
+from winkler.problems.rough_contact import RoughContact, RoughContactSolution
+from winkler.problems.rough_indentation import RoughIndentation, RoughIndentationSolution
+from winkler.problems.rough_line import RoughLine
+from winkler.problems.simplified_rolling import SimplifiedRolling, SimplifiedRollingSolution
+from winkler.problems.sliding_wear import SlidingSolution, SlidingWear
+from winkler.problems.spots import SpotCluster, SpotClusterSolution
+from winkler.problems.spring_march import SpringMarch, SpringTrace
+from winkler.problems.surface_conduction import SurfaceConduction, SurfaceConductionSolution
+from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.problems.tangential import Tangential, TangentialSolution
+from winkler.problems.thermal_constriction import ThermalConstriction, ThermalConstrictionSolution
+from winkler.problems.torsion import Torsion, TorsionSolution
+from winkler.problems.torsion_fields import TwistedFields
+from winkler.problems.viscoelastic import ViscoelasticIndentation, ViscoelasticSolution
+from winkler.problems.viscoelastic_adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
+from winkler.problems.viscoelastic_impact import ViscoelasticImpact, ViscoelasticImpactSolution
+from winkler.problems.viscoelastic_sliding import SlidingResistance, SlidingResistanceSolution
+from winkler.problems.viscoelastic_tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
+from winkler.problems.viscoelastic_tests import CreepTest, HarmonicIndentation, RelaxationTest
+from winkler.problems.yielding import YieldOnset, YieldOnsetSolution
+from winkler.profiles.area import AreaFunction
+from winkler.profiles.composite import Sum
+from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
+from winkler.profiles.designed import Designed
+from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
+from winkler.profiles.formula import Formula
+from winkler.profiles.line_scan import LineScan
+from winkler.profiles.measured import Measured
+from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.profile import Shape
+from winkler.profiles.random_rough import random_topography
+from winkler.profiles.random_surface import RandomTopography
+from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
+from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, spectrum_of
+from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
+from winkler.profiles.topography import Topography
+from winkler.profiles.wavy import Wavy
+from winkler.program import Program
+from winkler.stairs import Staircase, staircase
+from winkler.study.exchange import to_pandas, to_xarray
+from winkler.validity import Note, Standing
+
+# packed, a letter a paragraph: one name a line would not fit a page
+__all__ = [
+    "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
+    "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
+    "AtTemperature",
+    "BallImpacts", "BallImpactsSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields",
+    "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds",
+    "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse", "ContactLaw",
+    "ContactLawSolution", "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage",
+    "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
+    "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
+    "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
+    "ElectricalConductors", "Ellipsoid", "EllipticIndentation", "EllipticSolution", "EqualMaximum", "EqualMean",
+    "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
+    "Fit", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation", "FractionalZener",
+    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
+    "GeneralisedKelvin", "GradedHalfSpace",
+    "HalfSpace", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
+    "Impact", "ImpactSolution", "Indentation", "IndentationSolution", "InvalidInput",
+    "JouleHeating", "JouleHeatingSolution",
+    "Kalker", "KelvinVoigt",
+    "Layer", "LimitingProfile", "LimitingSolution", "LineScan",
+    "Maxwell", "Measured", "MeasuredBed",
+    "NamedElastic", "NamedElectricalConductor", "NamedMaterial", "NamedThermalConductor", "NearlyRoundIndentation",
+    "NearlyRoundSolution", "NotConverged", "Note",
+    "OliverPharr", "OliverPharrSolution", "Oscillate", "OscillatingRolling", "OscillatingRollingSolution",
+    "OutsideValidity",
+    "PairWear", "Paraboloid", "ParticleSolution", "Path", "PeakStress", "PlacedCurve", "PlacedStress",
+    "PlaneFoundation", "Plated", "PowerLaw", "PowerLawGraded", "PowerLawSolid", "PowerSpectrum", "Program", "Prony",
+    "PullOff", "PullOffSolution",
+    "Radius", "Ramp", "RandomTopography", "RateDependentWork", "ReducedBed", "Reduction", "ReductionSolution",
+    "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
+    "Rigid", "Rod", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
+    "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedPunch",
+    "SaturatingWork", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
+    "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
+    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "SpotCluster", "SpotClusterSolution", "SpringMarch",
+    "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields",
+    "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
+    "SurfaceFields", "SurfaceFilm",
+    "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
+    "ThermalConstrictionSolution", "ThermalInterface", "Topography", "Torque", "Torsion", "TorsionSolution",
+    "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
+    "TruncatedCone", "TruncatedParaboloid", "TwistedFields",
+    "Uncalibrated",
+    "Vickers", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticFit", "ViscoelasticHalfSpace",
+    "ViscoelasticImpact", "ViscoelasticImpactSolution", "ViscoelasticIndentation", "ViscoelasticSolution",
+    "ViscoelasticTangential", "ViscoelasticTangentialSolution", "Voltage",
+    "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError",
+    "YieldOnset", "YieldOnsetSolution",
+    "area_fraction",
+    "compare", "compare_terms", "creep_coefficients",
+    "design_for_pressure", "design_profile",
+    "fit",
+    "intercept_factor",
+    "material", "material_names", "maugis_parameter", "mean_separation",
+    "peak_stress",
+    "random_topography", "read_bed", "read_contacts", "read_creep", "read_curve", "read_curves", "read_dynamic",
+    "read_grading", "read_path", "read_profile", "read_relaxation", "read_scan", "read_spectrum", "read_topography",
+    "reduce", "relaxation_band", "restore", "restore_body", "restore_conduction", "restore_shift",
+    "sample_young", "spectrum_of", "staircase",
+    "tabor_parameter", "to_pandas", "to_xarray",
+    "which_model", "write_contacts", "write_law", "write_trace", "write_vtk",
+]  # fmt: skip

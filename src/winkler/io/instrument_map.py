@@ -1,0 +1,76 @@
+"""Height maps in the files of instruments, read by SurfaceTopography (extra ``topography``)."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+from winkler.errors import InvalidInput, suggest
+from winkler.io.height_matrix import FoundMap
+from winkler.numerics.types import Array
+
+__all__ = ["instrument_map"]
+
+
+def instrument_map(path: Path, channel: str) -> FoundMap:
+    """Return a height map of an instrument's file.
+
+    Parameters
+    ----------
+    path : path
+        The file.
+    channel : str
+        Which one of several; the first if empty.
+
+    Raises
+    ------
+    InvalidInput
+        If SurfaceTopography is not installed or cannot read the file, or the file holds no such map.
+    """
+    try:
+        from SurfaceTopography.IO import open_topography
+    except ImportError:
+        raise InvalidInput(
+            f"{path}: files of instruments are read by SurfaceTopography; install it by "
+            'pip install "winkler[topography]".'
+        ) from None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            reader = open_topography(str(path))
+            # other signals than heights have a pair of units, or none
+            maps = [
+                found
+                for found in reader.channels
+                if found.dim == 2 and found.is_height_channel is not False and isinstance(found.unit, str | None)
+            ]
+            names = [str(found.name) for found in maps]
+            if not maps:
+                raise InvalidInput(f"{path}: it holds no height map, but {_held(reader.channels)}; give another file.")
+            if channel and channel not in names:
+                raise InvalidInput(
+                    f"{path}: there is no height channel {channel!r}{suggest(channel, names)}; give one of "
+                    f"{', '.join(names)}."
+                )
+            found = maps[names.index(channel) if channel else 0].topography()
+            heights: Array = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan)
+            sizes = [np.nan if size is None else float(size) for size in found.physical_sizes or (None, None)]
+        except InvalidInput:
+            raise
+        except MemoryError as error:  # numpy's own words tell how much is needed
+            raise InvalidInput(
+                f"{path}: the map does not fit the memory of this machine ({error}); save a part of it."
+            ) from None
+        except Exception as error:  # the readers of forty formats raise all sorts
+            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+            raise InvalidInput(f"{path}: SurfaceTopography cannot read this file ({reason[:200]}).") from None
+    return FoundMap(heights, np.array(sizes), str(found.unit or ""), bool(found.is_periodic))
+
+
+def _held(channels: list[object]) -> str:
+    lines = sum(getattr(found, "dim", 0) == 1 for found in channels)
+    if not channels:
+        return "nothing"
+    return "line scans" if lines == len(channels) else "other signals"

@@ -1,0 +1,220 @@
+r"""Fields inside the bodies as VTK files, for ParaView, VisIt, PyVista and their kin.
+
+The file is a structured grid in VTK's legacy format, version 3.0, binary (big-endian doubles): no library is needed to
+write it, and every reader of VTK knows it.  Lengths are in m and stresses in Pa; x and y lie along the surface, z
+points into the first body.  An axisymmetric field is turned about the axis:
+
+.. math:: \sigma_{xx} = \sigma_r\cos^2\varphi + \sigma_\theta\sin^2\varphi, \quad
+          \sigma_{xy} = (\sigma_r - \sigma_\theta)\sin\varphi\cos\varphi, \quad
+          \sigma_{xz} = \tau_{rz}\cos\varphi .
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fields import SubsurfaceFields
+from winkler.foundation.sheared_fields import BodyFields
+from winkler.numerics.types import Array
+from winkler.problems.constriction_fields import CurrentFields, HeatFields
+
+__all__ = ["write_vtk"]
+
+MERIDIAN = 1
+"""Turned so often, an axisymmetric field is the half-plane y = 0, x > 0."""
+
+
+class _Grid(NamedTuple):
+    """Points `(3, n1, n2, n3)`, and what is known there: scalars, vectors `(3, ...)` and tensors `(3, 3, ...)`."""
+
+    points: Array
+    scalars: dict[str, Array]
+    vectors: dict[str, Array]
+    tensors: dict[str, Array]
+
+
+def write_vtk(
+    fields: SubsurfaceFields | BodyFields | CurrentFields | HeatFields,
+    path: str | os.PathLike[str],
+    *,
+    around: int = MERIDIAN,
+) -> Path:
+    """Write fields inside the bodies as a structured grid of VTK.
+
+    Parameters
+    ----------
+    fields
+        What ``restore(solution, r, z)``, ``restore_body(solution, x, y, z)`` or ``restore_conduction(solution, r, z)``
+        returns, on a grid: ``restore(solution, r[:, None], z[None, :])``.
+    path : str or path
+        The file; its ending must be ``.vtk``.
+    around : int, optional
+        For axisymmetric fields: planes through the axis, evenly over the full turn, the first one repeated at the end
+        so that the body is closed.  1, unless given: only the half-plane y = 0, x > 0.
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InvalidInput
+        If the ending is another one, the file cannot be written, the fields are no such fields or not on a grid.
+
+    Notes
+    -----
+    Written are the stress as a tensor, the displacement as a vector, and von Mises' stress and the greatest shear
+    stress; of a current its density, potential and temperature; of heat its flux and the excess temperature.  z of a
+    tensor or vector in the second body (z < 0) points as in the first one: out of the second body.
+
+    References
+    ----------
+    W. Schroeder, K. Martin, B. Lorensen, The Visualization Toolkit, 4th ed., Kitware 2006: simple legacy formats
+    """
+    target = Path(path)
+    if target.suffix != ".vtk":
+        raise InvalidInput(f"{target}: the ending is {target.suffix!r}; give .vtk.")
+    if isinstance(around, bool) or not isinstance(around, int) or not (around == MERIDIAN or 3 <= around <= 10_000):
+        raise InvalidInput(f"write_vtk: around is {around!r}; give 1 for a half-plane, or 3 to 10000 planes.")
+    match fields:
+        case SubsurfaceFields():
+            grid = _turned(_stressed(fields), around)
+        case CurrentFields() | HeatFields():
+            grid = _turned(_flowing(fields), around)
+        case BodyFields():
+            if around != MERIDIAN:
+                raise InvalidInput("write_vtk: BodyFields are not axisymmetric; leave around out.")
+            grid = _body(fields)
+        case _:
+            raise InvalidInput(
+                f"write_vtk: a {type(fields).__name__} is no field inside the bodies; give what restore(solution, r, "
+                "z), restore_body(solution, x, y, z) or restore_conduction(solution, r, z) returns."
+            )
+    try:
+        target.write_bytes(_written(grid, type(fields).__name__))
+    except OSError as error:
+        raise InvalidInput(
+            f"{target}: cannot be written ({error.strerror}); name a file in a folder that exists."
+        ) from None
+    return target
+
+
+class _Meridian(NamedTuple):
+    """A field in the half-plane of r and z: radial, hoop, axial and shear parts `(n1, n2)`."""
+
+    r: Array
+    z: Array
+    scalars: dict[str, Array]
+    vectors: dict[str, tuple[Array, Array]]
+    tensors: dict[str, tuple[Array, Array, Array, Array]]
+
+
+def _plane(numbers: Array) -> Array:
+    """Return numbers on a grid of two axes."""
+    if numbers.ndim > 2:
+        raise InvalidInput(f"write_vtk: the places have the shape {numbers.shape}; give r[:, None] and z[None, :].")
+    return numbers.reshape(numbers.shape + (1,) * (2 - numbers.ndim))
+
+
+def _stressed(fields: SubsurfaceFields) -> _Meridian:
+    sign = np.where(_plane(fields.z) < 0.0, -1.0, 1.0)  # each body has its own axis, into itself
+    return _Meridian(
+        _plane(fields.r),
+        _plane(fields.z),
+        {"von_mises": _plane(fields.von_mises), "max_shear": _plane(fields.max_shear)},
+        {"displacement": (_plane(fields.radial_displacement), sign * _plane(fields.axial_displacement))},
+        {
+            "stress": (
+                _plane(fields.radial_stress),
+                _plane(fields.hoop_stress),
+                _plane(fields.axial_stress),
+                sign * _plane(fields.shear_stress),
+            )
+        },
+    )
+
+
+def _flowing(fields: CurrentFields | HeatFields) -> _Meridian:
+    r, z = (_plane(numbers) for numbers in np.broadcast_arrays(fields.r, fields.z))
+    if isinstance(fields, CurrentFields):
+        density = (_plane(fields.radial_current_density), _plane(fields.axial_current_density))
+        scalars = {"potential": _plane(fields.potential), "temperature": _plane(fields.temperature)}
+        return _Meridian(r, z, scalars, {"current_density": density}, {})
+    flux = (_plane(fields.radial_heat_flux), _plane(fields.axial_heat_flux))
+    return _Meridian(r, z, {"excess_temperature": _plane(fields.excess_temperature)}, {"heat_flux": flux}, {})
+
+
+def _turned(half: _Meridian, around: int) -> _Grid:
+    """Return the field of a half-plane turned about the axis."""
+    angles = np.linspace(0.0, 2.0 * math.pi, around + 1) if around != MERIDIAN else np.zeros(1)
+    cos, sin = np.cos(angles)[:, None], np.sin(angles)[:, None]
+    flat = np.zeros((half.r.shape[0], angles.size, half.r.shape[1]))
+
+    def full(numbers: Array) -> Array:
+        return numbers[:, None, :] + flat
+
+    def turned(radial: Array, factor: Array) -> Array:
+        return radial[:, None, :] * factor[None] + flat
+
+    vectors = {
+        name: np.stack([turned(radial, cos), turned(radial, sin), full(axial)])
+        for name, (radial, axial) in half.vectors.items()
+    }
+    tensors = {}
+    for name, (radial, hoop, axial, shear) in half.tensors.items():
+        xx = turned(radial, cos**2) + turned(hoop, sin**2)
+        yy = turned(radial, sin**2) + turned(hoop, cos**2)
+        xy = turned(radial - hoop, sin * cos)
+        xz, yz = turned(shear, cos), turned(shear, sin)
+        tensors[name] = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, full(axial)]])
+    points = np.stack([turned(half.r, cos), turned(half.r, sin), full(half.z)])
+    return _Grid(points, {name: full(numbers) for name, numbers in half.scalars.items()}, vectors, tensors)
+
+
+def _body(fields: BodyFields) -> _Grid:
+    shape = np.shape(fields.x)
+    if len(shape) > 3:
+        raise InvalidInput(f"write_vtk: the places have the shape {shape}; give a grid of at most three axes.")
+    whole = shape + (1,) * (3 - len(shape))
+    sign = np.where(fields.z < 0.0, -1.0, 1.0).reshape(whole)
+    xx, yy, zz, xy, xz, yz = (
+        getattr(fields, f"{name}_stress").reshape(whole) for name in ("xx", "yy", "zz", "xy", "xz", "yz")
+    )
+    xz, yz = sign * xz, sign * yz
+    moved = [getattr(fields, f"{name}_displacement").reshape(whole) for name in "xyz"]
+    return _Grid(
+        np.stack([fields.x.reshape(whole), fields.y.reshape(whole), fields.z.reshape(whole)]),
+        {"von_mises": fields.von_mises.reshape(whole), "max_shear": fields.max_shear.reshape(whole)},
+        {"displacement": np.stack([moved[0], moved[1], sign * moved[2]])},
+        {"stress": np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])},
+    )
+
+
+def _written(grid: _Grid, title: str) -> bytes:
+    """Return the bytes of a legacy file; the first axis runs fastest in it."""
+    shape = grid.points.shape[1:]
+    count = math.prod(shape)
+
+    def raw(numbers: Array, parts: int) -> bytes:
+        rows = numbers.reshape(parts, *shape).transpose(3, 2, 1, 0)  # parts of a point together, first axis fastest
+        return np.ascontiguousarray(rows, dtype=">f8").tobytes() + b"\n"
+
+    pieces = [
+        f"# vtk DataFile Version 3.0\nwinkler {title}, SI units\nBINARY\nDATASET STRUCTURED_GRID\n"
+        f"DIMENSIONS {shape[0]} {shape[1]} {shape[2]}\nPOINTS {count} double\n".encode("ascii"),
+        raw(grid.points, 3),
+        f"POINT_DATA {count}\n".encode("ascii"),
+    ]
+    for name, numbers in grid.scalars.items():
+        pieces += [f"SCALARS {name} double 1\nLOOKUP_TABLE default\n".encode("ascii"), raw(numbers, 1)]
+    for name, numbers in grid.vectors.items():
+        pieces += [f"VECTORS {name} double\n".encode("ascii"), raw(numbers, 3)]
+    for name, numbers in grid.tensors.items():
+        pieces += [f"TENSORS {name} double\n".encode("ascii"), raw(numbers, 9)]
+    return b"".join(pieces)

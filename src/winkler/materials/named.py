@@ -1,0 +1,242 @@
+"""Common materials by their names: what tables say at room temperature, with the source of every number."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+import tomllib
+from importlib import resources
+from typing import Any
+
+from winkler.errors import InvalidInput, suggest
+from winkler.materials.conductor import ElectricalConductor, ThermalConductor
+from winkler.materials.elastic import Elastic
+from winkler.values import value
+
+__all__ = [
+    "Figure",
+    "NamedElastic",
+    "NamedElectricalConductor",
+    "NamedMaterial",
+    "NamedThermalConductor",
+    "material",
+    "material_names",
+]
+
+TABLE = "materials.toml"
+
+
+@value
+class Figure:
+    """One number of a material.
+
+    Parameters
+    ----------
+    quantity : str
+        A word of the glossary, such as ``young``.
+    number : float
+        In the glossary's SI unit.
+    source : str
+        Where it stands.
+    """
+
+    quantity: str
+    number: float
+    source: str
+
+
+@value
+class NamedMaterial:
+    """What tables say of a material at room temperature.
+
+    Two or three digits: enough for an estimate and for comparing materials; alloying, heat treatment and curing change
+    moduli by percents, hardness and strength by factors.
+
+    Parameters
+    ----------
+    name : str
+        Its name.
+    told : str
+        Which sort of it.
+    figures : tuple of Figure
+        What is known: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
+        ``heat_capacity`` [J/(kg K)], ``conductivity`` [W/(m K)], ``resistivity`` [ohm m], ``temperature_coefficient``
+        [1/K].
+
+    Examples
+    --------
+    >>> silica = material("fused silica")
+    >>> silica.elastic
+    Elastic(young=73000000000.0, poisson=0.17, strength=inf)
+    >>> silica.number("density")
+    2203.0
+    """
+
+    name: str
+    told: str
+    figures: tuple[Figure, ...]
+
+    def number(self, quantity: str) -> float:
+        """Return a quantity in its SI unit.
+
+        Raises
+        ------
+        InvalidInput
+            If no table says it.
+        """
+        found = {figure.quantity: figure.number for figure in self.figures}
+        if quantity not in found:
+            raise InvalidInput(
+                f"{self.name}: no {quantity} is in the table, which has {', '.join(found)}; give your own number."
+            )
+        return found[quantity]
+
+    def _known(self, quantity: str, otherwise: float) -> float:
+        return next((figure.number for figure in self.figures if figure.quantity == quantity), otherwise)
+
+    @property
+    def elastic(self) -> Elastic:
+        """The elastic solid; with its yield strength where that is known."""
+        return Elastic(self.number("young"), self.number("poisson"), self._known("strength", math.inf))
+
+    @property
+    def electrical_conductor(self) -> ElectricalConductor:
+        """The conductor of current; of constant resistivity where no temperature coefficient is known."""
+        return ElectricalConductor(self.number("resistivity"), self._known("temperature_coefficient", 0.0))
+
+    @property
+    def thermal_conductor(self) -> ThermalConductor:
+        """The conductor of heat."""
+        return ThermalConductor.of(self.number("conductivity"), self.number("density"), self.number("heat_capacity"))
+
+
+@functools.cache
+def _table() -> dict[str, Any]:
+    return tomllib.loads((resources.files("winkler.materials") / TABLE).read_text(encoding="utf-8"))
+
+
+def material_names() -> tuple[str, ...]:
+    """Return the names of all materials in the table."""
+    return tuple(_table()["materials"])
+
+
+def material(name: str) -> NamedMaterial:
+    """Return a common material.
+
+    Parameters
+    ----------
+    name : str
+        Such as ``"fused silica"``; capitals do not count, and usual other names are known.
+
+    Raises
+    ------
+    InvalidInput
+        If the table does not know it; the message names those that it knows.
+    """
+    known = {word.lower(): one for one, row in _table()["materials"].items() for word in (one, *row["also"])}
+    if not isinstance(name, str) or name.strip().lower() not in known:
+        near = suggest(name.strip().lower(), known) if isinstance(name, str) else ""
+        raise InvalidInput(f"the material {name!r} is not in the table{near}; it has {', '.join(material_names())}.")
+    return _made(known[name.strip().lower()])
+
+
+def _made(name: str) -> NamedMaterial:
+    row, sources = _table()["materials"][name], _table()["sources"]
+    figures = [
+        Figure(quantity, content[0], sources[content[1]])
+        for quantity, content in row.items()
+        if quantity not in ("told", "also")
+    ]
+    return NamedMaterial(name, row["told"], tuple(figures))
+
+
+def _fill(named: Any, content: Any) -> None:
+    """Give a value the numbers that its name stands for."""
+    for field in dataclasses.fields(content):
+        object.__setattr__(named, field.name, getattr(content, field.name))
+
+
+@value
+class NamedElastic(Elastic):
+    """An elastic solid that the table of materials knows by its name.
+
+    Parameters
+    ----------
+    name : str
+        Of the material, as ``winkler show materials`` lists it.
+
+    Raises
+    ------
+    InvalidInput
+        If the table does not know the name.
+
+    Examples
+    --------
+    >>> NamedElastic("tungsten").young
+    411000000000.0
+    """
+
+    young: float = dataclasses.field(init=False, default=math.nan)
+    poisson: float = dataclasses.field(init=False, default=math.nan)
+    strength: float = dataclasses.field(init=False, default=math.inf)
+    name: str
+
+    def __post_init__(self) -> None:
+        _fill(self, material(self.name).elastic)
+
+
+@value
+class NamedElectricalConductor(ElectricalConductor):
+    """A conductor of current that the table of materials knows by its name.
+
+    Parameters
+    ----------
+    name : str
+        Of the material, as ``winkler show materials`` lists it.
+
+    Raises
+    ------
+    InvalidInput
+        If the table does not know the name, or no resistivity of it.
+
+    Examples
+    --------
+    >>> NamedElectricalConductor("silver").resistivity
+    1.587e-08
+    """
+
+    resistivity: float = dataclasses.field(init=False, default=math.nan)
+    temperature_coefficient: float = dataclasses.field(init=False, default=0.0)
+    name: str
+
+    def __post_init__(self) -> None:
+        _fill(self, material(self.name).electrical_conductor)
+
+
+@value
+class NamedThermalConductor(ThermalConductor):
+    """A conductor of heat that the table of materials knows by its name.
+
+    Parameters
+    ----------
+    name : str
+        Of the material, as ``winkler show materials`` lists it.
+
+    Raises
+    ------
+    InvalidInput
+        If the table does not know the name, or no conductivity, density or heat capacity of it.
+
+    Examples
+    --------
+    >>> round(NamedThermalConductor("copper").diffusivity * 1e6, 1)
+    116.2
+    """
+
+    conductivity: float = dataclasses.field(init=False, default=math.nan)
+    diffusivity: float = dataclasses.field(init=False, default=math.nan)
+    name: str
+
+    def __post_init__(self) -> None:
+        _fill(self, material(self.name).thermal_conductor)

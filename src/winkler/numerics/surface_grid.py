@@ -1,0 +1,141 @@
+r"""The surface of a half-space on a grid: displacements under pressures that are constant in every pixel.
+
+Where E* is one, pressures p sink the surface by
+
+.. math:: u(x, y) = \frac{1}{\pi}\int\frac{p(x', y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
+
+a convolution, made by fast Fourier transforms: of a free surface on a grid of twice the size, with Love's exact
+displacement at the centres of the pixels; of a periodic one by 2 / \|q\|, which leaves its mean at rest.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+from typing import NamedTuple
+
+import numpy as np
+import scipy.fft
+
+from winkler.numerics.types import Array
+
+__all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
+
+COPIES = 5
+"""How many arrays of the size of the transform are alive at once."""
+MEAN = 0.5
+"""What the preconditioner takes for the wave number of the mean, over the smallest other one."""
+KEPT = 2**20
+"""Pixels up to which grids are kept for the next contact; larger ones would hold too much memory."""
+ALONE = 2**14
+"""Pixels below which a second thread costs more than it brings."""
+DOUBLE = np.dtype(np.float64)
+SINGLE = np.dtype(np.float32)
+
+
+def bytes_needed(shape: tuple[int, int], periodic: bool) -> int:
+    """Return the memory [byte] that a grid of this shape takes while it works."""
+    points = shape[0] * shape[1]
+    return 8 * points * (12 + (2 if periodic else 4) * COPIES)
+
+
+def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+    """Return the displacements by Love at (i dx, j dy) under unit pressure on the pixel around (0, 0), times pi."""
+    x = ((np.arange(shape[0] + 1) - 0.5) * pixel[0])[:, None]
+    y = ((np.arange(shape[1] + 1) - 0.5) * pixel[1])[None, :]
+    corner = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+    return np.asarray(corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1])
+
+
+class SurfaceGrid(NamedTuple):
+    """A grid, and how it answers to pressures.
+
+    Parameters
+    ----------
+    shape
+        (nx, ny), pixels.
+    pixel
+        (dx, dy) [m].
+    padded
+        Size of the transform: that of the grid if it is periodic.
+    response
+        Transform of the displacement under a unit pressure on one pixel [m].
+    wave_numbers
+        |q| / 2 [1/m] of the grid itself: the inverse of `response`, but for the boundary.
+    workers
+        Threads.
+    """
+
+    shape: tuple[int, int]
+    pixel: tuple[float, float]
+    padded: tuple[int, int]
+    response: Array
+    wave_numbers: Array
+    workers: int
+
+    @classmethod
+    def of(
+        cls,
+        shape: tuple[int, int],
+        pixel: tuple[float, float],
+        *,
+        periodic: bool,
+        digits: np.dtype[np.floating] = DOUBLE,
+    ) -> SurfaceGrid:
+        """Return the grid; small ones are made once.
+
+        Parameters
+        ----------
+        shape
+            (nx, ny), pixels.
+        pixel
+            (dx, dy), the size of one of them [m].
+        periodic
+            Whether the surface goes on for ever, repeated, or bears nothing outside.
+        digits
+            Of all transforms: single ones are three times as fast, and good enough for small changes.
+        """
+        return (_kept if shape[0] * shape[1] <= KEPT else _made)(shape, pixel, periodic, digits)
+
+    def displaced(self, pressure: Array) -> Array:
+        """Return u [m] under p, over E*."""
+        (nx, ny), (mx, my) = self.shape, self.padded
+        rows = scipy.fft.rfft(pressure, my, axis=1, workers=self.workers)
+        both = scipy.fft.fft(rows, mx, axis=0, workers=self.workers)
+        both *= self.response
+        back = scipy.fft.ifft(both, axis=0, overwrite_x=True, workers=self.workers)[:nx]
+        return np.asarray(scipy.fft.irfft(back, my, axis=1, workers=self.workers)[:, :ny])
+
+    def roughly_pressing(self, displacement: Array) -> Array:
+        """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
+        seen = scipy.fft.rfft2(displacement, workers=self.workers)
+        seen *= self.wave_numbers
+        return np.asarray(scipy.fft.irfft2(seen, s=self.shape, workers=self.workers))
+
+
+def _made(
+    shape: tuple[int, int], pixel: tuple[float, float], periodic: bool, digits: np.dtype[np.floating]
+) -> SurfaceGrid:
+    """Return a grid."""
+    nx, ny = shape
+    workers = (os.cpu_count() or 1) if nx * ny > ALONE else 1
+    qx = 2.0 * np.pi * scipy.fft.fftfreq(nx, pixel[0])[:, None]
+    qy = 2.0 * np.pi * scipy.fft.rfftfreq(ny, pixel[1])[None, :]
+    wave = np.hypot(qx, qy)
+    wave[0, 0] = np.inf
+    if periodic:
+        response = 2.0 / wave
+        padded = shape
+    else:
+        padded = scipy.fft.next_fast_len(2 * nx - 1, True), scipy.fft.next_fast_len(2 * ny - 1, True)
+        quarter = _rectangle(shape, pixel) / np.pi
+        kernel = np.zeros(padded)
+        kernel[:nx, :ny] = quarter
+        kernel[padded[0] - nx + 1 :, :ny] = quarter[:0:-1]
+        kernel[:, padded[1] - ny + 1 :] = kernel[:, ny - 1 : 0 : -1]
+        response = np.ascontiguousarray(scipy.fft.rfft2(kernel, workers=workers).real)
+    wave[0, 0] = MEAN * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
+    return SurfaceGrid(shape, pixel, padded, response.astype(digits), (0.5 * wave).astype(digits), workers)
+
+
+_kept = functools.lru_cache(maxsize=12)(_made)

@@ -1,0 +1,188 @@
+r"""Rough surfaces on the line: independent springs under random heights of the spectrum :math:`C_1=\pi q\,C`.
+
+A square of the side L is as stiff as a line of 1.1523 L when everything touches.  Stiffness, and with it conductance,
+scale with the force as those of the surface; the length of the springs in contact is no area, and the line has no mean
+gap: both are Persson's here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Depth, Force
+from winkler.media.conductors import ElectricalConductors, HeatConductors
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.conducting_stiffness import conductance_of_stiffness
+from winkler.problems.persson import area_fraction, mean_separation
+from winkler.problems.rough_checks import check_ensemble, check_spectrum, length_in_m, resolution_note
+from winkler.problems.rough_line import RoughLine, ensemble, line_seeds
+from winkler.profiles.random_rough import random_lines
+from winkler.profiles.spectrum import Spectrum
+from winkler.validity import Note, Standing
+from winkler.values import value
+
+__all__ = ["RoughContact", "RoughContactSolution"]
+
+SQUARE = 1.1523
+"""Length of the line over the side of a square surface, by which both are as stiff when everything touches."""
+LYASHENKO = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Tribol. Lett. 52 (2013) 223-229"
+POHRT = "R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301"
+
+
+@value
+class RoughContact:
+    """A rough square pressed onto a flat half-space, by lines of springs.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        Of both surfaces together: SelfAffine or PowerSpectrum.
+    medium : HalfSpace
+        Both bodies, homogeneous.
+    side : float
+        Of the square [m]: waves longer than the line of 1.1523 sides are not seen.
+    load : Force or Depth
+        What is prescribed, positive; depths from the first touch of the highest point.
+    realisations : int, optional
+        How many random lines.
+    count : int, optional
+        Springs in each; waves shorter than two of them are not seen.
+    seed : int, optional
+        Of the phases; equal seeds, equal answers.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is out of range, or the medium is not homogeneous.
+
+    References
+    ----------
+    R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301; V. L. Popov, M. Hess,
+    Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+    """
+
+    spectrum: Spectrum
+    medium: HomogeneousMedium
+    side: float
+    load: Force | Depth
+    realisations: int = 50
+    count: int = 4096
+    seed: int = 0
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"RoughContact: the medium is a {type(self.medium).__name__}; roughness is known on homogeneous "
+                "half-spaces alone, give HalfSpace."
+            )
+        length_in_m("RoughContact", "side", self.side)
+        check_spectrum("RoughContact", self.spectrum)
+        check_ensemble("RoughContact", self.load, self.realisations, self.count, self.seed)
+
+    @property
+    def length(self) -> float:
+        """Of the line [m]."""
+        return SQUARE * self.side
+
+    def lines(self) -> Iterator[RoughLine]:
+        """Yield the lines.
+
+        Raises
+        ------
+        InvalidInput
+            If no wave of the spectrum fits them.
+        """
+        for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
+            yield RoughLine(heights, self.length, self.medium.modulus)
+
+    def solve(self) -> RoughContactSolution:
+        """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
+
+        Raises
+        ------
+        InvalidInput
+            If no wave of the spectrum fits the line.
+        """
+        return RoughContactSolution(self, **ensemble(self.lines(), self.load)._asdict())
+
+
+@value
+class RoughContactSolution:
+    """The answer to a `RoughContact`.
+
+    Parameters
+    ----------
+    problem : RoughContact
+        What was asked.
+    depth, force, stiffness : float or ndarray
+        d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
+    depth_band, force_band, stiffness_band : ndarray, (2, ...)
+        Between these two lie eight of ten lines.
+    """
+
+    problem: RoughContact
+    depth: Quantity
+    depth_band: Array
+    force: Quantity
+    force_band: Array
+    stiffness: Quantity
+    stiffness_band: Array
+
+    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
+        """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
+
+        Raises
+        ------
+        OutsideValidity
+            If there is a film, a plating or a rod.
+        """
+        return _shaped(self.stiffness * conductance_of_stiffness("RoughContact", self.problem.medium, conductors))
+
+    @property
+    def area(self) -> Quantity:
+        """True area of contact [m^2], after Persson: the length of the line in contact is none."""
+        square = self.problem.side**2
+        slope = self.problem.spectrum.rms_slope
+        fraction = area_fraction(np.asarray(self.force) / square, self.problem.medium.modulus, slope)
+        return _shaped(square * fraction)
+
+    @property
+    def mean_gap(self) -> Quantity:
+        """Mean distance of the surfaces [m], after Persson."""
+        square = self.problem.side**2
+        pressure = np.asarray(self.force) / square
+        return _shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        asked = self.problem
+        return (
+            *asked.medium.notes,
+            Note(
+                Standing.APPROXIMATE,
+                "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: "
+                "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
+                f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
+            ),
+            *resolution_note(asked.spectrum, asked.length, asked.count),
+            Note(
+                Standing.OUTSIDE,
+                "The line has no true area of contact and no mean gap: springs do not know of one another. Those given "
+                "here are Persson's, of which the area is up to a third too small, the gap within 20 per cent up to "
+                "pressures of 0.2 E* h'; a SurfaceContact computes them.",
+                LYASHENKO,
+            ),
+        )
+
+
+def _shaped(numbers: Quantity) -> Quantity:
+    """Return a number as a number."""
+    return float(numbers) if np.ndim(numbers) == 0 else numbers

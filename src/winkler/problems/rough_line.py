@@ -1,0 +1,140 @@
+r"""One line of independent springs under given heights: all loads follow from one sort.
+
+With gaps :math:`\gamma_1\le\gamma_2\le\dots` below the highest point,
+
+.. math:: F(d) = E^*\Delta x\sum_{\gamma_i<d}(d-\gamma_i) , \qquad k(d) = E^*\Delta x\,\#\{\gamma_i<d\} .
+
+Many lines at random tell a median, and between which forces eight surfaces of ten lie.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.loading import Depth, Force
+from winkler.numerics.types import Array
+from winkler.values import frozen_array, value
+
+__all__ = ["Ensemble", "RoughLine", "ensemble", "line_seeds", "prescribed"]
+
+BAND = (0.1, 0.9)
+"""Quantiles between which eight of ten surfaces lie."""
+
+
+@value
+class RoughLine:
+    """One line of independent springs under given heights, all loads at once.
+
+    Parameters
+    ----------
+    heights : ndarray, (n,)
+        [m], in any order.
+    length : float
+        Of the line [m].
+    modulus : float
+        E* [Pa], stiffness of the springs per length.
+
+    Examples
+    --------
+    >>> line = RoughLine(np.array([0.0, -1.0, -2.0]), 3.0, 1.0)
+    >>> line.force(np.array([1.0, 1.5])), line.depth(np.array([1.0, 2.0]))
+    (array([1., 2.]), array([1. , 1.5]))
+    """
+
+    heights: Array
+    length: float
+    modulus: float
+
+    def __post_init__(self) -> None:
+        numbers = np.array(self.heights, dtype=float)
+        if numbers.ndim != 1 or numbers.size < 2 or not np.all(np.isfinite(numbers)):
+            raise InvalidInput("RoughLine: heights must be a row of at least two finite numbers in m.")
+        for word, unit in (("length", "m"), ("modulus", "Pa")):
+            number = getattr(self, word)
+            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < np.inf:
+                raise InvalidInput(f"RoughLine: {word} is {number!r}; it must be a positive, finite number in {unit}.")
+        object.__setattr__(self, "heights", frozen_array(numbers))
+
+    @functools.cached_property
+    def _sorted(self) -> tuple[Array, Array]:
+        """Gaps in rising order [m], and the force [N] at which each spring comes in."""
+        gaps = np.sort(np.max(self.heights) - self.heights)
+        rate = self.modulus * self.length / gaps.size
+        # summed up from one spring to the next nothing cancels, and the forces never fall
+        return gaps, rate * np.concatenate(([0.0], np.cumsum(np.arange(1.0, gaps.size) * np.diff(gaps))))
+
+    def force(self, depth: Array) -> Array:
+        """Return F [N] at depths [m] below the highest point."""
+        gaps, forces = self._sorted
+        d = np.maximum(np.asarray(depth, dtype=float), 0.0)
+        last = np.maximum(np.searchsorted(gaps, d, side="right") - 1, 0)
+        return np.asarray(forces[last] + self.stiffness(d) * (d - gaps[last]))
+
+    def depth(self, force: Array) -> Array:
+        """Return d [m] under forces [N], zero or positive."""
+        gaps, forces = self._sorted
+        f = np.asarray(force, dtype=float)
+        last = np.maximum(np.searchsorted(forces, f, side="right") - 1, 0)
+        rate = self.modulus * self.length / gaps.size
+        return np.asarray(gaps[last] + (f - forces[last]) / (rate * (last + 1)))
+
+    def stiffness(self, depth: Array) -> Array:
+        """Return dF/dd [N/m] at depths [m]: E* times the length in contact."""
+        gaps, _ = self._sorted
+        count = np.searchsorted(gaps, np.asarray(depth, dtype=float), side="right")
+        return np.asarray(self.modulus * self.length / gaps.size * count)
+
+
+class Ensemble(NamedTuple):
+    """What many lines tell: medians in the shape of the load, bands with one more axis in front."""
+
+    depth: Array
+    """d [m]."""
+    depth_band: Array
+    """Between these two lie eight of ten."""
+    force: Array
+    """F [N]."""
+    force_band: Array
+    """Between these two lie eight of ten."""
+    stiffness: Array
+    """dF/dd [N/m]."""
+    stiffness_band: Array
+    """Between these two lie eight of ten."""
+
+
+def prescribed(load: Force | Depth) -> Array:
+    """Return the forces [N] or depths [m] that a load prescribes."""
+    return np.asarray(load.force if isinstance(load, Force) else load.depth, dtype=float)
+
+
+def line_seeds(seed: int, realisations: int) -> list[int]:
+    """Return one seed for every line; other seeds share no line, and more lines begin with the same ones."""
+    return [int(word) for word in np.random.SeedSequence(seed).generate_state(realisations)]
+
+
+def ensemble(lines: Iterable[RoughLine], load: Force | Depth) -> Ensemble:
+    """Return what lines tell under a load, one after the other so that no two need be kept.
+
+    Parameters
+    ----------
+    lines : iterable of RoughLine
+    load : Force or Depth
+        Not negative.
+    """
+    given = prescribed(load)
+    flat = given.ravel()
+    rows: list[tuple[Array, Array, Array]] = []
+    for line in lines:
+        depth = line.depth(flat) if isinstance(load, Force) else flat
+        rows.append((depth, flat if isinstance(load, Force) else line.force(flat), line.stiffness(depth)))
+    columns = [np.stack(column) for column in zip(*rows, strict=True)]
+    told: list[Array] = []
+    for column in columns:
+        told.append(np.median(column, axis=0).reshape(given.shape))
+        told.append(np.quantile(column, BAND, axis=0).reshape((2, *given.shape)))
+    return Ensemble(*told)

@@ -1,0 +1,296 @@
+r"""Power spectra of isotropic rough surfaces: how much of the roughness has which wave number.
+
+.. math:: C(q) = \frac{1}{(2\pi)^2}\int\langle h(\mathbf x)\,h(\mathbf 0)\rangle\,e^{-i\mathbf q\mathbf x}
+          \,\mathrm d^2x , \qquad \langle h^2\rangle = 2\pi\int C\,q\,\mathrm dq , \quad
+          \langle|\nabla h|^2\rangle = 2\pi\int C\,q^3\,\mathrm dq .
+
+T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, tell
+how spectra are measured, and what goes wrong; their C is (2 pi)^2 times this one.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array
+from winkler.profiles.topography import Topography
+from winkler.values import frozen_array, value
+
+__all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "spectrum_of"]
+
+PER_DECADE = 20
+"""Bins of a measured spectrum, equal on a logarithmic axis."""
+
+
+class Spectrum(Protocol):
+    """The contract of a spectrum, spoken to its implementer."""
+
+    @property
+    def smallest(self) -> float:
+        """Wave number q [rad/m] below which there is nothing."""
+        ...
+
+    @property
+    def greatest(self) -> float:
+        """Wave number q [rad/m] above which there is nothing."""
+        ...
+
+    @property
+    def rms_height(self) -> float:
+        """Root mean square height [m]."""
+        ...
+
+    @property
+    def rms_slope(self) -> float:
+        """Root mean square of the gradient [-]."""
+        ...
+
+    def at(self, wave_number: Array) -> Array:
+        """C(q) [m^4], zero outside."""
+        ...
+
+
+@value
+class SelfAffine:
+    """The spectrum of a self-affine surface: C(q) falls with q^(-2 (H + 1)), and is level beyond the roll-off.
+
+    Parameters
+    ----------
+    hurst : float
+        H [-], between 0 and 1.
+    rms_height : float
+        Root mean square height [m].
+    longest : float
+        Longest wavelength [m].
+    shortest : float
+        Shortest wavelength [m].
+    roll_off : float, optional
+        Wavelength [m] above which the spectrum is level; the longest one unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is out of range, or the wavelengths are not in order.
+
+    Examples
+    --------
+    >>> blasted = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=1e-6, roll_off=1e-4)
+    >>> round(blasted.rms_slope, 2)
+    0.22
+    """
+
+    hurst: float
+    rms_height: float
+    longest: float
+    shortest: float
+    roll_off: float = math.inf
+
+    def __post_init__(self) -> None:
+        for word, unit in (("rms_height", "m"), ("longest", "m"), ("shortest", "m")):
+            number = getattr(self, word)
+            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
+                raise InvalidInput(f"SelfAffine: {word} is {number!r}; it must be a positive, finite number in {unit}.")
+        if isinstance(self.hurst, bool) or not isinstance(self.hurst, int | float) or not 0.0 < self.hurst <= 1.0:
+            raise InvalidInput(f"SelfAffine: hurst is {self.hurst!r}; give a number above 0 and at most 1.")
+        if not self.shortest < min(self.roll_off, self.longest):
+            raise InvalidInput(
+                f"SelfAffine: the wavelengths are not in order; give shortest ({self.shortest:.6g} m) below roll_off "
+                f"({self.roll_off:.6g} m) and longest ({self.longest:.6g} m)."
+            )
+
+    @property
+    def smallest(self) -> float:
+        """2 pi over the longest wavelength [rad/m]."""
+        return 2.0 * math.pi / self.longest
+
+    @property
+    def greatest(self) -> float:
+        """2 pi over the shortest wavelength [rad/m]."""
+        return 2.0 * math.pi / self.shortest
+
+    @property
+    def rms_slope(self) -> float:
+        """Root mean square of the gradient [-]."""
+        bend, density = self._level
+        steep = 2.0 - 2.0 * self.hurst
+        ratio = math.log(self.greatest / bend)
+        falling = math.expm1(steep * ratio) / steep if steep > 0.0 else ratio
+        level = 0.25 * (1.0 - (self.smallest / bend) ** 4)
+        return math.sqrt(2.0 * math.pi * density * (level + falling)) * bend**2
+
+    @property
+    def _level(self) -> tuple[float, float]:
+        """Where the level part ends [rad/m], and its density [m^4]."""
+        bend = 2.0 * math.pi / min(self.roll_off, self.longest)
+        ratio = math.log(self.greatest / bend)
+        # mean square height under C = 1 on the level part, then under the falling part
+        level = math.pi * (bend**2 - self.smallest**2)
+        falling = -math.pi * bend**2 * math.expm1(-2.0 * self.hurst * ratio) / self.hurst
+        return bend, self.rms_height**2 / (level + falling)
+
+    def at(self, wave_number: Array) -> Array:
+        """Return C(q) [m^4], zero outside."""
+        q = np.asarray(wave_number, dtype=float)
+        bend, density = self._level
+        inside = (q >= self.smallest * (1.0 - 1e-12)) & (q <= self.greatest * (1.0 + 1e-12))
+        return np.where(inside, density * np.maximum(q / bend, 1.0) ** (-2.0 * (self.hurst + 1.0)), 0.0)
+
+
+@value
+class PowerSpectrum:
+    """A spectrum in numbers, as measured: between them it is a power law.
+
+    Parameters
+    ----------
+    wave_numbers : array_like, (n,)
+        q [rad/m], positive and rising.
+    densities : array_like, (n,)
+        C(q) [m^4], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If they do not fit one another, do not rise, or are not positive.
+    """
+
+    wave_numbers: Array
+    densities: Array
+
+    def __post_init__(self) -> None:
+        for word in ("wave_numbers", "densities"):
+            try:
+                numbers = np.array(getattr(self, word), dtype=float)
+            except (TypeError, ValueError):
+                raise InvalidInput(f"PowerSpectrum: {word} are not numbers; give an array.") from None
+            if numbers.ndim != 1 or numbers.size < 2 or not (np.all(np.isfinite(numbers)) and np.all(numbers > 0.0)):
+                raise InvalidInput(f"PowerSpectrum: {word} must be a row of at least two positive, finite numbers.")
+            object.__setattr__(self, word, frozen_array(numbers))
+        if self.wave_numbers.size != self.densities.size:
+            raise InvalidInput(
+                f"PowerSpectrum: there are {self.wave_numbers.size} wave_numbers and {self.densities.size} densities; "
+                "give as many of each."
+            )
+        if np.any(np.diff(self.wave_numbers) <= 0.0):
+            raise InvalidInput("PowerSpectrum: the wave numbers do not rise from each to the next; sort them.")
+
+    @property
+    def smallest(self) -> float:
+        """The first wave number [rad/m]."""
+        return float(self.wave_numbers[0])
+
+    @property
+    def greatest(self) -> float:
+        """The last wave number [rad/m]."""
+        return float(self.wave_numbers[-1])
+
+    @property
+    def rms_height(self) -> float:
+        """Root mean square height [m]."""
+        return math.sqrt(self._mean_square(0))
+
+    @property
+    def rms_slope(self) -> float:
+        """Root mean square of the gradient [-]."""
+        return math.sqrt(self._mean_square(2))
+
+    def _mean_square(self, power: int) -> float:
+        """Return 2 pi times the integral of q^(1 + power) C(q), which is a power of q between the numbers."""
+        logs = np.log(self.wave_numbers)
+        steps, rise = np.diff(logs), np.diff((2 + power) * logs + np.log(self.densities))
+        parts = self.wave_numbers[:-1] ** (2 + power) * self.densities[:-1] * steps
+        small = np.abs(rise) < 1e-8
+        return float(2.0 * np.pi * np.sum(parts * np.where(small, 1.0, np.expm1(rise) / np.where(small, 1.0, rise))))
+
+    def at(self, wave_number: Array) -> Array:
+        """Return C(q) [m^4], zero outside."""
+        q = np.asarray(wave_number, dtype=float)
+        inside = (q >= self.smallest * (1.0 - 1e-12)) & (q <= self.greatest * (1.0 + 1e-12))
+        logs = np.interp(np.log(np.where(inside, q, self.smallest)), np.log(self.wave_numbers), np.log(self.densities))
+        return np.where(inside, np.exp(logs), 0.0)
+
+    def joined(self, other: PowerSpectrum) -> PowerSpectrum:
+        """Return this spectrum and that of another instrument as one; where both have been measured, their mean.
+
+        The mean is that of the logarithms, weighted so that each fades out towards its own end.
+
+        Raises
+        ------
+        InvalidInput
+            If the other one is no PowerSpectrum.
+        """
+        if not isinstance(other, PowerSpectrum):
+            raise InvalidInput(f"PowerSpectrum: joined is given a {type(other).__name__}; give another PowerSpectrum.")
+        q = np.unique(np.concatenate([self.wave_numbers, other.wave_numbers]))
+        first, second = self._weight(q), other._weight(q)
+        own, others = np.log(np.maximum(self.at(q), 1e-300)), np.log(np.maximum(other.at(q), 1e-300))
+        known = first + second > 0.0
+        q, first, second, own, others = (part[known] for part in (q, first, second, own, others))
+        return PowerSpectrum(q, np.exp((first * own + second * others) / (first + second)))
+
+    def _weight(self, q: Array) -> Array:
+        """Return how far inside the measured range a wave number lies, zero outside."""
+        low, high, place = math.log(self.smallest), math.log(self.greatest), np.log(q)
+        inside = (place >= low - 1e-12) & (place <= high + 1e-12)
+        return np.where(inside, np.minimum(place - low, high - place) / (high - low) + 1e-6, 0.0)
+
+
+def spectrum_of(topography: Topography) -> PowerSpectrum:
+    """Return the isotropic spectrum of a map: the mean over all directions, in bins of a logarithmic axis.
+
+    A map that stands alone is detrended by a plane and faded out towards its border (Hann's window), whose loss of
+    height is made good.  The longest waves that fit stand for all down to the cell of the mean, and so for wavelengths
+    up to 1.77 times the length of a square; with them the spectrum has the root mean square height of the map.  What
+    lies beyond pi over the longer side of a pixel, in the corners of the plane of wave numbers, is left out.
+
+    Parameters
+    ----------
+    topography : Topography
+
+    Returns
+    -------
+    PowerSpectrum
+
+    Raises
+    ------
+    InvalidInput
+        If heights are missing, or the map is flat, or has no range of wave numbers in both directions.
+    """
+    if topography.missing:
+        raise InvalidInput(
+            f"spectrum_of: {topography.missing} heights are missing; fill them with topography.filled() before."
+        )
+    heights = (topography if topography.periodic else topography.detrended(1)).heights
+    heights = heights - np.mean(heights)
+    nx, ny = heights.shape
+    if not topography.periodic:
+        window = np.hanning(nx + 1)[:-1, None] * np.hanning(ny + 1)[None, :-1]
+        heights = heights * window / math.sqrt(float(np.mean(window**2)))
+    amplitude = np.abs(np.fft.fft2(heights)) ** 2 / float(nx * ny) ** 2
+    density = amplitude * topography.area / (2.0 * np.pi) ** 2
+    dx, dy = topography.pixel
+    steps = 2.0 * np.pi / topography.lengths
+    q = np.hypot(2.0 * np.pi * np.fft.fftfreq(nx, dx)[:, None], 2.0 * np.pi * np.fft.fftfreq(ny, dy)[None, :])
+    low, high = float(np.max(steps)), np.pi / max(dx, dy)
+    edges = np.geomspace(low * (1.0 - 1e-9), high, max(int(PER_DECADE * math.log10(high / low)), 2) + 1)
+    which = np.digitize(q.ravel(), edges) - 1
+    inside = (which >= 0) & (which < edges.size - 1)
+    counts = np.bincount(which[inside], minlength=edges.size - 1)
+    sums = np.bincount(which[inside], weights=density.ravel()[inside], minlength=edges.size - 1)
+    places = np.bincount(which[inside], weights=np.log(q.ravel()[inside]), minlength=edges.size - 1)
+    there = (counts > 0) & (sums > 0.0)
+    if np.count_nonzero(there) < 2:
+        raise InvalidInput(
+            "spectrum_of: the map is flat, or too small or narrow for a spectrum; give a rough one of similar sides."
+        )
+    middle, mean = places[there] / counts[there], np.log(sums[there] / counts[there])
+    # waves stand for their cell of the lattice: the longest ones for all down to the cell of the mean, which has none
+    first = min(0.5 * math.log(float(np.prod(steps)) / math.pi), middle[0] - 1e-9)
+    steep = (mean[-1] - mean[-2]) / (middle[-1] - middle[-2])
+    last = max(math.log(high), middle[-1] + 1e-9)
+    places = np.concatenate(([first], middle, [last]))
+    logs = np.concatenate((mean[:1], mean, [mean[-1] + steep * (last - middle[-1])]))
+    return PowerSpectrum(np.exp(places), np.exp(logs))

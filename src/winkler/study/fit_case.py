@@ -1,0 +1,92 @@
+"""Literature cases that fit a curve: a study with ``[fit]``, and ``[[expect]]`` for what it must tell.
+
+The quantity of an expectation is the key of a free number, ``problem.bed.medium.first.young``.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.study import grammar
+from winkler.study.fit_outcome import Fitted
+from winkler.study.fit_reading import parse_fit_study
+from winkler.study.fit_run import fit_study
+from winkler.study.fitting import FitStudy
+from winkler.study.outcome import Verdict
+from winkler.study.reading import parsed, read_text
+from winkler.study.schema import MISSING
+from winkler.study.study import Expectation
+
+__all__ = ["FitCase", "fit_verdicts", "is_fit", "read_fit_case"]
+
+SHOWN = ("unit", "scale", "r", "z", "x")
+"""Keys of ``[[expect]]`` that may be left out."""
+
+
+class FitCase(NamedTuple):
+    """A study with ``[fit]``, where its expected numbers come from, and these."""
+
+    study: FitStudy
+    source: str
+    grade: str
+    expect: tuple[Expectation, ...]
+
+
+def is_fit(path: Path) -> bool:
+    """Return whether a case fits a curve."""
+    return "fit" in parsed(read_text(path), path.name)
+
+
+def read_fit_case(path: Path) -> FitCase:
+    """Read a case with ``[fit]``.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+    """
+    import tomli_w
+
+    raw = parsed(read_text(path), path.name)
+    source, grade = str(raw.pop("source", "")), str(raw.pop("grade", ""))
+    asked = [_expectation(item, path.name) for item in raw.pop("expect", [])]
+    study = parse_fit_study(tomli_w.dumps(raw), file=path.name, folder=path.parent)
+    free = [line.key for line in study.free]
+    for item in asked:
+        if item.quantity not in free:
+            raise InvalidInput(
+                f"{path.name}: expect asks for '{item.quantity}', which is not free; give one of {', '.join(free)}."
+            )
+    return FitCase(study, source, grade, tuple(asked))
+
+
+def _expectation(item: dict[str, Any], file: str) -> Expectation:
+    try:
+        return grammar.expectation(dict.fromkeys(SHOWN, MISSING) | item)
+    except KeyError as error:
+        raise InvalidInput(f"{file}: expect needs {error.args[0]}; add it.") from None
+    except InvalidInput as error:
+        told = str(error).removeprefix("expect: ")
+        raise InvalidInput(f"{file}: expect: {told}") from None
+
+
+def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
+    """Return the verdicts on what the fits of a case told, curve by curve.
+
+    Raises
+    ------
+    InvalidInput, NotConverged, OutsideValidity
+        If no curve can be fitted.
+    """
+    paths = {line.key: line.path for line in case.study.free}
+    verdicts = []
+    for place, result in enumerate(fit_study(case.study).results):
+        for asked in case.expect:
+            got = result.fit.value(paths[asked.quantity]) if isinstance(result, Fitted) else np.nan
+            off = abs(got - float(asked.expected)) / (asked.scale or abs(float(asked.expected)))
+            verdicts.append(Verdict((place,), asked, got, float(off) if np.isfinite(off) else np.inf))
+    return tuple(verdicts)

@@ -1,0 +1,191 @@
+"""The journal of a sweep: every point that was solved, kept beside the results while it runs.
+
+A text file that is only ever appended to: a first line that tells the question, then one line for each point, each
+with a checksum in front.  A run that was killed leaves it behind; the same study finds it and goes on, without solving
+a point twice.  A last line that was torn by the kill is dropped.  It is removed when the results are written.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import zlib
+from collections.abc import Iterator
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from winkler.errors import InvalidInput
+from winkler.study.canonical import digest, plain
+from winkler.study.study import Study
+
+__all__ = ["Journal"]
+
+ENDING = ".journal"
+
+
+class Journal:
+    """The journal of one study.
+
+    Parameters
+    ----------
+    path
+        The file; it is made when the first point is written.
+    study
+        What is solved.
+    """
+
+    def __init__(self, path: Path, study: Study) -> None:
+        self.path = path
+        self.count = 0
+        """Number of points that are kept."""
+        self._head = _head(study)
+        self._file = -1
+        self._kept: list[dict[str, Any]] = []
+
+    @classmethod
+    def beside(cls, results: Path, study: Study) -> Journal:
+        """Return the journal beside a folder of results."""
+        return cls(results.parent / f".{results.name}{ENDING}", study)
+
+    def __enter__(self) -> Journal:
+        """Read what an earlier run has left, and make ready to go on behind it.
+
+        Raises
+        ------
+        InvalidInput
+            If the journal is of another study, is spoilt, or another run is writing it.
+        """
+        if self.path.exists():
+            self._open(os.O_RDWR)
+            self._read()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Leave the journal for a later run, unless it was removed."""
+        self._close()
+
+    def recalled(self) -> Iterator[dict[str, Any]]:
+        """Yield what an earlier run wrote of each point, once."""
+        self._kept.reverse()
+        while self._kept:
+            yield self._kept.pop()
+
+    def _read(self) -> None:
+        with self.path.open("rb") as file:
+            good = 0
+            for number, line in enumerate(file):
+                content = _content(line)
+                if content is None:
+                    if file.read(1):
+                        raise self._refused(f"is spoilt in line {number + 1}")
+                    break
+                if number == 0 and content != self._head:
+                    raise self._refused("holds points of another study, or of another version of this one")
+                good += len(line)
+                if number > 0:
+                    self._kept.append(content)
+        self.count = len(self._kept)
+        os.ftruncate(self._file, good)
+        os.lseek(self._file, 0, os.SEEK_END)
+        if not good:
+            self._write(json.dumps(self._head))
+
+    def write(self, text: str) -> None:
+        """Append one point."""
+        if self._file < 0:
+            self._open(os.O_RDWR | os.O_CREAT | os.O_EXCL)
+            self._write(json.dumps(self._head))
+        self._write(text)
+        self.count += 1
+
+    def remove(self) -> None:
+        """Remove the journal; nothing happens if there is none.
+
+        Raises
+        ------
+        InvalidInput
+            If another run is writing it.
+        """
+        if self._file < 0 and self.path.exists():
+            self._open(os.O_RDWR)
+        self._close()
+        self.count = 0
+        with contextlib.suppress(OSError):
+            self.path.unlink(missing_ok=True)
+
+    def _close(self) -> None:
+        if self._file >= 0:
+            os.close(self._file)
+            self._file = -1
+
+    def _open(self, flags: int) -> None:
+        try:
+            self._file = os.open(self.path, flags | getattr(os, "O_BINARY", 0), 0o644)
+        except FileExistsError:
+            raise self._taken() from None
+        except OSError as error:
+            why = (error.strerror or type(error).__name__).lower()
+            raise InvalidInput(f"journal: '{self.path}' cannot be opened ({why}); give another folder.") from None
+        try:
+            _lock(self._file)
+        except OSError:
+            self._close()
+            raise self._taken() from None
+
+    def _write(self, text: str) -> None:
+        data = text.encode()
+        line = b"%08x %s\n" % (zlib.crc32(data), data)
+        while line:
+            line = line[os.write(self._file, line) :]
+
+    def _taken(self) -> InvalidInput:
+        return InvalidInput(
+            f"journal: another run is writing '{self.path}'; wait for its end, or give another folder with --output."
+        )
+
+    def _refused(self, why: str) -> InvalidInput:
+        self._close()
+        return InvalidInput(
+            f"journal: '{self.path}' {why}; add --anew to begin again without it, or give another folder with --output."
+        )
+
+
+def _content(line: bytes) -> Any:
+    """Return what a line says; None if it is torn."""
+    mark, _, data = line.partition(b" ")
+    if not line.endswith(b"\n") or mark != b"%08x" % zlib.crc32(data[:-1]):
+        return None
+    return json.loads(data)
+
+
+def _head(study: Study) -> dict[str, Any]:
+    """Return what the first line says: equal heads mean equal points, expectations and numbers."""
+    asked = [plain(axis) for axis in study.axes] if study.design.draws else []
+    return {
+        "journal of": "winkler",
+        "version": version("winkler"),
+        "question": digest(study),
+        "points": _hash(asked),
+        "expect": _hash([plain(item) for item in study.expect]),
+    }
+
+
+def _hash(content: Any) -> str:
+    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+
+
+def _lock(file: int) -> None:
+    """Take a file for this process alone; the system gives it back when the process ends, however it ends."""
+    if os.name == "nt":
+        import msvcrt
+
+        os.lseek(file, 2**40, os.SEEK_SET)
+        msvcrt.locking(file, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined,unused-ignore]
+        os.lseek(file, 0, os.SEEK_SET)
+    else:
+        import fcntl
+
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

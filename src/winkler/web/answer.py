@@ -1,0 +1,172 @@
+"""What a page shows of an outcome: pictures as plain data, tables and notes as escaped HTML."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.errors import WinklerError
+from winkler.problems.adhesive import AdhesiveSolution
+from winkler.study.captions import CAPTIONS, STUCK
+from winkler.study.figures import answers_over, shown_point, svg_element
+from winkler.study.markup import safe
+from winkler.study.outcome import Outcome
+from winkler.study.report import OF_MANY, papers, trust
+from winkler.study.tables import answered, expected, failures
+from winkler.validity import worst
+from winkler.web import histories, method
+from winkler.web.chart import Chart
+from winkler.web.moments import Moments, contact_at
+from winkler.web.solid import draw_solid
+from winkler.web.springs import draw_row, row_of
+from winkler.web.view import NOTHING, View, fitting
+
+__all__ = ["Frame", "Picture", "Shown", "Told", "packed", "pictures", "sheets", "told"]
+
+
+class Told(NamedTuple):
+    """The answer in words and numbers.
+
+    Parameters
+    ----------
+    standing
+        The worst of all notes.
+    answers, notes, papers
+        Sections of a page.
+    text
+        The study as a file.
+    moments, moment
+        How many moments the answer has, zero where it is no history; and which of them is shown first.
+    """
+
+    standing: str
+    answers: str
+    notes: str
+    papers: str
+    text: str
+    moments: int
+    moment: int
+
+
+class Picture(NamedTuple):
+    """One interactive picture, or why there is none."""
+
+    name: str
+    title: str
+    sentence: str
+    chart: Chart | None
+    missing: str = ""
+
+
+class Frame(NamedTuple):
+    """All interactive pictures of one moment, and what must be said about them all."""
+
+    pictures: tuple[Picture, ...]
+    remark: str
+
+
+class Shown(NamedTuple):
+    """One sheet that was drawn as SVG, or why there is none."""
+
+    title: str
+    sentence: str
+    svg: str
+    missing: str = ""
+
+
+def told(outcome: Outcome, text: str, moments: int, moment: int) -> Told:
+    """Return the answer in words and numbers."""
+    answers = "\n".join(part for part in (answered(outcome), failures(outcome), expected(outcome)) if part)
+    return Told(
+        worst(outcome.validity).value, answers, trust(outcome.validity), papers(outcome.study), text, moments, moment
+    )
+
+
+def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, still: bool) -> tuple[Frame, View]:
+    """Return the interactive pictures, and the frame that they share.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+    moments, moment
+        Those of its answer, and which of them is shown.
+    held
+        The frame of the pictures before.
+    still
+        Whether that frame is kept, because another moment of the same history is looked at.
+    """
+    point = shown_point(outcome)
+    found: list[Picture] = []
+    contact, here = contact_at(point, moments, moment)
+    view, remark = NOTHING, ""
+    if contact is not None and hasattr(contact, "recess"):
+        view = held if still and held != NOTHING else _recovering(contact)
+        row = row_of(contact, view.extent)
+        found.append(_made("springs", lambda: draw_row(point.problem.bed, row, float(contact.depth), view)))
+    elif contact is not None:
+        view = held if still and held != NOTHING else fitting(contact.pressed, held)
+        found += _method(contact, view)
+        if not here and type(point.solution) in OF_MANY:
+            remark = f"The pictures of the method show {OF_MANY[type(point.solution)]}."
+        elif here and not moments.states:
+            remark = (
+                "The pictures of the method show the contact at this depth, its springs along the surface left out."
+            )
+    for pair in histories.curves_of(outcome, point):
+        drawn = histories.draw_curves(outcome, point, pair, moment if moments.total else -1)
+        found.append(Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn)))
+    return Frame(tuple(found), remark), view
+
+
+def _recovering(state: Any) -> View:
+    wide = 1.6 * (float(state.radius) if state.radius > 0.0 else float(state.position[-1]))
+    return View(wide, 1.2 * max(float(np.max(state.recess)), float(state.depth), 1e-3 * wide))
+
+
+def _method(contact: Any, view: View) -> Iterator[Picture]:
+    pressed = contact.pressed
+    sticks = isinstance(contact, AdhesiveSolution)
+    makers: dict[str, Callable[[], Chart]] = {
+        "shape": lambda: draw_solid(contact, view),
+        "springs": lambda: draw_row(pressed.bed, row_of(contact, view.extent), float(pressed.depth), view),
+        "line_load": lambda: method.draw_line_load(contact, view),
+        "pressure": lambda: method.draw_pressure(contact, view),
+        "force": lambda: method.draw_force(contact),
+        "stress": lambda: method.draw_stress(contact, view),
+    }
+    for name, make in makers.items():
+        yield _made(name, make, STUCK if sticks else {})
+
+
+def _made(name: str, make: Callable[[], Chart], other: dict[str, tuple[str, str]] | None = None) -> Picture:
+    title, sentence = (CAPTIONS | (other or {}))[name]
+    try:
+        return Picture(name, title, sentence, packed(make()))
+    except WinklerError as error:
+        return Picture(name, title, sentence, None, re.sub(r"^\w+: ", "", str(error)))
+
+
+def packed(content: Any) -> Any:
+    """Return a figure with its numbers as they travel: single precision, in one piece."""
+    if isinstance(content, dict):
+        return {name: packed(item) for name, item in content.items()}
+    if isinstance(content, list | tuple):
+        return [packed(item) for item in content]
+    if isinstance(content, np.ndarray) and content.dtype.kind == "i":
+        return np.ascontiguousarray(content)
+    if isinstance(content, np.ndarray):
+        return np.ascontiguousarray(content, dtype=np.float32)
+    return content.item() if isinstance(content, np.generic) else content
+
+
+def sheets(outcome: Outcome) -> Iterator[Shown]:
+    """Yield the sheets of an answer, drawn one after the other."""
+    for one in answers_over(outcome):
+        if one.picture is None:
+            yield Shown(one.title, one.sentence, "", one.missing)
+        else:
+            yield Shown(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))

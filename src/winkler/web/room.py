@@ -1,0 +1,96 @@
+"""The app's own folder: what was uploaded lies there, under plain names, and nothing outside it can be named."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from winkler.errors import InvalidInput
+
+__all__ = ["LARGEST", "Room", "files_in", "plain_name"]
+
+LARGEST = 20_000_000
+"""Greatest size of an upload [bytes]."""
+MOST = 50
+"""So many files are kept."""
+
+
+def plain_name(name: str) -> str:
+    """Return the name of an upload without folders, and without anything but letters, digits, ``.``, ``-`` and ``_``.
+
+    Examples
+    --------
+    >>> plain_name("../../etc/passwd"), plain_name("My tip (2).CSV"), plain_name("..")
+    ('passwd', 'My_tip_2_.CSV', 'file')
+    """
+    last = re.split(r"[/\\\\]", name)[-1]
+    kept = re.sub(r"[^A-Za-z0-9._-]+", "_", last).lstrip("._-")
+    return kept[-100:] or "file"
+
+
+def files_in(content: Any, key: str = "") -> list[tuple[str, Any]]:
+    """Return ``(key, name)`` of every file that the tables of a study name."""
+    found: list[tuple[str, Any]] = []
+    if isinstance(content, dict):
+        for name, item in content.items():
+            where = f"{key}.{name}" if key else str(name)
+            found += [(where, item)] if name == "file" else files_in(item, where)
+    elif isinstance(content, list):
+        for place, item in enumerate(content):
+            found += files_in(item, f"{key}[{place}]")
+    return found
+
+
+class Room:
+    """One folder for one page; it is gone when the page is."""
+
+    def __init__(self) -> None:
+        self.folder = Path(tempfile.mkdtemp(prefix="winkler-app-"))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The files that are there."""
+        return tuple(sorted(path.name for path in self.folder.iterdir()))
+
+    def keep(self, name: str, content: bytes) -> str:
+        """Keep an upload, and return the name that it got.
+
+        Raises
+        ------
+        InvalidInput
+            If it is too large, empty, or there are too many.
+        """
+        if len(content) > LARGEST:
+            raise InvalidInput(
+                f"'{name}' has {len(content) / 1e6:.1f} MB; at most {LARGEST / 1e6:.0f} MB are taken. Thin it out."
+            )
+        if not content:
+            raise InvalidInput(f"'{name}' is empty; give a file with numbers.")
+        kept = plain_name(name)
+        if kept not in self.names and len(self.names) >= MOST:
+            raise InvalidInput(f"there are {MOST} files already; reload the page to begin with none.")
+        (self.folder / kept).write_bytes(content)
+        return kept
+
+    def check(self, table: Any) -> None:
+        """Refuse a study that names a file outside this folder.
+
+        Raises
+        ------
+        InvalidInput
+            With one sentence for every such file.
+        """
+        wrong = [
+            f"{key} is {name!r}; the app reads uploaded files only: upload it, and give its plain name."
+            for key, name in files_in(table)
+            if isinstance(name, str) and (name != plain_name(name) or name not in self.names)
+        ]
+        if wrong:
+            raise InvalidInput("\n".join(wrong))
+
+    def close(self) -> None:
+        """Remove everything."""
+        shutil.rmtree(self.folder, ignore_errors=True)

@@ -1,0 +1,96 @@
+"""The page's side of the worker: questions go out, answers come back, and whatever takes too long is stopped."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import multiprocessing
+import threading
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from winkler.web.worker import Done, work
+
+__all__ = ["Solver", "Worker", "started"]
+
+
+class Worker(NamedTuple):
+    """A process, and the pipe to it."""
+
+    process: Any
+    pipe: Any
+
+
+def started() -> Worker:
+    """Start a worker; it gets ready on its own."""
+    context = multiprocessing.get_context("spawn")
+    mine, theirs = context.Pipe()
+    process = context.Process(target=work, args=(theirs,), daemon=True)
+    process.start()
+    theirs.close()
+    return Worker(process, mine)
+
+
+class Solver:
+    """Asks one worker, one question at a time.
+
+    Parameters
+    ----------
+    heard
+        Called, in the loop of the page, with every part of the answer to the newest question.
+    worker
+        One that was started before; a new one if left out.
+    """
+
+    def __init__(self, heard: Callable[[Any], None], worker: Worker | None = None) -> None:
+        self.heard = heard
+        self.loop = asyncio.get_running_loop()
+        self.number = 0
+        self.since = 0.0
+        self.working = False
+        self._begin(worker or started())
+
+    def _begin(self, worker: Worker) -> None:
+        self.ready = False
+        self.process, self.pipe = worker
+        threading.Thread(target=self._listen, args=(self.pipe,), daemon=True).start()
+
+    def _listen(self, pipe: Any) -> None:
+        with contextlib.suppress(EOFError, OSError, RuntimeError), pipe:  # the worker, or the loop, has ended
+            while True:
+                number, reply = pipe.recv()
+                self.loop.call_soon_threadsafe(self._take, pipe, number, reply)
+
+    def _take(self, pipe: Any, number: int, reply: Any) -> None:
+        if pipe is not self.pipe:
+            return
+        if number == 0:
+            self.ready, self.since = True, time.monotonic()
+            return
+        if number == self.number:
+            if isinstance(reply, Done):
+                self.working = False
+            self.heard(reply)
+
+    def ask(self, make: Callable[[int], Any]) -> None:
+        """Ask a question; `make` gets its number."""
+        self.number += 1
+        self.working, self.since = True, time.monotonic()
+        self.pipe.send(make(self.number))
+
+    @property
+    def seconds(self) -> float:
+        """For how long the worker has been at the newest question [s]."""
+        return time.monotonic() - self.since if self.working and self.ready else 0.0
+
+    def stop(self) -> None:
+        """End what is going on, and begin anew."""
+        self.close()
+        self.working = False
+        self._begin(started())
+
+    def close(self) -> None:
+        """End the worker."""
+        self.process.kill()
+        self.process.join(1.0)
