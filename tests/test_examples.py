@@ -1,8 +1,13 @@
-"""Every example runs: the scripts as a reader would start them, the studies through the command line."""
+"""Every example runs: the scripts as a reader would start them, the studies through the command line.
+
+By default the scripts run one after the other in this process, as the manual's gallery runs them; each in a process of
+its own, and the longer studies, among the slow tests.
+"""
 
 from __future__ import annotations
 
 import os
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -38,25 +43,51 @@ def test_there_are_examples():
 
 
 @pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
-def test_script(script, tmp_path):
+def test_script(script, tmp_path, monkeypatch):
+    import matplotlib.pyplot as plt
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", [str(script)])
+    monkeypatch.setattr(sys, "path", [str(script.parent), *sys.path])
+    with plt.rc_context():
+        runpy.run_path(str(script), run_name="__main__")
+        plt.close("all")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
+def test_script_on_its_own(script, tmp_path):
     answer = start([str(script)], tmp_path)
     assert answer.returncode == 0, answer.stdout + answer.stderr
 
 
-# what another study shows as well runs among the slow tests
-ALIKE = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_sticky"} | {
+# what another study shows as well, and what takes long, runs among the slow tests
+SLOW = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_sticky", "measured_gel"} | {
     "braking_wheel",
+    "cell_indentation",
+    "contact_resistance",
+    "fit_batch",
+    "fit_cell_loop",
+    "fit_gel_creep",
+    "flash_temperature",
     "fretting_heat",
-    "measured_gel",
+    "fretting_loop",
+    "fretting_wear",
+    "many_coatings",
     "rubber_ball",
     "rubber_dma",
     "rubber_rolling",
+    "sticky_ball",
+    "sticky_gel_film",
+    "three_layers",
+    "twisted_ball",
+    "what_matters",
 }
 
 
 @pytest.mark.parametrize(
     "study",
-    [pytest.param(study, marks=[pytest.mark.slow] if study.stem in ALIKE else []) for study in STUDIES],
+    [pytest.param(study, marks=[pytest.mark.slow] if study.stem in SLOW else []) for study in STUDIES],
     ids=map(name, STUDIES),
 )
 def test_study(study, tmp_path):

@@ -285,3 +285,9 @@ def test_pint_is_loaded_only_when_asked():
     )
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert done.stdout.split() == ["False", "True"]
+
+
+def test_a_unit_alone_may_have_superscripts():
+    """As in the header of a table."""
+    assert scale("µm⁻¹", "1/m") == 1e6
+    assert scale("um⁴", "m^4") == 1e-24

@@ -133,3 +133,9 @@ def test_frozen_array(given, kind):
     array = frozen_array(given)
     assert array.dtype.kind == kind
     assert not array.flags.writeable
+
+
+def test_what_is_masked_is_missing():
+    """The number that lies below a mask is none; as nan it is seen by whoever asks for finite ones."""
+    given = np.ma.masked_array([1, 2, 3], mask=[False, True, False])
+    np.testing.assert_array_equal(frozen_array(given), [1.0, np.nan, 3.0])

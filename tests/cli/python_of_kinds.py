@@ -118,6 +118,10 @@ CONDUCTING = {
     **{kind: heated(wk.Current(5.0)) for kind in ("joule_heating", "current", "wiedemann_franz")},
     "voltage": heated(wk.Voltage(20e-3)),
     **dict.fromkeys(("spot_cluster", "electrical_conductor"), SPOTS),
+    "named_electrical_conductor": wk.SpotCluster(
+        SPOTS.x, SPOTS.y, SPOTS.radii, wk.NamedElectricalConductor("copper"), SILVER
+    ),
+    "named_thermal_conductor": joint(wk.HeatConductors(wk.NamedThermalConductor("copper"), STEEL)),
     "conductance_bounds": wk.ConductanceBounds(BED, PAIR, roughness=0.1e-6, force=10.0),
 }
 
@@ -176,4 +180,42 @@ WEARING = {
     "sliding_wear": wk.SlidingWear(BED, ARCHARD, wk.Force(100.0), np.array([0.0, 0.1, 0.3, 1.0]), count=100),
     "limiting_profile": wk.LimitingProfile(BED, FRICTION, wk.Depth(1e-6), wk.Shift(0.2e-6)),
 }
-NEWER = {**RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING}
+
+# ------------------------------------------------------------------------------------------------ roughness
+
+STEEL_BODY = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+BLASTED = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=60e-6)
+MILLIMETRES = np.array([1e-3, 1e-3])
+SURFACE = wk.RandomTopography(MILLIMETRES, BLASTED, (64, 64))
+STAMP = wk.RandomTopography(MILLIMETRES, BLASTED, (64, 64), seed=1, periodic=False)
+PYRAMID = (
+    np.array(
+        [[0, 0, 0, 0, 0, 0], [0, 2, 2, 2, 2, 0], [0, 2, 5, 4, 2, 0], [0, 2, 4, 4, 2, 0], [0, 2, 2, 2, 2, 0], [0] * 6]
+    )
+    / 1e6
+)
+LOADS = wk.Force(np.geomspace(1.0, 100.0, 5))
+MEASURED_SPECTRUM = wk.PowerSpectrum(np.array([1e4, 1e5, 1e6]), np.array([1e-21, 4e-25, 1e-28]))
+TOUCHING = wk.SurfaceContact(SURFACE, STEEL_BODY, LOADS)
+
+
+def rough(spectrum):
+    return wk.RoughContact(spectrum, STEEL_BODY, 1e-3, LOADS, realisations=20, count=1024)
+
+
+ROUGHNESS = {
+    **dict.fromkeys(("surface_contact", "random_topography"), TOUCHING),
+    "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
+    "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
+    "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),
+    "reduced_bed": wk.Indentation(wk.ReducedBed(STAMP, STEEL_BODY, 3e-6), wk.Force(100.0)),
+    **{kind: rough(BLASTED) for kind in ("rough_contact", "self_affine")},
+    "power_spectrum": rough(MEASURED_SPECTRUM),
+    "rough_indentation": wk.RoughIndentation(BLASTED, BED, 4e-3, LOADS, realisations=20, count=2048),
+    "elliptic_indentation": wk.EllipticIndentation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY, wk.Force(100.0)),
+    "nearly_round_indentation": wk.NearlyRoundIndentation(
+        tuple(wk.Paraboloid(radius) for radius in (10e-3, 12e-3, 10e-3, 12e-3)), STEEL_BODY, wk.Depth(1e-6)
+    ),
+    "elastomer_friction": wk.ElastomerFriction(BLASTED, RUBBER, np.geomspace(1e-6, 1.0, 25)),
+}
+NEWER = {**RELAXING, **CONDUCTING, **ROLLING, **HEATING, **WEARING, **ROUGHNESS}

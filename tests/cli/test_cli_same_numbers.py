@@ -72,6 +72,7 @@ PYTHON = {
     ),
     "elastic": pressed(BALL),
     "rigid": pressed(BALL, wk.HalfSpace.between(STEEL, wk.Rigid())),
+    "named_elastic": pressed(BALL, wk.HalfSpace(wk.NamedElastic("fused silica"))),
     "transversely_isotropic": pressed(BALL, wk.TransverselyIsotropicHalfSpace(QUARTZ)),
     "power_law_graded": pressed(BALL, wk.GradedHalfSpace.between(CERAMIC)),
     "layer": pressed(BALL, wk.CoatedHalfSpace([HARD], on=STEEL)),

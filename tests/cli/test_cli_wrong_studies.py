@@ -117,7 +117,27 @@ count = 20
 wear = { kind = "archard", rate = "1e-5 mm^3/(N m)" }
 law = { kind = "coulomb", coefficient = 0.5 }
 """
+ROUGH = """[problem.topography]
+kind = "height_map"
+heights = [["0 um", "1 um", "0 um"], ["1 um", "2 um", "1 um"], ["0 um", "1 um", "0 um"]]
+lengths = ["1 mm", "1 mm"]
+
+[problem.medium]
+kind = "half_space"
+first = { kind = "elastic", young = "210 GPa", poisson = 0.3 }
+
+"""
+MADE = """[problem.topography]
+kind = "random_topography"
+lengths = "1 mm"
+shape = [16, 16]
+spectrum = { kind = "self_affine", hurst = 0.8, rms_height = "1 um", longest = "1 mm", shortest = "0.2 mm" }
+"""
+FLAT = BASE.replace('"indentation"', '"surface_contact"').replace(BASE[BASE.index("[problem.bed]") :], ROUGH)
+FLAT += BASE[BASE.index("[problem.load]") :]
 BASES = {
+    "rough": FLAT,
+    "random": FLAT.replace(ROUGH.partition("[problem.medium]")[0], MADE),
     "half_space": BASE,
     "coated": BASE.replace(HALF_SPACE, COATED),
     "depth_graded": BASE.replace(HALF_SPACE, DEPTH_GRADED),

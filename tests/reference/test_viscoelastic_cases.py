@@ -107,6 +107,9 @@ def struck(problem):
     if profile["kind"] == "flat_punch":
         eta, stiffness = 8 * number(solid["viscosity"]), 8 * number(solid["shear"])
         d = eta / (2 * mp.sqrt(stiffness))
+        if d > 1:
+            s = mp.sqrt(d * d - 1)
+            return {"restitution": ((d + s) / (d - s)) ** (-d / s)}
         q = mp.sqrt(1 - d * d)
         return {"restitution": mp.e ** (-(d / q) * mp.atan2(2 * d * q, 2 * d * d - 1))}
     if solid["kind"] == "kelvin_voigt":
@@ -249,6 +252,16 @@ THEORY = {
     ("impact_maxwell_1", "restitution"): 0.28014,
     ("impact_maxwell_10", "restitution"): 0.88115,
     ("impact_standard_solid_1", "restitution"): 0.70318,
+    ("impact_kelvin_voigt_001", "restitution"): 0.980892,
+    ("impact_kelvin_voigt_005", "restitution"): 0.910117,
+    ("impact_kelvin_voigt_02", "restitution"): 0.706731,
+    ("impact_kelvin_voigt_1", "restitution"): 0.280820,
+    ("impact_kelvin_voigt_2", "restitution"): 0.138904,
+    ("impact_maxwell_3", "restitution"): 0.65884,
+    ("impact_standard_solid_01", "restitution"): 0.87705,
+    ("impact_standard_solid_10", "restitution"): 0.94157,
+    ("impact_flat_punch_09", "restitution"): 0.155283,
+    ("impact_flat_punch_15", "restitution"): 0.0755883,
     ("impact_flat_punch_02", "restitution"): 0.57174,
     ("impact_flat_punch_05", "restitution"): 0.298436,
 }

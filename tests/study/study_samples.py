@@ -7,6 +7,7 @@ import dataclasses
 import numpy as np
 
 import winkler as wk
+from winkler.study.designs import Zipped
 from winkler.study.study import Axis, Expectation, Fields, Output, Places, Study
 
 STEEL = wk.Elastic(210e9, 0.3)
@@ -31,7 +32,7 @@ SAMPLES = {
         "Together",
         pressed(),
         sweep=(FORCES, Axis("problem.bed.medium.first.young", (1e9, 2e9, 4e9, 8e9))),
-        together=True,
+        design=Zipped(),
     ),
     "many loads": Study("Many loads", pressed(load=wk.Depth(np.linspace(0.0, 3e-6, 30)))),
     "many loads, varied": Study(

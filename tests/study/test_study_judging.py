@@ -10,7 +10,8 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.study.judging import judge
-from winkler.study.ledger import CASES, case_files, examined, ledger, markdown
+from winkler.study.ledger import CASES, case_files, examined, ledger
+from winkler.study.ledger_page import markdown
 from winkler.study.outcome import Verdict
 from winkler.study.run import run
 from winkler.study.study import Expectation, Study
@@ -191,5 +192,6 @@ def test_the_page_of_the_manual(tmp_path):
     (tmp_path / "mine.toml").write_text(CASE)
     page = markdown(ledger(case_files([str(tmp_path)])))
     assert "1 cases, 1 numbers" in page
-    assert "## Analytical" in page
+    assert "## Normal contact" in page
+    assert "| normal contact | 1 | 1 | 1, 1" in page
     assert "| depth | 0.25 m | 0.25 m |" in page

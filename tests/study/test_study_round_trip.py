@@ -15,6 +15,7 @@ from winkler.errors import InvalidInput
 from winkler.study.build import build, unbuild
 from winkler.study.canonical import canonical, digest
 from winkler.study.catalogue import CATALOGUE, REFUSED, kind_of, kinds, slot_of
+from winkler.study.designs import Zipped
 from winkler.study.explain import completed, example_study, keys_of, place_of, table_at
 from winkler.study.reading import parse_study, study_text
 from winkler.study.schema import form, forms, hints, options
@@ -49,8 +50,20 @@ def test_names_of_kinds_are_unique():
     assert not set(REFUSED) & set(names)
 
 
-ELSEWHERE = {wk.BallImpacts, wk.ContactTrace, wk.Contacts, wk.CurrentFields, wk.HeatFields, wk.TwistedFields}
-"""Thousands of contacts at once, arrays that no study file holds; and restored fields, which are answers."""
+ELSEWHERE = {
+    wk.BallImpacts,
+    wk.ContactLaw,
+    wk.ContactTrace,
+    wk.Contacts,
+    wk.CurrentFields,
+    wk.HeatFields,
+    wk.NamedMaterial,
+    wk.LineScan,
+    wk.RoughLine,
+    wk.SpringMarch,
+    wk.TwistedFields,
+}
+"""Thousands of contacts or springs at once, arrays that no study file holds; and restored fields, which are answers."""
 
 
 def test_the_catalogue_knows_every_public_value_that_a_study_could_name():
@@ -147,7 +160,7 @@ def test_together_comes_back():
             Axis("problem.bed.medium.first.young", (1e9, 2e9)),
             Axis("problem.bed.medium.first.poisson", (0.1, 0.2)),
         ),
-        together=True,
+        design=Zipped(),
     )
     assert parse_study(study_text(study)) == study
 

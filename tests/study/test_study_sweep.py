@@ -13,10 +13,12 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.study.designs import Zipped
 from winkler.study.outcome import Failed, Solved
+from winkler.study.pool import ONE_THREAD
 from winkler.study.run import run
 from winkler.study.study import Axis, Fields, Places, Study
-from winkler.study.sweep import ONE_THREAD, solve_points, tasks
+from winkler.study.sweep import solve_points, tasks
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))
@@ -37,7 +39,7 @@ def test_every_combination_the_last_key_fastest():
 
 
 def test_together():
-    study = Study("x", PROBLEM, sweep=(YOUNGS, SHAPES), together=True)
+    study = Study("x", PROBLEM, sweep=(YOUNGS, SHAPES), design=Zipped())
     assert study.shape == (2,)
     assert [task.settings for task in tasks(study)] == [(1e9, wk.Paraboloid(1e-3)), (2e9, wk.Cone(1.0))]
     assert [point.index for point in run(study).points] == [(0,), (1,)]
@@ -199,7 +201,7 @@ def test_a_script_without_a_guard_is_told_so(tmp_path):
 
 WORKER = """
 import json, os, sys
-from winkler.study.sweep import ONE_THREAD, _quiet_start
+from winkler.study.pool import ONE_THREAD, _quiet_start
 import multiprocessing, signal
 def look():
     deaf = signal.getsignal(signal.SIGINT) is signal.SIG_IGN

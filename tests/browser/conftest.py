@@ -1,0 +1,137 @@
+"""The app in a process of its own, and a real browser that looks at it; no request may leave this machine."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+SHOTS = os.environ.get("WINKLER_SCREENSHOTS", "")
+"""Folder for screenshots, to be looked at; none are taken without it."""
+
+
+@pytest.fixture(scope="session")
+def app():
+    """Start the app, and return where it is."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser"]
+    plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=plain)
+    address = f"http://127.0.0.1:{port}"
+    for _ in range(300):
+        try:
+            urllib.request.urlopen(address, timeout=5.0).close()
+            break
+        except (urllib.error.URLError, OSError):
+            assert process.poll() is None, process.stderr.read()
+            time.sleep(0.2)
+    yield address
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=30.0)
+    assert process.returncode in (0, 130), err
+    assert address in out
+    assert "Traceback" not in err, err
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """A browser without a window."""
+    from playwright.sync_api import sync_playwright
+
+    path = shutil.which("chromium") or shutil.which("google-chrome")
+    assert path, "the tests in a browser need chromium on the path"
+    with sync_playwright() as playwright:
+        running = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        yield running
+        running.close()
+
+
+class Seen:
+    """One page of the app, as a person uses it."""
+
+    def __init__(self, browser, address, width=1400, height=950):
+        self.left_machine, self.mistakes = [], []
+        self.context = browser.new_context(viewport={"width": width, "height": height}, accept_downloads=True)
+        self.page = self.context.new_page()
+        self.page.route("**/*", self._only_here(address))
+        self.page.on("pageerror", lambda error: self.mistakes.append(str(error)))
+        self.page.goto(address)
+        self.settled()
+
+    def _only_here(self, address):
+        def judge(route):
+            if route.request.url.startswith((address, "data:", "blob:")):
+                route.continue_()
+            else:
+                self.left_machine.append(route.request.url)
+                route.abort()
+
+        return judge
+
+    def settled(self, state="done"):
+        """Wait until an answer is complete, or refused."""
+        self.page.locator(f'.answered[data-state="{state}"]').wait_for(timeout=90_000)
+
+    def busy(self):
+        """Wait until something was asked."""
+        self.page.locator('.answered[data-state="busy"]').wait_for(timeout=20_000)
+
+    def choose(self, path, name):
+        """Choose a kind at a place of the form."""
+        self.page.locator(f'[data-choice="{path}"]').first.click()
+        self.page.get_by_role("option", name=name.replace("_", " "), exact=True).click()
+
+    def type(self, path, text):
+        """Write into a field."""
+        self.page.locator(f'input[data-path="{path}"]').fill(text)
+
+    def card(self, name):
+        """Return what the large number under a name says."""
+        return self.page.locator(".head .card", has_text=name).locator(".value").inner_text()
+
+    def taken(self, what):
+        """Take a file along, and return its content."""
+        with self.page.expect_download(timeout=60_000) as promise:
+            self.page.locator(f'[data-export="{what}"]').click()
+        return Path(promise.value.path()).read_bytes()
+
+    def shot(self, name):
+        """Keep a picture of the whole page, if somebody wants to look at it."""
+        if SHOTS:
+            self.page.screenshot(path=Path(SHOTS) / f"{name}.png", full_page=True)
+
+
+@pytest.fixture(scope="session")
+def seen(browser, app):
+    """A page that is open all the time: nobody starts anew for every problem."""
+    page = Seen(browser, app)
+    yield page
+    assert page.left_machine == []
+    assert page.mistakes == []
+    page.context.close()
+
+
+@pytest.fixture
+def fresh(browser, app):
+    """Return what opens a page of its own."""
+    opened = []
+
+    def open_page(**size):
+        opened.append(Seen(browser, app, **size))
+        return opened[-1]
+
+    yield open_page
+    for page in opened:
+        assert page.left_machine == []
+        page.context.close()

@@ -1,0 +1,146 @@
+"""What a height map conducts: Holm's spot, the square stamp, bounds; and springs that stand for a map."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+from scipy.special import beta
+
+import winkler as wk
+
+METAL = wk.ElectricalConductor(16e-9)
+PAIR = wk.ElectricalConductors(METAL, METAL)
+STEEL = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+BLASTED = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=60e-6)
+STAMP = wk.RandomTopography([1e-3, 1e-3], BLASTED, (48, 48), seed=1, periodic=False)
+
+
+def map_of(function, side, pixels):
+    place = (np.arange(pixels) + 0.5) / pixels * side - side / 2
+    return wk.Topography(function(place[:, None], place[None, :]), [side, side])
+
+
+def test_a_round_spot_has_holms_resistance():
+    ball = map_of(lambda x, y: -(x**2 + y**2) / 20e-3, 0.3e-3, 64)
+    found = wk.SurfaceConduction(wk.SurfaceContact(ball, STEEL, wk.Depth(1e-6)), PAIR).solve()
+    radius = np.sqrt(10e-3 * 1e-6)
+    assert found.resistance == pytest.approx(2 * 16e-9 / (4 * radius), rel=5e-3)
+    assert found.force == pytest.approx(4 / 3 * STEEL.modulus * np.sqrt(10e-3) * 1e-6**1.5, rel=2e-3)
+    assert found.least_resistance <= found.resistance <= found.greatest_resistance
+
+
+def test_the_lower_bound_is_the_resistance_of_the_stamp():
+    """A square punch has the stiffness 1.15229 E* L, by boundary elements extrapolated to no pixels."""
+    found = wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force([1.0, 10.0])), PAIR).solve()
+    assert found.greatest_stiffness == pytest.approx(1.15229 * STEEL.modulus * 1e-3, rel=0.01)
+    height = float(np.ptp(STAMP.heights))
+    assert found.least_stiffness == pytest.approx(found.force / (found.force / found.greatest_stiffness + height))
+    assert np.all(found.least_stiffness <= found.stiffness)
+    assert np.all(found.stiffness <= found.greatest_stiffness)
+    assert found.resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * found.stiffness), rel=1e-12)
+    assert found.conductance == pytest.approx(1.0 / found.resistance, rel=1e-14)
+    assert found.line_resistance == pytest.approx(STEEL.modulus * 32e-9 / (2 * found.line_stiffness), rel=1e-12)
+
+
+def test_a_periodic_map_has_no_upper_bound_of_the_stiffness():
+    rough = wk.RandomTopography([1e-3, 1e-3], BLASTED, (32, 32))
+    found = wk.SurfaceConduction(wk.SurfaceContact(rough, STEEL, wk.Force(3.0)), PAIR, realisations=5).solve()
+    assert np.isinf(found.greatest_stiffness)
+    assert found.least_resistance == 0.0
+    assert found.least_stiffness == pytest.approx(3.0 / np.ptp(rough.heights), rel=1e-5)
+
+
+def test_the_line_is_that_of_the_spectrum():
+    asked = wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL, wk.Force(5.0)), PAIR, realisations=7, seed=3)
+    line = wk.RoughContact(wk.spectrum_of(STAMP), STEEL, 1e-3, wk.Force(5.0), realisations=7, seed=3).solve()
+    found = asked.solve()
+    assert found.line_stiffness == pytest.approx(float(line.stiffness), rel=1e-5)
+    notes = [note.statement for note in found.validity]
+    assert len(notes) == len(set(notes))
+    assert any("Rigorous bounds" in note for note in notes)
+    assert not any("no true area" in note for note in notes)
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "sentence"),
+    [
+        (lambda c: wk.SurfaceConduction(STAMP, PAIR), wk.InvalidInput, "the contact is a RandomTopography; give"),
+        (lambda c: wk.SurfaceConduction(c, METAL), wk.InvalidInput, "conductors is a ElectricalConductor; give"),
+        (lambda c: wk.SurfaceConduction(c, PAIR, realisations=0), wk.InvalidInput, "realisations is 0; give a whole"),
+        (lambda c: wk.SurfaceConduction(c, PAIR, seed=-1), wk.InvalidInput, "seed is -1; give a whole number"),
+        (
+            lambda c: wk.SurfaceConduction(c, wk.ElectricalConductors(METAL, METAL, wk.SurfaceFilm(1e-12))),
+            wk.OutsideValidity,
+            "without film or plating",
+        ),
+        (
+            lambda c: wk.SurfaceConduction(
+                wk.SurfaceContact(wk.Topography(np.zeros((16, 16)), [1e-3, 1e-3]), STEEL, wk.Force(1.0)), PAIR
+            ).solve(),
+            wk.InvalidInput,
+            "flat",
+        ),
+    ],
+)
+def test_refused(make, error, sentence):
+    with pytest.raises(error, match=sentence):
+        make(wk.SurfaceContact(STAMP, STEEL, wk.Force(1.0)))
+
+
+# ------------------------------------------------------------------------------------------- made at random
+
+
+def test_a_random_surface_is_a_value_and_a_map():
+    again = wk.RandomTopography(np.array([1e-3, 1e-3]), BLASTED, (48, 48), seed=1, periodic=False)
+    assert again == STAMP
+    assert hash(again) == hash(STAMP)
+    assert pickle.loads(pickle.dumps(STAMP)) == STAMP
+    assert wk.RandomTopography([1e-3, 1e-3], BLASTED, (48, 48), seed=2, periodic=False) != STAMP
+    made = wk.random_topography(BLASTED, (48, 48), [1e-3, 1e-3], 1)
+    np.testing.assert_array_equal(STAMP.heights, made.heights)
+    assert not STAMP.periodic
+    assert STAMP.detrended(1).rms_height <= STAMP.rms_height
+
+
+@pytest.mark.parametrize(
+    ("more", "sentence"),
+    [
+        ({"shape": (10**6, 10**6)}, "shape is .* at most 8192"),
+        ({"shape": (2, 2)}, "RandomTopography: shape is"),
+        ({"shape": (4.0, 4.0)}, "RandomTopography: shape is"),
+        ({"lengths": [1e-3, -1e-3]}, "RandomTopography: lengths are"),
+        ({"seed": -1}, "RandomTopography: seed is -1"),
+        ({"lengths": [1e-6, 1e-6]}, "RandomTopography: no wave"),
+    ],
+)
+def test_a_random_surface_refuses(more, sentence):
+    with pytest.raises(wk.InvalidInput, match=sentence):
+        wk.RandomTopography(**{"lengths": [1e-3, 1e-3], "spectrum": BLASTED, "shape": (16, 16), **more})
+
+
+# ---------------------------------------------------------------------------------------- springs for a map
+
+
+def test_a_reduced_bed_bears_what_the_map_bears():
+    rough = wk.RandomTopography([1e-3, 1e-3], BLASTED, (64, 64), seed=1, periodic=False)
+    bed = wk.ReducedBed(rough, STEEL, depth=3e-6)
+    judge = wk.SurfaceContact(rough, STEEL, wk.Depth([0.9e-6, 2.2e-6, 3e-6])).solve().force
+    found = wk.Indentation(bed, wk.Depth(np.array([0.9e-6, 2.2e-6, 3e-6]))).solve()
+    np.testing.assert_allclose(found.force, judge, rtol=0.0, atol=2e-3 * judge[-1])
+    assert found.validity  # slopes of a body that nobody has are integrated, too
+    assert bed.mindlin_ratio == pytest.approx(STEEL.shear_modulus / STEEL.modulus)
+    assert pickle.loads(pickle.dumps(bed)) == bed
+
+
+@pytest.mark.parametrize("power", [0.35, 0.6, 1.0, 2.0])
+def test_a_measured_bed_of_a_broken_power_has_its_body(power):
+    """g = c x^n belongs to the body f = (c/pi) B((n+1)/2, 1/2) r^n, integrated by hand."""
+    radii = np.geomspace(20e-6, 200e-6, 12)
+    depths = 1e-6 * (radii / 100e-6) ** power
+    bed = wk.MeasuredBed(radii, 2.0 * STEEL.modulus * radii, depths)
+    r = np.array([5e-6, 20e-6, 33e-6, 150e-6])
+    expected = beta(0.5 * power + 0.5, 0.5) / np.pi * 1e-6 * (r / 100e-6) ** power
+    np.testing.assert_allclose(bed.height(r), expected, rtol=1e-9)
+    np.testing.assert_allclose(bed.slope(r), power * expected / r, rtol=1e-8)

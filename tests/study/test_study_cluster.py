@@ -1,0 +1,105 @@
+"""A sweep on a cluster: the same numbers as here, and a sentence for everything that may be missing."""
+
+from __future__ import annotations
+
+import builtins
+import warnings
+
+import pytest
+
+import winkler as wk
+from winkler.cli import main
+from winkler.errors import InvalidInput
+from winkler.study import cluster
+from winkler.study.cluster import Cluster
+from winkler.study.designs import Sobol
+from winkler.study.run import run
+from winkler.study.study import Axis, Study
+from winkler.study.varied import Range
+
+BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
+STUDY = Study(
+    "x",
+    wk.Indentation(BED, wk.Force(1.0)),
+    sweep=(
+        Range("problem.load.force", -0.1, 3.0),
+        Axis("problem.bed.profile", (wk.Paraboloid(1e-3), wk.Cone(1.5))),
+    ),
+    design=Sobol(64, 1),
+)
+
+
+@pytest.fixture(scope="module")
+def address():
+    """Return the address of a cluster of two processes on this machine."""
+    distributed = pytest.importorskip("distributed")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as local:
+            yield local.scheduler_address
+
+
+@pytest.mark.slow
+def test_the_numbers_are_those_of_this_process_and_of_a_pool(address, tmp_path):
+    here = run(STUDY)
+    assert here.failed
+    assert run(STUDY, workers=Cluster(address)).points == here.points
+    assert run(STUDY, workers=2).points == here.points
+    assert run(STUDY, workers=Cluster(address), journal=tmp_path / "x.journal").points == here.points
+
+
+@pytest.mark.slow
+def test_the_command_line(address, tmp_path, monkeypatch, capsys):
+    from winkler.study.reading import study_text
+
+    monkeypatch.chdir(tmp_path)
+    text = study_text(STUDY) + "\n[output]\nfigures = []\nreport = false\n"
+    (tmp_path / "x.toml").write_text(text, encoding="utf-8")
+    assert main(["run", "x.toml", "--quiet", "--output", "here"]) == 4
+    assert main(["run", "x.toml", "--quiet", "--output", "there", "--cluster", address]) == 4
+    assert (tmp_path / "here/results.csv").read_bytes() == (tmp_path / "there/results.csv").read_bytes()
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.slow
+def test_a_worker_of_another_version_is_refused(address, monkeypatch):
+    monkeypatch.setattr(cluster, "version", lambda _: "99.0")
+    with pytest.raises(InvalidInput, match=r"has winkler .*, here is 99\.0; install this version there"):
+        run(STUDY, workers=Cluster(address))
+
+
+@pytest.mark.slow
+def test_a_cluster_without_workers_is_refused():
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=0, dashboard_address=":0") as local,
+        pytest.raises(InvalidInput, match="has no workers; start some with `dask worker"),
+    ):
+        run(STUDY, workers=Cluster(local.scheduler_address))
+
+
+def test_without_the_extra_there_is_a_sentence(monkeypatch):
+    known = builtins.__import__
+
+    def missing(name, *rest):
+        if name.startswith("distributed"):
+            raise ImportError(name)
+        return known(name, *rest)
+
+    monkeypatch.setattr(builtins, "__import__", missing)
+    with pytest.raises(InvalidInput, match=r"install it with `pip install winkler\[cluster\]`"):
+        run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))
+
+
+@pytest.mark.parametrize("address", ["", " ", 3])
+def test_an_address_is_text(address):
+    with pytest.raises(InvalidInput, match="give that of a scheduler, such as 'tcp://host:8786'"):
+        Cluster(address)
+
+
+@pytest.mark.slow
+def test_nobody_answers(monkeypatch):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    with pytest.raises(InvalidInput, match=r"nobody answers at 'tcp://127\.0\.0\.1:9'"):
+        run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))

@@ -1,0 +1,66 @@
+"""The manual is whole: nothing that can be asked is missing from it."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+
+import pytest
+
+import winkler as wk
+from winkler.study.catalogue import CATALOGUE
+
+
+@pytest.mark.parametrize("slot", ["problem", "profile", "medium", "bed"])
+def test_how_to_choose_names_everything(root, slot):
+    page = (root / "docs" / "choosing.md").read_text(encoding="utf-8")
+    missing = [
+        line.cls.__name__ for line in CATALOGUE[slot].values() if not re.search(rf"\b{line.cls.__name__}\b", page)
+    ]
+    assert missing == []
+
+
+def test_every_problem_has_a_page_in_the_gallery(root):
+    scripts = [path.read_text(encoding="utf-8") for path in (root / "examples").rglob("*.py")]
+    problems = [line.cls.__name__ for line in CATALOGUE["problem"].values()] + [
+        "Contacts",
+        "BallImpacts",
+        "OliverPharr",
+    ]
+    asked = {name for name in problems for script in scripts if re.search(rf"\b{name}(\.\w+)?\(", script)}
+    assert [name for name in problems if name not in asked] == []
+
+
+def test_the_interface_names_the_whole_front_door(root):
+    pytest.importorskip("sphinx_gallery", reason="the extra docs is not installed")
+    spec = importlib.util.spec_from_file_location("manual_conf", root / "docs" / "conf.py")
+    assert spec is not None
+    assert spec.loader is not None
+    conf = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(conf)
+    page = conf.front_door()
+    told = re.findall(r"^\.\. (?:autoclass|autofunction|py:data):: winkler\.(\w+)$", page, re.MULTILINE)
+    assert sorted(told) == sorted(name for name in wk.__all__ if not name.startswith("__"))
+
+
+def test_pages_lead_on_to_pages_that_are_there(root):
+    docs = root / "docs"
+    broken = []
+    for path in [*docs.glob("*.md"), *(docs / "tutorials").glob("*.md"), *(docs / "decisions").glob("*.md")]:
+        for target in re.findall(r"\]\(([\w./-]+)(?:#[\w-]*)?\)", path.read_text(encoding="utf-8")):
+            place = (path.parent / target).resolve()
+            if "gallery" in place.parts:  # made from the examples
+                place = root / "examples" / place.relative_to(docs / "gallery").with_suffix(".py")
+                place = place if place.stem != "index" else root / "examples"
+            if not place.exists():
+                broken.append(f"{path.name}: {target}")
+    assert broken == []
+
+
+def test_the_puzzle_is_the_first_page(root):
+    index = (root / "docs" / "index.md").read_text(encoding="utf-8")
+    trees = re.findall(r"```\{toctree\}\n(?::[^\n]*\n)*\n(.*?)```", index, re.DOTALL)
+    listed = [page for tree in trees for page in tree.split()]
+    assert listed[0] == "puzzle"
+    pages = {path.stem for path in (root / "docs").glob("*.md")} - {"index"}
+    assert pages == {page for page in listed if "/" not in page}

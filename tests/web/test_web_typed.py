@@ -1,0 +1,119 @@
+"""What is typed, what sliders make of it, and what an upload may be called."""
+
+from __future__ import annotations
+
+import pytest
+
+from winkler.errors import InvalidInput
+from winkler.web.room import LARGEST, Room, files_in, plain_name
+from winkler.web.sliders import STEPS, span_of
+from winkler.web.typed import shown, typed
+
+
+@pytest.mark.parametrize(
+    ("text", "takes", "content"),
+    [
+        ("10 mm", "quantity [m]", "10 mm"),
+        ("10", "quantity [m]", "10"),
+        ("0.3", "number", 0.3),
+        ("200", "whole number", 200),
+        ("2.5", "whole number", 2.5),
+        ("infinite", 'number or "infinite"', "infinite"),
+        ("true", "true or false", True),
+        ("0", "text", "0"),
+        ("1 N, 2 N", "quantity [N], list or range", ["1 N", "2 N"]),
+        ("1 N", "list of quantity [N]", ["1 N"]),
+        ("0.1, 0.2", "list of number", [0.1, 0.2]),
+        ('{ R = "10 mm", n = 2 }', "table of named quantities", {"R": "10 mm", "n": 2}),
+        ("[[0.1, 0.2], [0.3, 0.4]]", "list of lists of numbers", [[0.1, 0.2], [0.3, 0.4]]),
+        ("{ from = ", "quantity [N], list or range", "{ from ="),
+    ],
+)
+def test_typed(text, takes, content):
+    found = typed(text, takes)
+    assert found == content
+    assert type(found) is type(content)
+
+
+@pytest.mark.parametrize("content", ["10 mm", 0.3, 200, ["1 N", "2 N"], {"from": "0 N", "to": "1 N", "count": 3}])
+def test_what_is_shown_can_be_typed(content):
+    takes = "number" if isinstance(content, int | float) else "quantity [N], list or range"
+    assert typed(shown(content), takes) == content
+
+
+def test_a_slider_goes_a_decade_to_either_side():
+    span, place = span_of("force", "100 N")
+    assert place == 0
+    assert span.text(-STEPS) == "10 N"
+    assert span.text(STEPS) == "1000 N"
+    assert span.text(STEPS / 2) == "316.2 N"
+    assert span.place(10.0) == -STEPS
+    assert all(span.place(span.number(step)) == step for step in range(-STEPS, STEPS + 1))
+
+
+def test_a_slider_of_poissons_ratio_stays_within_it():
+    span, place = span_of("poisson", "0.3")
+    assert span.number(-STEPS) == 0.0
+    assert span.number(STEPS) == 0.49
+    assert span.number(place) == pytest.approx(0.3, abs=0.49 / STEPS)
+
+
+@pytest.mark.parametrize("text", ["", "0 N", "many", "nan N", "1 N, 2 N", "1e999 N"])
+def test_no_slider_where_it_tells_nothing(text):
+    assert span_of("force", text) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "plain"),
+    [
+        ("tip.csv", "tip.csv"),
+        ("../../etc/passwd", "passwd"),
+        ("..\\..\\boot.ini", "boot.ini"),
+        ("/etc/shadow", "shadow"),
+        ("...", "file"),
+        (".hidden", "hidden"),
+        ("a\x00b\n.csv", "a_b_.csv"),
+        ("ü" * 5 + ".csv", "csv"),
+        ("x" * 300 + ".csv", "x" * 96 + ".csv"),
+    ],
+)
+def test_names_of_uploads(name, plain):
+    assert plain_name(name) == plain
+
+
+@pytest.fixture
+def room():
+    held = Room()
+    yield held
+    held.close()
+    assert not held.folder.exists()
+
+
+def test_an_upload_lies_in_the_room(room):
+    assert room.keep("../tip.csv", b"1 2") == "tip.csv"
+    assert room.names == ("tip.csv",)
+    assert (room.folder / "tip.csv").read_bytes() == b"1 2"
+    room.check({"problem": {"bed": {"profile": {"kind": "measured", "file": "tip.csv"}}}})
+
+
+def test_uploads_are_limited(room):
+    with pytest.raises(InvalidInput, match="20 MB are taken"):
+        room.keep("large.csv", b"0" * (LARGEST + 1))
+    with pytest.raises(InvalidInput, match="is empty"):
+        room.keep("none.csv", b"")
+    for number in range(50):
+        room.keep(f"{number}.csv", b"1")
+    room.keep("7.csv", b"again")
+    with pytest.raises(InvalidInput, match="50 files already"):
+        room.keep("one_more.csv", b"1")
+
+
+@pytest.mark.parametrize(
+    "name", ["../../etc/passwd", "/etc/passwd", "sub/tip.csv", "..", "tip.csv/../../x", "other.csv"]
+)
+def test_no_other_file_is_read(room, name):
+    room.keep("tip.csv", b"1 2")
+    table = {"problem": {"path": {"steps": [{"kind": "follow", "path": {"kind": "path", "file": name}}]}}}
+    assert files_in(table) == [("problem.path.steps[0].path.file", name)]
+    with pytest.raises(InvalidInput, match=r"problem\.path\.steps\[0\]\.path\.file is .*uploaded files only"):
+        room.check(table)

@@ -1,0 +1,160 @@
+"""The worker of a page: it runs the study as the command line does, draws, exports, and can be stopped."""
+
+from __future__ import annotations
+
+import asyncio
+import csv
+import io
+import json
+import time
+import zipfile
+
+import numpy as np
+import orjson
+import pytest
+import tomli_w
+
+from winkler.study.reading import parse_study
+from winkler.study.run import run
+from winkler.study.template import whole_text
+from winkler.web import form
+from winkler.web.answer import Frame, Shown, Told
+from winkler.web.solver import Solver
+from winkler.web.worker import Done, Export, Look, Solve, Wrong, _Bench
+
+METHOD = ["shape", "springs", "line_load", "pressure", "force", "stress"]
+
+
+@pytest.fixture(scope="module")
+def bench():
+    return _Bench()
+
+
+def answers_of(bench, text, folder, count=2):
+    """Return the first parts of an answer: words and pictures, without the sheets."""
+    replies = bench.replies(Solve(1, text, folder, True))
+    return [reply for reply, _ in zip(replies, range(count), strict=False)]
+
+
+@pytest.mark.parametrize("kind", ["indentation", "adhesive_indentation", "tangential", "equilibrium", "constriction"])
+def test_the_app_and_the_command_line_have_equal_numbers(bench, tmp_path, kind):
+    """Every other kind is compared in the browser, through what a person takes along."""
+    told, frame = answers_of(bench, tomli_w.dumps(form.begun(kind)), tmp_path)
+    expected = run(parse_study(whole_text(kind))).points[0].answers
+    (file,) = bench.replies(Export(2, "csv"))
+    rows = list(csv.DictReader(io.StringIO(file.content.decode())))
+    kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
+    assert kept == {name: content.tolist() for name, content in expected.items()}
+    assert run(parse_study(told.text)).points[0].answers.keys() == expected.keys()
+    assert [one.name for one in frame.pictures][:6] == METHOD
+    assert all(one.chart is not None for one in frame.pictures)
+
+
+def test_pictures_are_plain_data(bench, tmp_path):
+    _, frame = answers_of(bench, tomli_w.dumps(form.begun("indentation")), tmp_path)
+    for one in frame.pictures:
+        json.loads(orjson.dumps(one.chart, option=orjson.OPT_SERIALIZE_NUMPY))
+    springs = next(one for one in frame.pictures if one.name == "springs").chart
+    force = next(one for one in frame.pictures if one.name == "force").chart
+    depth = bench.outcome.points[0].solution.depth
+    assert force["data"][-1]["x"] == pytest.approx([depth * 1e6])
+    assert force["data"][-1]["y"] == pytest.approx([100.0])
+    profile = springs["data"][-2]  # g(x) - d in micrometres, deepest on the axis
+    assert float(np.min(profile["y"])) == pytest.approx(-depth * 1e6, rel=1e-6)
+
+
+def test_the_frame_stays_while_the_contact_grows(bench, tmp_path):
+    table = form.begun("indentation")
+    answers_of(bench, tomli_w.dumps(table), tmp_path)
+    first = bench.view
+    for force, same in (("90 N", True), ("110 N", True), ("1 MN", False)):
+        form.put(table, "problem.load.force", force)
+        replies = bench.replies(Solve(1, tomli_w.dumps(table), tmp_path, False))
+        assert isinstance(next(replies), Told)
+        if force != "1 MN":
+            assert isinstance(next(replies), Frame)
+            assert (bench.view == first) is same
+        else:  # the ball is not as large as that contact
+            assert isinstance(next(replies), Frame | Wrong)
+
+
+def test_moments_of_a_history(bench, tmp_path):
+    told, frame = answers_of(bench, tomli_w.dumps(form.begun("tangential")), tmp_path)
+    states = bench.outcome.points[0].solution.states
+    assert told.moments == len(states)
+    loop = next(one for one in frame.pictures if one.name == "shear_force_over_shift").chart
+    (looked,) = bench.replies(Look(2, 30))
+    moved = next(one for one in looked.pictures if one.name == "shear_force_over_shift").chart
+    assert moved["data"][0]["y"].tolist() == loop["data"][0]["y"].tolist()
+    scale = np.max(np.abs(moved["data"][0]["y"])) / max(abs(state.shear_force) for state in states)
+    assert float(moved["data"][-1]["y"][0]) == pytest.approx(states[30].shear_force * scale, rel=1e-6)
+
+
+def test_mistakes_name_their_keys(bench, tmp_path):
+    table = form.begun("indentation")
+    form.put(table, "problem.load.force", "10 kg")
+    form.drop(table, "problem.bed.profile.curvature_radius")
+    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(table), tmp_path, True))
+    assert isinstance(wrong, Wrong)
+    assert {form.owner_of(one) for one in wrong.sentences} == {
+        "problem.load.force",
+        "problem.bed.profile.curvature_radius",
+    }
+    (none,) = bench.replies(Export(2, "csv"))
+    assert isinstance(none, Wrong)
+
+
+def test_sheets_and_files(bench, tmp_path):
+    *_, sheet = bench.replies(Solve(1, tomli_w.dumps(form.begun("constriction")), tmp_path, True))
+    assert isinstance(sheet, Shown)
+    assert sheet.svg.startswith("<svg")
+    (report,) = bench.replies(Export(2, "report"))
+    assert report.name == "report.html"
+    assert report.content.startswith(b"<!DOCTYPE html>")
+
+
+@pytest.mark.slow
+def test_figures_are_taken_along(bench, tmp_path):
+    answers_of(bench, tomli_w.dumps(form.begun("indentation")), tmp_path)
+    (pack,) = bench.replies(Export(2, "png"))
+    with zipfile.ZipFile(io.BytesIO(pack.content)) as files:
+        assert {f"{name}.png" for name in METHOD} <= set(files.namelist())
+
+
+@pytest.mark.slow
+def test_a_long_run_is_stopped_and_the_next_is_answered(tmp_path):
+    """A sweep that would take minutes ends at once, and the same page answers again."""
+    quick = tomli_w.dumps(form.begun("indentation"))
+    long = tomli_w.dumps(form.begun("viscoelastic_adhesion")) + (
+        '[sweep]\n"problem.law.work" = { from = "1 mJ/m^2", to = "90 mJ/m^2", count = 900 }\n'
+    )
+
+    async def use():
+        heard = []
+        solver = Solver(heard.append)
+
+        async def until(kind):
+            for _ in range(1200):
+                if any(isinstance(one, kind) for one in heard):
+                    return
+                await asyncio.sleep(0.05)
+            raise AssertionError(f"no {kind.__name__} came")
+
+        solver.ask(lambda number: Solve(number, long, tmp_path, True))
+        for _ in range(1200):
+            if solver.seconds > 1.0:
+                break
+            await asyncio.sleep(0.05)
+        assert heard == []
+        begun = time.monotonic()
+        solver.stop()
+        assert time.monotonic() - begun < 2.0
+        assert not solver.working
+        solver.ask(lambda number: Solve(number, quick, tmp_path, True))
+        await until(Done)
+        assert any(isinstance(one, Told) for one in heard)
+        process = solver.process
+        solver.close()
+        assert not process.is_alive()
+
+    asyncio.run(use())
