@@ -1,7 +1,9 @@
-"""Put a run of the benchmarks into docs/benchmarks.md.
+"""Put a run of the benchmarks into docs/benchmarks.md: one table for each group of them.
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only --benchmark-json=run.json
 and      python benchmarks/table.py run.json
+
+A group of which the run holds nothing keeps its table.
 """
 
 from __future__ import annotations
@@ -12,14 +14,43 @@ from pathlib import Path
 
 from pages import machine, replace, spoken, table
 
+GROUPS = {
+    "times": ("bench_fields", "bench_indentation", "bench_measured"),
+    "times-media": ("bench_coated", "bench_graded"),
+    "times-contacts": (
+        "bench_adhesion",
+        "bench_adhesive_cycle",
+        "bench_contacts",
+        "bench_fit",
+        "bench_friction",
+        "bench_impact",
+    ),
+    "times-histories": (
+        "bench_conduction",
+        "bench_heating",
+        "bench_rolling",
+        "bench_viscoelastic",
+        "bench_viscoelastic_fits",
+        "bench_wear",
+    ),
+}
+"""Table of the page -> the files of its benchmarks; all others are in the last one."""
+OTHERS = "times-tools"
+
+
+def group_of(fullname: str) -> str:
+    """Return the table that a benchmark belongs to, by its file."""
+    file = Path(fullname.partition("::")[0]).stem
+    return next((group for group, files in GROUPS.items() if file in files), OTHERS)
+
 
 def main(path: str) -> None:
-    """Write the table of one run."""
+    """Write the tables of one run."""
     run = json.loads(Path(path).read_text(encoding="utf-8"))
-    rows = []
+    rows: dict[str, list[list[str]]] = {}
     for item in sorted(run["benchmarks"], key=lambda item: item["fullname"]):
         target = item["extra_info"].get("target")
-        rows.append(
+        rows.setdefault(group_of(item["fullname"]), []).append(
             [
                 item["extra_info"].get("what", item["name"]),
                 spoken(item["stats"]["median"]),
@@ -27,9 +58,10 @@ def main(path: str) -> None:
                 f"< {spoken(target)}" if target else "",
             ]
         )
-    text = table(["what", "median", "fastest", "target"], rows)
-    print(text)
-    replace("times", f"{text}\n\nMeasured on {machine()}.")
+    for group, lines in rows.items():
+        text = table(["what", "median", "fastest", "target"], lines)
+        print(text, end="\n\n")
+        replace(group, f"{text}\n\nMeasured on {machine()}.")
 
 
 if __name__ == "__main__":

@@ -17,7 +17,8 @@ from sphinx.util import logging
 from sphinx_gallery.scrapers import figure_rst
 
 import winkler
-from winkler.study.ledger import case_files, ledger, markdown
+from winkler.study.ledger import case_files, ledger
+from winkler.study.ledger_page import markdown
 
 pyplot.switch_backend("Agg")
 

@@ -14,7 +14,7 @@ import numpy as np
 import winkler as wk
 from winkler.plot import draw
 from winkler.reference import point_forces
-from winkler.staircase import staircase
+from winkler.stairs import staircase
 
 # %%
 # The contact
