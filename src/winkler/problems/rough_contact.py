@@ -165,7 +165,7 @@ class RoughContactSolution:
         """How far the result can be trusted."""
         asked = self.problem
         return (
-            *asked.medium.notes,
+            *(note for note in asked.medium.notes if note.standing is not Standing.EXACT),  # of one round contact
             Note(
                 Standing.APPROXIMATE,
                 "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: "
