@@ -31,6 +31,8 @@ __all__ = ["Column", "Table", "names_columns", "read_table"]
 ABOVE = 500
 """Most lines above the numbers."""
 SEPARATORS = ("\t", ";", ",", None)
+LARGEST = 1e75
+"""Largest number of a table in SI units; fourth powers of it can still be computed."""
 COMMENT = "#% \t"
 MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_AND_UNIT = (
@@ -152,9 +154,10 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
     with np.errstate(over="ignore"):
         values = np.array(numbers).reshape(-1, len(columns)) / factors
-    if not np.all(np.isfinite(values)):
-        line = int(places[int(np.argmax(~np.all(np.isfinite(values), axis=1)))])
-        raise InvalidInput(f"{shown}, line {line}: a number is too large to be computed with in SI units; check it.")
+    computable = np.all(np.abs(values) <= LARGEST, axis=1)
+    if not np.all(computable):
+        place = places[int(np.argmin(computable))]
+        raise InvalidInput(f"{shown}, line {place}: a number is too large to be computed with in SI units; check it.")
     return Table(shown, values, np.array(places))
 
 
