@@ -13,7 +13,7 @@ from winkler.study.catalogue import CATALOGUE, kinds
 from winkler.study.explain import completed, summary
 from winkler.study.reading import parsed
 from winkler.web import form
-from winkler.web.answer import Frame, Shown, Told
+from winkler.web.answer import Frame, Picture, Shown, Told
 from winkler.web.fields import Fields
 from winkler.web.result import Result
 from winkler.web.room import LARGEST, Room
@@ -25,10 +25,6 @@ __all__ = ["Page", "page"]
 
 FIRST = "indentation"
 HERE = Path(__file__).parent
-QUIET = """addEventListener('unhandledrejection', event => {
-  if (String(event.reason).includes('Resize must be passed a displayed plot div element')) event.preventDefault();
-});"""
-"""A picture that is taken away is told, once more, to fit its place; it has none, which is no mistake."""
 
 
 def page(limit: float, spare: list[Worker]) -> Callable[[], None]:
@@ -80,7 +76,6 @@ class Page:
 
     def build(self) -> None:
         """Lay the page out."""
-        ui.add_head_html(f"<script>{QUIET}</script>")
         ui.add_css((HERE / "app.css").read_text(encoding="utf-8"))
         report = (HERE.parent / "study" / "report.css").read_text(encoding="utf-8")
         ui.add_css(f".paper {{ {report} }}")
@@ -303,9 +298,11 @@ class Page:
                     self.result.sheet(reply)
                 case File():
                     ui.download.content(reply.content, reply.name)
+                case Picture():
+                    self.result.picture(reply)
                 case Frame():
                     self.result.show(reply)
-            if not isinstance(reply, Told):  # what follows the pictures gives way to a new question
+            if not isinstance(reply, Told | Picture):  # what follows the pictures gives way to a new question
                 self.answering = False
                 if self.waiting is not None:
                     make, self.waiting = self.waiting, None

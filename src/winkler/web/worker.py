@@ -74,14 +74,15 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     bench = _Bench()
+    rest = {bench.answer.Frame: PAUSE, bench.answer.Shown: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         while True:
             asked = pipe.recv()
-            for part, reply in enumerate(bench.replies(asked)):
+            for reply in bench.replies(asked):
                 pipe.send((asked.number, reply))
                 # sheets, which follow words and pictures, are left out when there is something newer to do
-                if isinstance(asked, Solve) and part > 0 and pipe.poll(PAUSE if part == 1 else 0.0):
+                if type(reply) in rest and pipe.poll(rest[type(reply)] if isinstance(asked, Solve) else 0.0):
                     break
             pipe.send((asked.number, Done()))
 
@@ -112,7 +113,7 @@ class _Bench:
                 case Solve():
                     yield from self._solved(asked)
                 case Look():
-                    yield self._pictures(asked.moment, still=True)
+                    yield from self._pictures(asked.moment, still=True)
                 case Export():
                     yield self._file(asked.what)
         except WinklerError as error:
@@ -136,13 +137,17 @@ class _Bench:
         self.moments = moments_of(point)
         moment = telling(point, self.moments)
         yield self.answer.told(self.outcome, study_text(study), self.moments.total, moment)
-        yield self._pictures(moment, still=False)
+        yield from self._pictures(moment, still=False)
         yield from self.answer.sheets(self.outcome)
 
-    def _pictures(self, moment: int, *, still: bool) -> Any:
+    def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
         assert self.outcome is not None
-        frame, self.view = self.answer.pictures(self.outcome, self.moments, moment, self.view, still=still)
-        return frame
+        scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
+        self.view, count = scene.view, 0
+        for picture in self.answer.pictures(scene):
+            count += 1
+            yield picture
+        yield self.answer.Frame(count, scene.remark)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput
