@@ -148,6 +148,7 @@ def test_the_body_turns_and_grows(fresh):
     edge = "() => document.querySelector('[data-picture=shape]').data.edge.radius"
     before = seen.page.evaluate(edge)
     seen.type(FORCE, "50 N")
+    seen.page.locator(".head .card .value", has_text="50 N").wait_for(timeout=20_000)
     seen.settled()
     assert seen.page.evaluate(edge) == pytest.approx(before * 0.5 ** (1 / 3), rel=1e-3)  # in the frame that is held
     assert look() != looks[0]
