@@ -14,13 +14,12 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
-from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array, Quantity
-from winkler.problems.conducting_stiffness import conductance_of_stiffness
+from winkler.numerics.types import Quantity, shaped
 from winkler.problems.persson import area_fraction, mean_separation
 from winkler.problems.rough_checks import check_ensemble, check_spectrum, length_in_m, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds
+from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
 from winkler.validity import Note, Standing
@@ -114,7 +113,7 @@ class RoughContact:
 
 
 @value
-class RoughContactSolution:
+class RoughContactSolution(RoughSolution):
     """The answer to a `RoughContact`.
 
     Parameters
@@ -128,22 +127,6 @@ class RoughContactSolution:
     """
 
     problem: RoughContact
-    depth: Quantity
-    depth_band: Array
-    force: Quantity
-    force_band: Array
-    stiffness: Quantity
-    stiffness_band: Array
-
-    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
-        """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
-
-        Raises
-        ------
-        OutsideValidity
-            If there is a film, a plating or a rod.
-        """
-        return _shaped(self.stiffness * conductance_of_stiffness("RoughContact", self.problem.medium, conductors))
 
     @property
     def area(self) -> Quantity:
@@ -151,14 +134,14 @@ class RoughContactSolution:
         square = self.problem.side**2
         slope = self.problem.spectrum.rms_slope
         fraction = area_fraction(np.asarray(self.force) / square, self.problem.medium.modulus, slope)
-        return _shaped(square * fraction)
+        return shaped(square * fraction)
 
     @property
     def mean_gap(self) -> Quantity:
         """Mean distance of the surfaces [m], after Persson."""
         square = self.problem.side**2
         pressure = np.asarray(self.force) / square
-        return _shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
+        return shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -181,8 +164,3 @@ class RoughContactSolution:
                 LYASHENKO,
             ),
         )
-
-
-def _shaped(numbers: Quantity) -> Quantity:
-    """Return a number as a number."""
-    return float(numbers) if np.ndim(numbers) == 0 else numbers

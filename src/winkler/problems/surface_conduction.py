@@ -19,7 +19,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.media.conductors import ElectricalConductors
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.rough_contact import RoughContact, RoughContactSolution
 from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
@@ -155,27 +155,27 @@ class SurfaceConductionSolution:
     @property
     def conductance(self) -> Quantity:
         """1 / R [S] by boundary elements."""
-        return _shaped(1.0 / self._resistance(self.stiffness))
+        return shaped(1.0 / self._resistance(self.stiffness))
 
     @property
     def resistance(self) -> Quantity:
         """R [ohm] by boundary elements."""
-        return _shaped(self._resistance(self.stiffness))
+        return shaped(self._resistance(self.stiffness))
 
     @property
     def line_resistance(self) -> Quantity:
         """R [ohm] by the lines."""
-        return _shaped(self._resistance(self.line_stiffness))
+        return shaped(self._resistance(self.line_stiffness))
 
     @property
     def least_resistance(self) -> Quantity:
         """The lower bound of R [ohm]; zero of a periodic map."""
-        return _shaped(self._resistance(self.greatest_stiffness))
+        return shaped(self._resistance(self.greatest_stiffness))
 
     @property
     def greatest_resistance(self) -> Quantity:
         """The upper bound of R [ohm]."""
-        return _shaped(self._resistance(self.least_stiffness))
+        return shaped(self._resistance(self.least_stiffness))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -203,7 +203,3 @@ class SurfaceConductionSolution:
             *((curved,) if shape > CURVED else ()),
             bounds,
         )
-
-
-def _shaped(numbers: Array) -> Quantity:
-    return float(numbers) if numbers.ndim == 0 else numbers
