@@ -125,8 +125,13 @@ class NearlyRoundIndentation:
             depths = given.ravel()
             forces, stiffness, contours = springs.pressed(depths)
 
-        answers = (shaped(numbers, given.shape) for numbers in (depths, forces, stiffness))
-        return NearlyRoundSolution(self, *answers, contours.reshape((*given.shape, -1)))
+        return NearlyRoundSolution(
+            self,
+            shaped(depths, given.shape),
+            shaped(forces, given.shape),
+            shaped(stiffness, given.shape),
+            contours.reshape((*given.shape, -1)),
+        )
 
 
 class _Directions:

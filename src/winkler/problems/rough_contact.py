@@ -13,11 +13,12 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.persson import area_fraction, mean_separation
-from winkler.problems.rough_checks import check_ensemble, check_spectrum, length_in_m, resolution_note
+from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds
 from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
@@ -81,7 +82,7 @@ class RoughContact:
                 f"RoughContact: the medium is a {type(self.medium).__name__}; roughness is known on homogeneous "
                 "half-spaces alone, give HalfSpace."
             )
-        length_in_m("RoughContact", "side", self.side)
+        positive_fields(self, side="m")
         check_spectrum("RoughContact", self.spectrum)
         check_ensemble("RoughContact", self.load, self.realisations, self.count, self.seed)
 

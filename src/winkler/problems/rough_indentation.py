@@ -15,13 +15,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
+from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.closure import at_force
 from winkler.problems.persson import area_fraction
-from winkler.problems.rough_checks import check_ensemble, check_spectrum, length_in_m, resolution_note
+from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds, prescribed
 from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
@@ -83,7 +84,7 @@ class RoughIndentation:
                 "RoughIndentation: roughness is known on homogeneous half-spaces alone; give Foundation(profile, "
                 "HalfSpace(...))."
             )
-        length_in_m("RoughIndentation", "length", self.length)
+        positive_fields(self, length="m")
         check_spectrum("RoughIndentation", self.spectrum)
         check_ensemble("RoughIndentation", self.load, self.realisations, self.count, self.seed)
 

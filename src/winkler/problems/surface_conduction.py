@@ -17,6 +17,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import whole_number
 from winkler.loading import Depth, Force
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
@@ -79,10 +80,8 @@ class SurfaceConduction:
                 f"SurfaceConduction: conductors is a {type(self.conductors).__name__}; give "
                 "ElectricalConductors(first, second)."
             )
-        for word, least in (("realisations", 1), ("seed", 0)):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int) or number < least:
-                raise InvalidInput(f"SurfaceConduction: {word} is {number!r}; give a whole number, at least {least}.")
+        whole_number("SurfaceConduction", "realisations", self.realisations, 1)
+        whole_number("SurfaceConduction", "seed", self.seed, 0)
         conductance_of_stiffness("SurfaceConduction", self.contact.medium, self.conductors)
 
     def solve(self) -> SurfaceConductionSolution:

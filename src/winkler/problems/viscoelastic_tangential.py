@@ -76,7 +76,7 @@ class ViscoelasticTangential:
     proportion (E* = 1 Pa at once, tau = 1 s).
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0)))
     >>> half = 0.5 * 0.3 * 0.01 * 1.5  # of mu d E*/G*
