@@ -16,13 +16,11 @@ NO_NUMBERS = (True, "1", None, math.nan, math.inf, -math.inf, 1j)
 
 @pytest.mark.parametrize("given", [*NO_NUMBERS, 0.0, -0.0, 0, -1e-300])
 def test_what_is_not_positive_is_refused(given):
-    with pytest.raises(
-        InvalidInput, match=rf"^Ball: mass is {re.escape(repr(given))}; it must be a positive, finite n"
-    ):
+    with pytest.raises(InvalidInput, match=rf"^Ball: mass is {re.escape(repr(given))}; it must be a positive, f"):
         positive("Ball", "mass", given, "kg")
 
 
-@pytest.mark.parametrize("given", [5e-324, 1, 1.8e308 / 2])
+@pytest.mark.parametrize("given", [5e-324, 1, 1e308])
 def test_what_is_positive_passes(given):
     positive("Ball", "mass", given, "kg")
     not_negative("Ball", "mass", given, "kg")
