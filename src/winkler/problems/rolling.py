@@ -23,7 +23,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.problems.creepage import Creepage
+from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
@@ -125,7 +125,7 @@ class Rolling:
 
 
 @value
-class RollingSolution:
+class RollingSolution(AtCreepages):
     """The answer to a `Rolling`; every quantity has the shape of the creepage.
 
     Parameters
@@ -145,16 +145,6 @@ class RollingSolution:
     longitudinal_force: Quantity
     lateral_force: Quantity
     stick_share: Quantity
-
-    @property
-    def longitudinal_creepage(self) -> Quantity:
-        """xi [-], in the shape of the answers."""
-        return shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
-
-    @property
-    def lateral_creepage(self) -> Quantity:
-        """eta [-], in the shape of the answers."""
-        return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))
 
     @property
     def shear_force(self) -> Quantity:

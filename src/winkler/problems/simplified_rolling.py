@@ -22,7 +22,7 @@ from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.fastsim import mapped, rolled
 from winkler.numerics.types import Array, Quantity, shaped
-from winkler.problems.creepage import Creepage
+from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling import check_friction
@@ -149,7 +149,7 @@ class SimplifiedRolling:
 
 
 @value
-class SimplifiedRollingSolution:
+class SimplifiedRollingSolution(AtCreepages):
     """The answer to a `SimplifiedRolling`; forces and moment have the shape of the creepage.
 
     Parameters
@@ -173,16 +173,6 @@ class SimplifiedRollingSolution:
     longitudinal_force: Quantity
     lateral_force: Quantity
     moment: Quantity
-
-    @property
-    def longitudinal_creepage(self) -> Quantity:
-        """xi [-], in the shape of the answers."""
-        return shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
-
-    @property
-    def lateral_creepage(self) -> Quantity:
-        """eta [-], in the shape of the answers."""
-        return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))
 
     @property
     def spin_creepage(self) -> Quantity:
