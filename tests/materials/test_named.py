@@ -38,7 +38,7 @@ LORENZ = {
     "iron": 2.61e-8, "aluminium": 2.14e-8,
 }  # fmt: skip
 """Measured at 0 degrees Celsius [V^2/K^2]: the first five after C. Kittel, Introduction to Solid State Physics, 8th
-ed., Wiley 2005, chapter 6, the others after N. W. Ashcroft, N. D. Mermin, Solid State Physics, Saunders 1976, table 1.6."""
+ed., Wiley 2005, chapter 6, the others after N. W. Ashcroft, N. D. Mermin, Solid State Physics, Saunders 1976."""
 
 
 @pytest.mark.parametrize(("name", "lorenz"), LORENZ.items())
