@@ -60,7 +60,7 @@ def stretched(law: Expression) -> Terms:
 
 
 @functools.lru_cache(maxsize=256)
-def linear(law: Expression) -> float:
+def _linear(law: Expression) -> float:
     return sum(c for c, p in law.powers if p == 1.0)
 
 
@@ -69,7 +69,7 @@ def rest_of(law: Expression, r: Array) -> tuple[Array, Array, Array]:
     rest = law.remainder(r)
     if rest is None:
         return np.zeros(r.shape), np.zeros(r.shape), np.zeros(r.shape)
-    return rest[0], rest[1] + linear(law), rest[2]
+    return rest[0], rest[1] + _linear(law), rest[2]
 
 
 @functools.lru_cache(maxsize=256)
