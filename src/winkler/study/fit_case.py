@@ -23,7 +23,7 @@ from winkler.study.study import Expectation
 
 __all__ = ["FitCase", "fit_verdicts", "is_fit", "read_fit_case"]
 
-SHOWN = ("unit", "scale", "r", "z", "x")
+SHOWN = ("unit", "scale", *grammar.PLACE)
 """Keys of ``[[expect]]`` that may be left out."""
 
 

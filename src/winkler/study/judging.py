@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.fields import restore
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Quantity
+from winkler.study.expected_fields import number_at
 from winkler.study.outcome import Solved, Verdict, answers_of
 from winkler.study.study import Expectation
 
@@ -59,20 +59,7 @@ def _found(solution: Any, expectation: Expectation) -> Quantity:
         if name not in known:
             raise InvalidInput(_unknown(name, list(known), f"an answer of {type(solution).__name__}"))
         return known[name]
-    if "x" in place:
-        function = getattr(solution, name, None)
-        if not callable(function):
-            raise InvalidInput(f"expect: {name} is no function of x of {type(solution).__name__}; leave x out.")
-        return _only(function(np.array([place["x"]])))
-    r = np.array([place["r"]])
-    fields = restore(solution, r, np.array([place["z"]])) if "z" in place else restore(solution, r)
-    content = getattr(fields, name, None)
-    if not isinstance(content, np.ndarray) or name.startswith("_"):
-        known_fields = [key for key in dir(fields) if not key.startswith("_") and key not in ("r", "z")]
-        raise InvalidInput(_unknown(name, known_fields, f"one of {type(fields).__name__}"))
-    if content.ndim != 1:
-        raise InvalidInput(f"expect: {name} is no single number; expect one of its components' invariants instead.")
-    return _only(content)
+    return number_at(solution, name, place)
 
 
 def _along(solution: Any, path: str) -> Quantity:
@@ -93,10 +80,6 @@ def _along(solution: Any, path: str) -> Quantity:
     if isinstance(content, np.ndarray) and content.dtype.kind == "f":
         return content
     raise InvalidInput(f"expect: quantity '{path}' is no number but a {type(content).__name__}; name a number.")
-
-
-def _only(content: Array) -> float:
-    return float(np.ravel(content)[0])
 
 
 def _unknown(name: str, known: list[str], what: str) -> str:
