@@ -47,8 +47,10 @@ def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
     content = None if name.startswith("_") else getattr(fields, name, None)
     if not isinstance(content, np.ndarray) or name in place:
         known = [key for key in dir(fields) if not key.startswith("_") and key not in ("r", "x", "y", "z")]
-        what = f"one of {type(fields).__name__}"
-        raise InvalidInput(f"expect: quantity '{name}' is not {what}{suggest(name, known)}; there are {', '.join(known)}.")
+        raise InvalidInput(
+            f"expect: quantity '{name}' is not one of {type(fields).__name__}{suggest(name, known)}; there are "
+            f"{', '.join(known)}."
+        )
     return _component(name, content, rows)
 
 

@@ -14,7 +14,7 @@ from winkler.study.expected_fields import number_at
 from winkler.study.outcome import Solved, Verdict, answers_of
 from winkler.study.study import Expectation
 
-__all__ = ["judge"]
+__all__ = ["deviation", "judge"]
 
 
 def judge(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> Verdict:
@@ -37,17 +37,26 @@ def judge(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) 
     if shape and np.ndim(got) == 0 and expected.size == math.prod(shape) and expected.ndim:
         expected = expected.reshape(shape)[point.index]
         expectation = dataclasses.replace(expectation, expected=float(expected))
-    if np.shape(got) != expected.shape:
-        if expected.ndim:
-            raise InvalidInput(
-                f"expect: {expectation.quantity} has {np.size(got)} values, but {expected.size} are expected; "
-                "give one for each load."
-            )
-        got, expected = np.broadcast_arrays(got, expected)
+    return Verdict(point.index, expectation, got, deviation(got, expectation))
+
+
+def deviation(got: Quantity, expectation: Expectation) -> float:
+    """Return by how much an answer deviates, relative to the scale of what was expected; infinite if it is not finite.
+
+    Raises
+    ------
+    InvalidInput
+        If there are more or fewer numbers than were expected.
+    """
+    expected = np.asarray(expectation.expected, dtype=float)
+    if np.shape(got) != expected.shape and expected.ndim:
+        raise InvalidInput(
+            f"expect: {expectation.quantity} has {np.size(got)} values, but {expected.size} are expected; "
+            "give one for each load."
+        )
     scale = expectation.scale or np.abs(expected)
     difference = np.abs(np.asarray(got, dtype=float) - expected) / scale
-    deviation = float(np.max(difference)) if np.all(np.isfinite(difference)) else np.inf
-    return Verdict(point.index, expectation, got, deviation)
+    return float(np.max(difference)) if np.all(np.isfinite(difference)) else np.inf
 
 
 def _found(solution: Any, expectation: Expectation) -> Quantity:
