@@ -26,7 +26,8 @@ def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
     solution
         The answer to a problem.
     quantity
-        Name of the field or function, with numbers behind it where there are many loads, points or components.
+        Name of the field or function, with numbers behind it where there are many loads, points or components; a
+        function may be that of a part, ``first.temperature``.
     place
         x along the springs; r on the surface, r and z below it; or x, y, z in the axes of the bodies [m].
 
@@ -35,12 +36,9 @@ def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
     InvalidInput
         If there is no such field, function, point or component.
     """
-    name, rows = _taken_apart(quantity)
     if list(place) == ["x"]:
-        function = getattr(solution, name, None)
-        if not callable(function) or rows:
-            raise InvalidInput(f"expect: {quantity} is no function of x of {type(solution).__name__}; leave x out.")
-        return _component(name, np.asarray(function(np.array([place["x"]]))), [])
+        return _along(solution, quantity, place["x"])
+    name, rows = _taken_apart(quantity)
     contact, rows = _contact(solution, name, rows)
     where = [np.array([number]) for number in place.values()]
     fields = restore_body(contact, *where) if "y" in place else restore(contact, *where)
@@ -52,6 +50,17 @@ def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
             f"{', '.join(known)}."
         )
     return _component(name, content, rows)
+
+
+def _along(solution: Any, quantity: str, x: float) -> float:
+    """Return the number of a function of x of the solution, or of one of its parts, ``first.temperature``."""
+    owner, *parts = quantity.split(".")
+    function = getattr(solution, owner, None)
+    for part in parts:
+        function = None if part.startswith("_") else getattr(function, part, None)
+    if not callable(function):
+        raise InvalidInput(f"expect: {quantity} is no function of x of {type(solution).__name__}; leave x out.")
+    return float(np.ravel(function(np.array([x])))[0])
 
 
 def _taken_apart(quantity: str) -> tuple[str, list[int]]:
