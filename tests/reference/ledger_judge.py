@@ -45,7 +45,7 @@ def boussinesq(x: Any, y: Any, z: float, nu: float) -> np.ndarray:
     near = 1.0 / (big * (big + z))  # (1 - z/rho)/r^2
     xx = soft * (near * (x * x - y * y) + z * y * y / big**3) / square - 3.0 * z * x * x / big**5
     yy = soft * (near * (y * y - x * x) + z * x * x / big**3) / square - 3.0 * z * y * y / big**5
-    xy = soft * (near - z / big**3) * x * y / square - 3.0 * x * y * z / big**5
+    xy = soft * (2.0 * near - z / big**3) * x * y / square - 3.0 * x * y * z / big**5
     rest = (-3.0 * z**3 / big**5, xy, -3.0 * x * z * z / big**5, -3.0 * y * z * z / big**5)
     return np.array([xx, yy, *rest]) / (2.0 * np.pi)
 
@@ -129,10 +129,8 @@ PRESSED = frac("210e9") / (2 * frac("0.91")) * frac("1e-6") / frac("2e-3")
 
 @judged
 def even_pressure() -> Numbers:
-    """u = 4 p a/(pi E*) E(r^2/a^2), F = pi p a^2; E* = d = a = 1."""
-    half = frac("0.5")
-    inside = [4 * half / mp.pi * mp.ellipe(frac(r) ** 2) for r in ("0", "0.6")]
-    return [mp.pi / 2, half, half, *inside]
+    """F = pi p a^2, q = 2 p sqrt(a^2 - x^2); E* = d = a = 1, p = 1/2."""
+    return [mp.pi / 2, mp.mpf(1), frac("0.8")]
 
 
 def _even_heat(speed: str) -> mp.mpf:
@@ -395,7 +393,7 @@ def rough_line_stiffness() -> Numbers:
     chance, count, modes = np.random.default_rng(20261121), 4096, np.arange(1, 33)
     fall = np.arange(0.5, 33.0) ** -1.4
     size = 2.0 * np.sqrt(0.5e-4 * -np.diff(fall) / (fall[0] - fall[-1]))  # 2 Sum B^2 = h_rms^2
-    forces = np.array([1e-4, 3e-4, 1e-3, 3e-3])
+    forces = np.array([3e-4, 1e-3, 3e-3])
     rows = []
     for _ in range(8000):
         raw = np.zeros(count // 2 + 1, dtype=complex)
@@ -405,3 +403,11 @@ def rough_line_stiffness() -> Numbers:
         come = np.concatenate(([0.0], np.cumsum(np.arange(1.0, count) * np.diff(gap)))) / count
         rows.append(np.searchsorted(come, forces, side="right") / count)
     return [list(np.median(rows, axis=0))]
+
+
+def lubkin(share: float) -> tuple[float, float]:
+    """Torque over mu F a and G a^2 phi/(mu F) of a ball whose disc of c = share a sticks, by Lubkin's integrals."""
+    c = mp.mpf(share)
+    angle = 3 / (4 * mp.pi) * (mp.ellipk(1 - c * c) - mp.ellipe(1 - c * c))
+    slid = mp.quad(lambda x: x * x * (mp.ellipk(1 - x * x) - mp.ellipe(1 - x * x)), [c, (1 + c) / 2, 1])
+    return float(2 * (8 * angle * c**3 / 3 + 4 * 3 / (2 * mp.pi) * slid)), float(angle)
