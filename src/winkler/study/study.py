@@ -106,14 +106,14 @@ class Output:
 
 
 def named(quantity: str) -> str:
-    """Return the word of the glossary at the end of a path; a number behind it is a place among many answers.
+    """Return the word of the glossary at the end of a path; numbers behind it are places among many answers.
 
     Examples
     --------
     >>> named("problem.bed.medium.modulus"), named("shear_force.-1")
     ('modulus', 'shear_force')
     """
-    return re.sub(r"\.-?\d+$", "", quantity).rpartition(".")[2]
+    return re.sub(r"(\.-?\d+)+$", "", quantity).rpartition(".")[2]
 
 
 @value
@@ -131,7 +131,7 @@ class Expectation:
         Largest allowed deviation, relative to `scale`.
     place
         ``()`` for an answer; ``(("r", r),)`` for the surface, ``(("r", r), ("z", z))`` below it, ``(("x", x),)`` along
-        the line of springs [m].
+        the line of springs, ``(("x", x), ("y", y), ("z", z))`` in the axes of the bodies [m].
     scale
         What deviations are relative to, in the unit of the quantity; zero (the default) for the expected number itself.
     """
