@@ -92,8 +92,8 @@ def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
 
     A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
-    is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps`` tell in one sentence if
-    numbers leave the range of floating-point numbers.
+    is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps`` tell in one sentence
+    if numbers leave the range of floating-point numbers.
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
 
