@@ -24,7 +24,7 @@ from winkler.web.solid import draw_solid
 from winkler.web.springs import draw_row, row_of
 from winkler.web.view import NOTHING, View, fitting
 
-__all__ = ["Frame", "Picture", "Shown", "Told", "packed", "pictures", "sheets", "told"]
+__all__ = ["Frame", "Picture", "Shown", "Told", "method_pictures", "packed", "pictures", "sheets", "told"]
 
 
 class Told(NamedTuple):
@@ -109,7 +109,7 @@ def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, sti
         found.append(_made("springs", lambda: draw_row(point.problem.bed, row, float(contact.depth), view)))
     elif contact is not None:
         view = held if still and held != NOTHING else fitting(contact.pressed, held)
-        found += _method(contact, view)
+        found += method_pictures(contact, view)
         if not here and type(point.solution) in OF_MANY:
             remark = f"The pictures of the method show {OF_MANY[type(point.solution)]}."
         elif here and not moments.states:
@@ -127,7 +127,8 @@ def _recovering(state: Any) -> View:
     return View(wide, 1.2 * max(float(np.max(state.recess)), float(state.depth), 1e-3 * wide))
 
 
-def _method(contact: Any, view: View) -> Iterator[Picture]:
+def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
+    """Yield the pictures of the method for one contact."""
     pressed = contact.pressed
     sticks = isinstance(contact, AdhesiveSolution)
     makers: dict[str, Callable[[], Chart]] = {

@@ -186,7 +186,12 @@ def owner_of(sentence: str) -> str:
     ('problem.load.force', 'problem.load.force')
     >>> owner_of("problem.path.steps[1].normal: the depth is not there.")
     'problem.path.steps.1.normal'
+    >>> owner_of('fit.free."problem.bed.medium.first.young"[0]: ...'), owner_of("fit.curve: gel.csv: ...")
+    ('fit.free.problem.bed.medium.first.young.0', 'fit.curve')
     """
+    found = re.match(r'(fit(?:\.\w+)?)(?:\."([^"]*)")?(?:\.(\w+))?(?:\[(\d+)\])?', sentence)
+    if found is not None:
+        return ".".join(part for part in found.groups() if part)
     found = re.match(r"(problem(?:\.\w+|\[\d+\])*)(?: has no '(\w+)')?", sentence)
     if found is None:
         return ""

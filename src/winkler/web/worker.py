@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import contextlib
-import io
-import tempfile
-import zipfile
 from collections.abc import Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from winkler.study.fit_outcome import FitOutcome
     from winkler.study.outcome import Outcome
+    from winkler.web.export import File
 
-__all__ = ["Done", "Export", "File", "Look", "Solve", "Wrong", "work"]
+__all__ = ["Done", "Export", "Look", "Solve", "Wrong", "beside_the_curve", "work"]
 
 
 class Solve(NamedTuple):
@@ -39,20 +38,13 @@ class Export(NamedTuple):
 
     number: int
     what: str
-    """``csv``, ``png`` or ``report``."""
+    """``csv``, ``netcdf``, ``png`` or ``report``."""
 
 
 class Wrong(NamedTuple):
     """Says why there is no answer: one sentence for every mistake."""
 
     sentences: tuple[str, ...]
-
-
-class File(NamedTuple):
-    """A file to be taken along."""
-
-    name: str
-    content: bytes
 
 
 class Done(NamedTuple):
@@ -99,7 +91,7 @@ class _Bench:
 
         self.answer, self.nothing, self.none = answer, NOTHING, Moments()
         self.view, self.moments = NOTHING, self.none
-        self.outcome: Outcome | None = None
+        self.outcome: Outcome | FitOutcome | None = None
         warm = tomli_w.dumps(begun("indentation"))
         list(self.replies(Solve(0, warm, Path(), True)))  # so that the first question does not wait for imports
         self.view, self.outcome = NOTHING, None
@@ -122,14 +114,19 @@ class _Bench:
             yield Wrong((f"winkler made a mistake ({type(error).__name__}: {told}); report it with this study.",))
 
     def _solved(self, asked: Solve) -> Iterator[Any]:
+        from winkler.study.reading import parsed
+
+        self.outcome, self.moments = None, self.none
+        if asked.anew:
+            self.view = self.nothing
+        yield from self._fitted(asked) if "fit" in parsed(asked.text, STUDY) else self._answered(asked)
+
+    def _answered(self, asked: Solve) -> Iterator[Any]:
         from winkler.study.figures import shown_point
         from winkler.study.reading import parse_study, study_text
         from winkler.study.run import run
         from winkler.web.moments import moments_of, telling
 
-        self.outcome, self.moments = None, self.none
-        if asked.anew:
-            self.view = self.nothing
         study = parse_study(asked.text, file=STUDY, folder=asked.folder)
         self.outcome = run(study)
         point = shown_point(self.outcome)
@@ -139,28 +136,48 @@ class _Bench:
         yield self._pictures(moment, still=False)
         yield from self.answer.sheets(self.outcome)
 
+    def _fitted(self, asked: Solve) -> Iterator[Any]:
+        from winkler.errors import WinklerError
+        from winkler.study.fit_reading import parse_fit_study
+        from winkler.study.fit_run import fit_study
+        from winkler.web import fitted
+
+        study = parse_fit_study(asked.text, file=STUDY, folder=asked.folder)
+        try:
+            self.outcome = fit_study(study)
+        except WinklerError as error:
+            raise type(error)(beside_the_curve(str(error))) from None
+        yield fitted.told_fits(self.outcome, asked.text)
+        yield self._pictures(0, still=False)
+        yield from fitted.fit_sheets(self.outcome)
+
     def _pictures(self, moment: int, *, still: bool) -> Any:
+        from winkler.study.fit_outcome import FitOutcome
+        from winkler.web.fitted import fit_pictures
+
         assert self.outcome is not None
+        if isinstance(self.outcome, FitOutcome):
+            return fit_pictures(self.outcome, moment)
         frame, self.view = self.answer.pictures(self.outcome, self.moments, moment, self.view, still=still)
         return frame
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput
-        from winkler.study import archive, figures, report
+        from winkler.web.export import exported
 
-        outcome = self.outcome
-        if outcome is None:
+        if self.outcome is None:
             raise InvalidInput("there is no answer to take along; mend the study first.")
-        if what == "report":
-            return File(report.REPORT, report.page(outcome).encode("utf-8"))
-        with tempfile.TemporaryDirectory(prefix="winkler-app-") as place:
-            folder = Path(place)
-            if what == "csv":
-                archive.write(outcome, folder)
-                return File(archive.CSV, (folder / archive.CSV).read_bytes())
-            figures.save(figures.figures_of(outcome), folder, ("png",))
-            store, pictures = io.BytesIO(), sorted(folder.rglob("*.png"))
-            with zipfile.ZipFile(store, "w") as pack:
-                for path in pictures:
-                    pack.write(path, path.name)
-            return File("figures.zip", store.getvalue())
+        return exported(self.outcome, what)
+
+
+def beside_the_curve(sentence: str) -> str:
+    """Return why no curve could be fitted, told of the key in the study that it is about.
+
+    Examples
+    --------
+    >>> beside_the_curve("gel.csv: fit: not identifiable: the curve cannot tell one from the other.")
+    'fit.free: gel.csv: the curve cannot tell one from the other.'
+    """
+    if ": fit: not identifiable: " in sentence:
+        return f"fit.free: {sentence.replace('fit: not identifiable: ', '')}"
+    return f"fit.curve: {sentence}"
