@@ -57,7 +57,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     for free in asked.free:
         assert float(told[free.key]) == fit.value(free.path)
         assert float(told[f"{free.key}_error"]) == fit.error(free.path)
-    assert seen.card("young").startswith("3.99 kPa")
+    assert seen.card("Young's modulus").startswith("3.99 kPa")
 
     store = tmp_path / "study.zip"
     store.write_bytes(seen.taken("study"))
@@ -92,16 +92,17 @@ def test_what_is_wrong_stands_beside_its_field(fresh, tmp_path):
     seen.settled()
     assert said.count() == 0
     bound = f"fit.free.{YOUNG}.0"
+    seen.type(f"fit.free.{YOUNG}.1", "10 MPa")
     seen.type(bound, "10 kg")
     field = seen.page.locator(".q-field", has=seen.page.locator(f'input[data-path="{bound}"]'))
     field.get_by_text("is a mass").wait_for(timeout=20_000)
-    seen.type(bound, "")
+    seen.type(bound, "10 Pa")
     seen.settled()
     seen.page.locator('[data-choice="fit.free"]').click()
-    seen.page.get_by_role("option", name="medium › first › poisson", exact=True).click()
+    seen.page.get_by_role("option", name="medium › first › Poisson's ratio", exact=True).click()
     seen.page.locator(".asked .wrong", has_text="only a combination of them").wait_for(timeout=20_000)
     seen.shot("fit_not_identifiable")
-    seen.page.get_by_role("button", name="do not fit medium › first › poisson").click()
+    seen.page.get_by_role("button", name="do not fit medium › first › Poisson's ratio").click()
     seen.settled()
 
 
@@ -114,7 +115,7 @@ def test_a_body_that_relaxes_in_a_narrow_window(fresh):
     seen.settled()
     seen.page.locator('[data-picture="loop"] .main-svg').first.wait_for()
     assert seen.page.locator(".sheets figure svg").count() == 1
-    assert seen.card("shear").startswith("499.9 Pa")
+    assert seen.card("shear modulus").startswith("499.9 Pa")
     assert seen.page.evaluate("document.documentElement.scrollWidth") <= 390
     seen.shot("fit_narrow")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -72,13 +73,11 @@ class Asking:
 
     def _only_there(self) -> None:
         """Take what is no longer in the model out of what is free."""
-        if self.task == "fit" and isinstance(form.at(self.table, "fit.free"), dict):
-            _, others = fit_form.lines(self.table)
-            free = self.table["fit"]["free"]
-            gone = [key for key in free if key.startswith("problem.") and form.at(self.table, key) is None]
-            for key in gone:
-                if key not in others:
-                    del free[key]
+        free = form.at(self.table, "fit.free")
+        for key in [*free] if isinstance(free, dict) else ():
+            plain = re.sub(r"\[(\d+)\]", r".\1", key)
+            if plain.startswith("problem.") and form.at(self.table, plain) is None:
+                del free[key]
 
     def change(self, path: str, text: str, takes: str) -> None:
         """Put what was typed at a key; nothing leaves it out."""

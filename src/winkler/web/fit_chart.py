@@ -106,8 +106,8 @@ def _series(fit: AnyFit, some: Array) -> tuple[Series, Series, Series]:
     """Return along what the curve is drawn, what was measured, and what is fitted."""
     curve = fit.curve
     origin = fit.value("contact_point") if "contact_point" in fit.names else 0.0
-    name, mark = ("position from first touch", "D - D_0") if origin else ("position", "D")
-    place = Word(mark, "m", name)
+    name = "position from first touch" if origin else "position"
+    place = Word("", "m", name)
     force = Word("F_N", "N", "force")
     if isinstance(fit, Fit):
         along = Series(name, place, curve.position[some] - origin)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from winkler.plot.series import spoken
 from winkler.study.correcting import CORRECTIONS
 from winkler.study.explain import completed
 from winkler.study.fit_reading import FITTED
@@ -99,10 +100,10 @@ def model(table: dict[str, Any]) -> Part:
 
 
 def numbers_in(part: Part) -> Iterator[Entry]:
-    """Yield the keys of a form that hold a number, or a row of them."""
+    """Yield the keys of a form at which a number stands, or a row of them."""
     for child in part.children:
         match child:
-            case Entry() if child.takes.startswith(NUMERIC) and not child.path.endswith(".tolerance"):
+            case Entry() if child.text and child.takes.startswith(NUMERIC) and not child.path.endswith(".tolerance"):
                 yield child
             case Slot(part=Part() as inside):
                 yield from numbers_in(inside)
@@ -117,14 +118,14 @@ def spoken_key(key: str) -> str:
     Examples
     --------
     >>> spoken_key("problem.bed.medium.layers.0.solid.young"), spoken_key("contact_point")
-    ('medium › layer 1 › solid › young', 'contact point')
+    ("medium › layer 1 › solid › Young's modulus", 'contact point')
     """
     words: list[str] = []
     for word in key.removeprefix("problem.").removeprefix("bed.").split("."):
         if word.isdecimal() and words:
             words[-1] = f"{words[-1].removesuffix('s')} {int(word) + 1}"
         else:
-            words.append(word.replace("_", " "))
+            words.append(spoken(word))
     return " › ".join(words)
 
 

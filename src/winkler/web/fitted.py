@@ -33,7 +33,7 @@ def told_fits(outcome: FitOutcome, text: str) -> Told:
     body = [fit_tables.answers(outcome), steps(outcome), fit_tables.failures(outcome)]
     return Told(
         worst(outcome.validity).value,
-        "".join([*answers, *body]),
+        f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
         trust(outcome.validity),
         papers(outcome.study.problem),
         text,

@@ -77,6 +77,7 @@ class Page:
         self.waiting: Callable[[int], Any] | None = None
         self.answering = False
         self.anew = True
+        self.shown_task = self.asking.task
 
     def left(self) -> None:
         """Clean up when the page is gone."""
@@ -191,6 +192,9 @@ class Page:
     def changed(self) -> None:
         """Show another form, and its answer."""
         self.anew = True
+        if self.asking.task != self.shown_task:
+            self.shown_task = self.asking.task
+            self.result.forget()
         self.rebuild()
         self.solve()
 

@@ -134,6 +134,16 @@ class Result:
             body = one.svg or f'<p class="missing">Not shown: {safe(one.missing)}</p>'
             ui.html(f"<figure>{_caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
 
+    def forget(self) -> None:
+        """Take away what is shown: it is no answer to what is asked now."""
+        self.told, self.shape, self.plots = None, (), {}
+        self.remark.text = ""
+        self.grid.clear()
+        self.drawn.clear()
+        for part in (self.head, *self.tail):
+            part.set_content("")
+        self.film.set_visibility(False)
+
     def refuse(self, sentences: list[str], *, beside: bool) -> None:
         """Say why there is no answer; the last one stays, pale."""
         self.told = None
@@ -147,7 +157,8 @@ class Result:
             for one in sentences:
                 ui.label(one)
             if beside:
-                ui.label("Mend what is marked in the form; what is shown below is the answer before.")
+                before = "; what is shown below is the answer before" if self.head.content else ""
+                ui.label(f"Mend what is marked in the form{before}.")
         self.wrong.set_visibility(True)
         self.state("wrong")
 
