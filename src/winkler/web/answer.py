@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import WinklerError
 from winkler.problems.adhesive import AdhesiveSolution
 from winkler.study.captions import CAPTIONS, STUCK
-from winkler.study.figures import answers_over, shown_point, svg_element
+from winkler.study.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.markup import safe
 from winkler.study.outcome import Outcome
 from winkler.study.report import OF_MANY, papers, trust
@@ -40,6 +40,8 @@ class Told(NamedTuple):
         The study as a file.
     moments, moment
         How many moments the answer has, zero where it is no history; and which of them is shown first.
+    points
+        Of a sweep.
     """
 
     standing: str
@@ -49,6 +51,7 @@ class Told(NamedTuple):
     text: str
     moments: int
     moment: int
+    points: int = 1
 
 
 class Picture(NamedTuple):
@@ -81,7 +84,14 @@ def told(outcome: Outcome, text: str, moments: int, moment: int) -> Told:
     """Return the answer in words and numbers."""
     answers = "\n".join(part for part in (answered(outcome), failures(outcome), expected(outcome)) if part)
     return Told(
-        worst(outcome.validity).value, answers, trust(outcome.validity), papers(outcome.study), text, moments, moment
+        worst(outcome.validity).value,
+        answers,
+        trust(outcome.validity),
+        papers(outcome.study),
+        text,
+        moments,
+        moment,
+        len(outcome.points),
     )
 
 
@@ -116,6 +126,9 @@ def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, sti
             remark = (
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
+    if outcome.study.sweep and found:
+        shown = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
+        remark = f"{shown} {remark}".rstrip()
     for pair in histories.curves_of(outcome, point):
         drawn = histories.draw_curves(outcome, point, pair, moment if moments.total else -1)
         found.append(Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn)))

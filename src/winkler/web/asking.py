@@ -8,7 +8,7 @@ from typing import Any
 
 from winkler.study.explain import completed
 from winkler.study.fit_reading import FITTED
-from winkler.web import fit_form, form
+from winkler.web import fit_form, form, sweep_form
 from winkler.web.typed import typed
 
 __all__ = ["FIRST", "TASKS", "Asking"]
@@ -72,12 +72,16 @@ class Asking:
         self.changed()
 
     def _only_there(self) -> None:
-        """Take what is no longer in the model out of what is free."""
-        free = form.at(self.table, "fit.free")
-        for key in [*free] if isinstance(free, dict) else ():
-            plain = re.sub(r"\[(\d+)\]", r".\1", key)
-            if plain.startswith("problem.") and form.at(self.table, plain) is None:
-                del free[key]
+        """Take what is no longer in the problem out of what is free, and of what varies."""
+        for held in (form.at(self.table, "fit.free"), self.table.get("sweep")):
+            if not isinstance(held, dict):
+                continue
+            for key in [*held]:
+                plain = re.sub(r"\[(\d+)\]", r".\1", key)
+                if plain.startswith("problem.") and form.at(self.table, plain) is None:
+                    del held[key]
+        if set(self.table.get("sweep", ())) == {"design"} or self.table.get("sweep") == {}:
+            del self.table["sweep"]
 
     def change(self, path: str, text: str, takes: str) -> None:
         """Put what was typed at a key; nothing leaves it out."""
@@ -132,3 +136,28 @@ class Asking:
         if content != self.table["fit"]["free"][key]:
             self.table["fit"]["free"][key] = content
             self.solve()
+
+    # ----------------------------------------------------------------------------------------------- of a sweep
+
+    def vary(self, key: str) -> None:
+        """Let one more number vary."""
+        sweep_form.add(self.table, key)
+        self.changed()
+
+    def still(self, key: str) -> None:
+        """Let a number vary no longer."""
+        sweep_form.take_out(self.table, key)
+        self.changed()
+
+    def vary_over(self, key: str, way: str, texts: dict[str, str], *, anew: bool) -> None:
+        """Say over what a number varies; `anew` where this needs other boxes."""
+        before = self.table["sweep"][key]
+        sweep_form.put_row(self.table, key, way, texts)
+        if self.table["sweep"][key] != before:
+            (self.changed if anew else self.solve)()
+
+    def redesign(self, kind: str) -> None:
+        """Say which points are solved."""
+        if kind != sweep_form.plan(self.table):
+            sweep_form.redesigned(self.table, kind)
+            self.changed()

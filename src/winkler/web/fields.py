@@ -116,8 +116,8 @@ class Fields:
                 told.text = ""
                 told.set_visibility(False)
 
-    def entry(self, entry: Entry) -> None:
-        """Draw one key."""
+    def entry(self, entry: Entry, *, slides: bool = True) -> None:
+        """Draw one key; with a slider, unless it counts something."""
         if entry.takes == SWITCH:
             box = ui.checkbox(entry.label, value=entry.text == "true").tooltip(entry.hint)
             box.on_value_change(lambda event: self.hands.change(entry.path, str(event.value).lower(), entry.takes))
@@ -136,6 +136,9 @@ class Fields:
             if not entry.required:
                 field.props("stack-label")
             self.inputs[entry.path] = field
+            if not slides:
+                field.on_value_change(lambda event: self.hands.change(entry.path, str(event.value or ""), entry.takes))
+                return
             slider = self._slider(entry, field)
             field.on_value_change(lambda event: self._typed(entry, str(event.value or ""), slider))
 

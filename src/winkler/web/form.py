@@ -189,7 +189,7 @@ def owner_of(sentence: str) -> str:
     >>> owner_of('fit.free."problem.bed.medium.first.young"[0]: ...'), owner_of("fit.curve: gel.csv: ...")
     ('fit.free.problem.bed.medium.first.young.0', 'fit.curve')
     """
-    found = re.match(r'(fit(?:\.\w+)?)(?:\."([^"]*)")?(?:\.(\w+))?(?:\[(\d+)\])?', sentence)
+    found = re.match(r'((?:fit|sweep)(?:\.\w+)?)(?:\."([^"]*)")?(?:\.(\w+))?(?:\[(\d+)\])?', sentence)
     if found is not None:
         return ".".join(part for part in found.groups() if part)
     found = re.match(r"(problem(?:\.\w+|\[\d+\])*)(?: has no '(\w+)')?", sentence)

@@ -25,11 +25,12 @@ from winkler.web.fit_fields import draw_curve, draw_free, draw_measurement
 from winkler.web.result import Result
 from winkler.web.room import Room
 from winkler.web.solver import Solver, Worker, started
-from winkler.web.worker import Done, Export, Look, Solve, Wrong
+from winkler.web.sweep_fields import draw_sweep
+from winkler.web.worker import Done, Export, Look, Progress, Solve, Wrong
 
 __all__ = ["Page", "page"]
 
-KNOWN = ("title", "problem", "fit", "source", "grade")
+KNOWN = ("title", "problem", "fit", "sweep", "source", "grade")
 """Sections of a study that the form shows, or that need no showing."""
 HERE = Path(__file__).parent
 QUIET = """addEventListener('unhandledrejection', event => {
@@ -136,6 +137,8 @@ class Page:
             self.fields.draw(problem)
             if fits:
                 draw_measurement(self.fields, asking)
+            else:
+                draw_sweep(self.fields, asking)
             others = [f"[{name}]" for name in asking.table if name not in KNOWN]
             if others:
                 ui.label(f"The study also has {', '.join(others)}: see the study as text.").classes("meaning")
@@ -228,6 +231,8 @@ class Page:
         """Show a part of an answer."""
         with self.client:
             match reply:
+                case Progress():
+                    self.result.reached(reply.done, reply.total)
                 case Wrong():
                     self.wrong(list(reply.sentences))
                 case Told():
@@ -239,7 +244,8 @@ class Page:
                     ui.download.content(reply.content, reply.name)
                 case Frame():
                     self.result.show(reply)
-            if not isinstance(reply, Told):  # what follows the pictures gives way to a new question
+            going = isinstance(reply, Told) or (isinstance(reply, Progress) and self.waiting is None)
+            if not going:  # a sweep, and what follows the pictures, give way to a new question
                 self.answering = False
                 if self.waiting is not None:
                     make, self.waiting = self.waiting, None

@@ -37,6 +37,7 @@ class Result:
         self.plots: dict[str, Any] = {}
         self.shape: tuple[tuple[str, bool], ...] = ()
         self.sheets = 0
+        self.points = ""
         with ui.element("div").classes("status") as self.status:
             self.clock = ui.label("Getting ready …").props('role="status"')
             self.halt = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
@@ -94,6 +95,7 @@ class Result:
                 part.set_content(content)
         self.drawn.clear()
         self.sheets = 0
+        self.place.classes(**{"add" if told.points > 1 else "remove": "many"})
         self.film.set_visibility(told.moments > 1)
         if self.timer.active:
             self.toggle()
@@ -164,16 +166,21 @@ class Result:
 
     def state(self, word: str) -> None:
         """Say whether an answer is on its way (``busy``), complete (``done``), or refused (``wrong``)."""
+        self.points = ""
         self.place.props["data-state"] = word
         self.place.props["aria-busy"] = "true" if word == "busy" else "false"
         self.place.update()
+
+    def reached(self, done: int, total: int) -> None:
+        """Tell how many points of a sweep are solved."""
+        self.points = f", {done} of {total} points" if done < total else ""
 
     def passing(self, seconds: float, *, ready: bool) -> None:
         """Tell how long it takes."""
         busy = not ready or seconds > 0.4
         self.status.set_visibility(busy)
         if busy:
-            self.clock.text = f"Solving and drawing, {seconds:.0f} s" if ready else "Getting ready …"
+            self.clock.text = f"Solving and drawing, {seconds:.0f} s{self.points}" if ready else "Getting ready …"
             self.halt.set_visibility(ready)
 
     def rest(self) -> None:

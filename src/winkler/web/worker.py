@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+import math
+import re
+import time
+from collections.abc import Generator, Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -11,9 +14,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 if TYPE_CHECKING:
     from winkler.study.fit_outcome import FitOutcome
     from winkler.study.outcome import Outcome
+    from winkler.study.study import Study
     from winkler.web.export import File
 
-__all__ = ["Done", "Export", "Look", "Solve", "Wrong", "beside_the_curve", "work"]
+__all__ = ["POINTS", "Done", "Export", "Look", "Progress", "Solve", "Wrong", "beside_the_curve", "work"]
 
 
 class Solve(NamedTuple):
@@ -47,10 +51,21 @@ class Wrong(NamedTuple):
     sentences: tuple[str, ...]
 
 
+class Progress(NamedTuple):
+    """Says how many points of a sweep are solved."""
+
+    done: int
+    total: int
+
+
 class Done(NamedTuple):
     """Says that all has been sent for a question."""
 
 
+POINTS = 1000
+"""A sweep in the app has so many points at most."""
+BEAT = 0.2
+"""Seconds between two words about the progress of a sweep."""
 PAUSE = 0.35
 """Seconds of rest before sheets are drawn."""
 STUDY = "study.toml"
@@ -66,14 +81,17 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     bench = _Bench()
+    from winkler.web.answer import Frame, Told
+
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         while True:
             asked = pipe.recv()
-            for part, reply in enumerate(bench.replies(asked)):
+            for reply in bench.replies(asked):
                 pipe.send((asked.number, reply))
-                # sheets, which follow words and pictures, are left out when there is something newer to do
-                if isinstance(asked, Solve) and part > 0 and pipe.poll(PAUSE if part == 1 else 0.0):
+                # points, and sheets that follow words and pictures, are left out when there is something newer to do
+                rest = PAUSE if isinstance(reply, Frame) else 0.0
+                if isinstance(asked, Solve) and not isinstance(reply, Told) and pipe.poll(rest):
                     break
             pipe.send((asked.number, Done()))
 
@@ -92,6 +110,7 @@ class _Bench:
         self.answer, self.nothing, self.none = answer, NOTHING, Moments()
         self.view, self.moments = NOTHING, self.none
         self.outcome: Outcome | FitOutcome | None = None
+        self.folder = Path()
         warm = tomli_w.dumps(begun("indentation"))
         list(self.replies(Solve(0, warm, Path(), True)))  # so that the first question does not wait for imports
         self.view, self.outcome = NOTHING, None
@@ -108,15 +127,20 @@ class _Bench:
                 case Export():
                     yield self._file(asked.what)
         except WinklerError as error:
-            yield Wrong(tuple(line.removeprefix(f"{STUDY}: ") for line in str(error).splitlines()))
+            yield Wrong(tuple(self._plain(line) for line in str(error).splitlines()))
         except Exception as error:
             told = " ".join(str(error).split())
             yield Wrong((f"winkler made a mistake ({type(error).__name__}: {told}); report it with this study.",))
 
+    def _plain(self, sentence: str) -> str:
+        """Return a sentence without the folder of the page, and without its file named twice."""
+        sentence = sentence.removeprefix(f"{STUDY}: ").replace(f"{self.folder}/", "")
+        return re.sub(r"\b([\w.-]+): \1(?=[:,])", r"\1", sentence)
+
     def _solved(self, asked: Solve) -> Iterator[Any]:
         from winkler.study.reading import parsed
 
-        self.outcome, self.moments = None, self.none
+        self.outcome, self.moments, self.folder = None, self.none, asked.folder
         if asked.anew:
             self.view = self.nothing
         yield from self._fitted(asked) if "fit" in parsed(asked.text, STUDY) else self._answered(asked)
@@ -124,17 +148,36 @@ class _Bench:
     def _answered(self, asked: Solve) -> Iterator[Any]:
         from winkler.study.figures import shown_point
         from winkler.study.reading import parse_study, study_text
-        from winkler.study.run import run
         from winkler.web.moments import moments_of, telling
 
         study = parse_study(asked.text, file=STUDY, folder=asked.folder)
-        self.outcome = run(study)
-        point = shown_point(self.outcome)
+        self.outcome = outcome = yield from self._run(study)
+        point = shown_point(outcome)
         self.moments = moments_of(point)
         moment = telling(point, self.moments)
-        yield self.answer.told(self.outcome, study_text(study), self.moments.total, moment)
+        yield self.answer.told(outcome, study_text(study), self.moments.total, moment)
         yield self._pictures(moment, still=False)
-        yield from self.answer.sheets(self.outcome)
+        yield from self.answer.sheets(outcome)
+
+    def _run(self, study: Study) -> Generator[Progress, None, Outcome]:
+        """Solve the points of a study; yield how far it is, now and then."""
+        from winkler.errors import InvalidInput
+        from winkler.study.run import gather
+        from winkler.study.sweep import solve_points
+
+        total, started = math.prod(study.shape), time.perf_counter()
+        if total > POINTS:
+            raise InvalidInput(
+                f"sweep: there are {total} points, and the app solves at most {POINTS}; ask for fewer, or take the "
+                "study to `winkler run`, which takes millions."
+            )
+        points, told = [], started
+        for point in solve_points(study):
+            points.append(point)
+            if total > 1 and time.perf_counter() - told > BEAT:
+                told = time.perf_counter()
+                yield Progress(len(points), total)
+        return gather(study, points, started=started)
 
     def _fitted(self, asked: Solve) -> Iterator[Any]:
         from winkler.errors import WinklerError
