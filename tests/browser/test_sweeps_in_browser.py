@@ -54,7 +54,7 @@ def test_from_a_number_that_varies_to_its_curve(fresh):
     assert seen.page.locator(".sheets figure svg").count() >= 3
     seen.shot("sweep")
     study = parse_study(seen.taken("study").decode("utf-8"))
-    assert study.shape == (7, 3)
+    assert dict(zip(study.dims, study.shape, strict=True)) == {FORCE: 7, RADIUS: 3}
     told, expected = rows_of(seen.taken("csv")), run(study)
     assert len(told) == 21
     assert [float(row["depth [m]"]) for row in told] == expected.answer("depth").ravel().tolist()

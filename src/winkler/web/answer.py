@@ -10,6 +10,7 @@ import numpy as np
 
 from winkler.errors import WinklerError
 from winkler.problems.adhesive import AdhesiveSolution
+from winkler.problems.wear_states import WearState
 from winkler.study.captions import CAPTIONS, STUCK
 from winkler.study.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.markup import safe
@@ -23,6 +24,7 @@ from winkler.web.moments import Moments, contact_at
 from winkler.web.solid import draw_solid
 from winkler.web.springs import draw_row, row_of
 from winkler.web.view import NOTHING, View, fitting
+from winkler.web.worn import draw_worn_pressure, draw_worn_profile
 
 __all__ = ["Frame", "Picture", "Shown", "Told", "method_pictures", "packed", "pictures", "sheets", "told"]
 
@@ -126,6 +128,8 @@ def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, sti
             remark = (
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
+    if moments.states and isinstance(moments.states[moment], WearState):
+        found += _worn(moments, moment)
     if outcome.study.sweep and found:
         shown = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
         remark = f"{shown} {remark}".rstrip()
@@ -133,6 +137,14 @@ def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, sti
         drawn = histories.draw_curves(outcome, point, pair, moment if moments.total else -1)
         found.append(Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn)))
     return Frame(tuple(found), remark), view
+
+
+def _worn(moments: Moments, moment: int) -> Iterator[Picture]:
+    states = moments.states
+    told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
+    yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
+    told = "p(r) at this moment, at first and in the end."
+    yield Picture("worn_pressure", "Pressure", told, packed(draw_worn_pressure(states, moment)))
 
 
 def _recovering(state: Any) -> View:

@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.series import Series, common_scale, scale_of
 from winkler.vocabulary import Word
-from winkler.web.chart import Chart, axis, chart, label, line
+from winkler.web.chart import LEGENDED, Chart, axis, chart, label, line
 
 __all__ = ["draw_fit", "draw_loop", "drawn_points"]
 
@@ -23,16 +23,6 @@ WAYS = {
     1.0: (style.BLUE, "measured, going in"),
     0.0: (style.ORANGE, "measured, held"),
     -1.0: (style.GREEN, "measured, coming out"),
-}
-LEGEND = {
-    "orientation": "h",
-    "x": 0.0,
-    "y": 1.02,
-    "xanchor": "left",
-    "yanchor": "bottom",
-    "font": {"size": 11},
-    "itemclick": False,
-    "itemdoubleclick": False,
 }
 
 
@@ -75,9 +65,7 @@ def draw_fit(fit: AnyFit) -> Chart:
         axis(label(along, across), anchor="y2"),
         axis(label(measured, upright), domain=[0.34, 1.0]),
         yaxis2=axis(label(left, below), domain=[0.0, 0.24]),
-        showlegend=True,
-        legend=LEGEND,
-        margin={"l": 62, "r": 14, "t": 40, "b": 46},
+        **LEGENDED,
     )
 
 
@@ -96,10 +84,7 @@ def draw_loop(fit: AnyFit) -> Chart:
     if not isinstance(fit, CreepFit):
         model = Series("force", force.word, fit.predicted[some])
         data.append(line(x, model.shown(upright), style.RED, name="fitted", showlegend=True))
-    margin = {"l": 62, "r": 14, "t": 40, "b": 46}
-    return chart(
-        data, axis(label(depth, across)), axis(label(force, upright)), showlegend=True, legend=LEGEND, margin=margin
-    )
+    return chart(data, axis(label(depth, across)), axis(label(force, upright)), **LEGENDED)
 
 
 def _series(fit: AnyFit, some: Array) -> tuple[Series, Series, Series]:

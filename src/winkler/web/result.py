@@ -95,7 +95,7 @@ class Result:
                 part.set_content(content)
         self.drawn.clear()
         self.sheets = 0
-        self.place.classes(**{"add" if told.points > 1 else "remove": "many"})
+        self.place.classes(**{"add" if told.points > 1 else "remove": "swept"})
         self.film.set_visibility(told.moments > 1)
         if self.timer.active:
             self.toggle()

@@ -17,9 +17,7 @@ from winkler.web.worker import POINTS
 
 __all__ = ["draw_sweep"]
 
-MEANING = (
-    f"Solve for many values of a number, or of several. At most {POINTS} points here; `winkler run` takes millions."
-)
+MEANING = f"Solve for many values of a number, or of several. At most {POINTS} points here, millions with winkler run."
 BOXES = {"from": "from", "to": "to", "count": "how many", "values": "values, with commas between"}
 
 
@@ -51,7 +49,6 @@ def _row(fields: Fields, asking: Asking, row: Row) -> None:
         ways = {way: WAYS[way] for way in row.ways}
         way = ui.select(ways, value=row.way if row.way in ways else None, label="how")
         way.props("outlined dense options-dense").classes("choice").props["data-choice"] = f"sweep.{row.key}"
-        way.on_value_change(lambda event: asking.vary_over(row.key, event.value, row.texts, anew=True))
         boxes: dict[str, Any] = {}
         with ui.element("div").classes("bounds" if len(row.texts) < 3 else "bounds three"):
             for name, text in row.texts.items():
@@ -61,12 +58,12 @@ def _row(fields: Fields, asking: Asking, row: Row) -> None:
                 box.props["data-path"] = f"sweep.{row.key}.{name}"
                 boxes[name] = fields.inputs[f"sweep.{row.key}.{name}"] = box
 
-        def changed() -> None:
-            texts = {name: str(box.value or "") for name, box in boxes.items()}
-            asking.vary_over(row.key, row.way, texts, anew=False)
+        def said() -> dict[str, str]:
+            return {name: str(box.value or "") for name, box in boxes.items()}
 
+        way.on_value_change(lambda event: asking.vary_over(row.key, event.value, said(), anew=True))
         for box in boxes.values():
-            box.on_value_change(changed)
+            box.on_value_change(lambda _: asking.vary_over(row.key, row.way, said(), anew=False))
 
 
 def _design(fields: Fields, asking: Asking) -> None:
@@ -74,7 +71,7 @@ def _design(fields: Fields, asking: Asking) -> None:
     with ui.element("div").classes("entry wide"):
         pick = ui.select(PLANS, value=now if now in PLANS else None, label="which points are solved")
         pick.props("outlined dense options-dense hide-bottom-space no-error-icon")
-        pick.props["data-choice"] = "sweep.design"
+        pick.classes("choice").props["data-choice"] = "sweep.design"
         pick.on_value_change(lambda event: asking.redesign(event.value) if event.value else None)
         fields.inputs["sweep.design"] = pick
     for entry in sweep_form.design_entries(asking.table):
