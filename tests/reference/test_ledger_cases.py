@@ -55,7 +55,9 @@ def test_stresses_of_a_pressure_are_those_of_hertz():
     assert turned[3] == pytest.approx((straight[0] - straight[1]) * 0.3 * 0.4 / 0.25, rel=1e-9)
 
 
-@pytest.mark.parametrize(("name", "r", "over"), [("two_strokes_overshoot", 0.71, 1.050), ("steady_circle_overshoot", 0.70, 1.35)])
+@pytest.mark.parametrize(
+    ("name", "r", "over"), [("two_strokes_overshoot", 0.71, 1.050), ("steady_circle_overshoot", 0.70, 1.35)]
+)
 def test_how_far_traction_exceeds_friction_in_the_plane(name, r, over):
     """Section 2: 1.050 and 1.35 times mu p."""
     assert math.hypot(*expected(name)) / (0.6 / math.pi * math.sqrt(1.0 - r * r)) == pytest.approx(over, abs=6e-4)

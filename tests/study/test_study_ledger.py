@@ -252,7 +252,11 @@ def test_a_function_is_judged(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ("creep_coefficients.spin", "creep_coefficients.spun", "(did you mean 'creep_coefficients.spin'?); give one of"),
+        (
+            "creep_coefficients.spin",
+            "creep_coefficients.spun",
+            "(did you mean 'creep_coefficients.spin'?); give one of",
+        ),
         ("poisson = [0.25]", "", "function.poisson is missing; creep_coefficients.spin takes ratio, poisson."),
         ("poisson = [0.25]", "poisson = 0.25\nnu = 1", "function.nu is not known; creep_coefficients.spin takes"),
         ("poisson = [0.25]", 'poisson = "1 mm"', "spin.toml: function.poisson: '1 mm'"),
