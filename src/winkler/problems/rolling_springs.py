@@ -35,8 +35,8 @@ class RollingSprings(NamedTuple):
 
 MOST = 1_000_000
 """Springs on half of a contact; more would fill the memory."""
-LONGEST = 1e11
-"""Steps of all springs together; more would take many minutes."""
+LONGEST = 1e10
+"""Steps of all springs together; more would take minutes."""
 
 
 def springs(owner: str, line: RollingLine, way: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
