@@ -39,6 +39,7 @@ __all__ = [
     "drawn",
     "figures_of",
     "save",
+    "settings_of",
     "shown_contact",
     "shown_point",
     "svg_element",

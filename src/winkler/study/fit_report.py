@@ -27,7 +27,7 @@ from winkler.study.mathml import formula, symbol
 from winkler.study.report import REPORT, figure_element, framed, papers, trust
 from winkler.study.study import Study
 
-__all__ = ["figures_of_fits", "page", "write"]
+__all__ = ["figures_of_curves", "figures_of_fits", "figures_of_many", "page", "steps", "write"]
 
 DRAWN = 12
 """So many curves are drawn, spread evenly over all."""
@@ -51,6 +51,12 @@ def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
 
 def figures_of_fits(outcome: FitOutcome) -> Iterator[Shown]:
     """Yield the figures: maps, the numbers of many curves, then single curves with their models."""
+    yield from figures_of_many(outcome)
+    yield from figures_of_curves(outcome)
+
+
+def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield maps and the numbers of many curves; nothing of few."""
     study = outcome.study
     grid = map_grid(outcome)
     many = len(outcome.fitted) >= MANY
@@ -64,6 +70,10 @@ def figures_of_fits(outcome: FitOutcome) -> Iterator[Shown]:
         yield drawn(
             f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_picture(of, outcome.errors(free))
         )
+
+
+def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield single curves with their models, spread evenly over all."""
     chosen = np.unique(np.linspace(0, len(outcome.fitted) - 1, min(DRAWN, len(outcome.fitted))).astype(int))
     for place in chosen.tolist():
         result = outcome.fitted[place]
@@ -91,7 +101,7 @@ def page(outcome: FitOutcome, shown: tuple[Shown, ...]) -> str:
         failures(outcome),
         section("Figures", f'<div class="figures">{"".join(map(figure_element, shown))}</div>') if shown else "",
         _asked(outcome),
-        _steps(outcome),
+        steps(outcome),
         _formulas(study),
         trust(outcome.validity),
         papers(study.problem),
@@ -153,7 +163,7 @@ def _in_words(study: FitStudy) -> str:
     return " ".join(facts)
 
 
-def _steps(outcome: FitOutcome) -> str:
+def steps(outcome: FitOutcome) -> str:
     """Return what was done to the curves before they were fitted."""
     study = outcome.study
     if not any(result.steps for result in outcome.fitted):

@@ -32,7 +32,7 @@ from winkler.vocabulary import Word
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_fits"]
+__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_fits", "write_numbers"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 FEW = 24
@@ -56,6 +56,16 @@ def write_fits(outcome: FitOutcome, folder: Path) -> None:
     """Write everything that fits came to into an existing, empty `folder`."""
     from winkler.study.fit_report import write as write_report
 
+    write_numbers(outcome, folder)
+    if outcome.study.output.report or outcome.study.output.figures:
+        write_report(outcome, folder)
+    if outcome.study.text:
+        (folder / "study.toml").write_text(outcome.study.text, encoding="utf-8")
+    write_provenance(outcome.provenance, folder)
+
+
+def write_numbers(outcome: FitOutcome, folder: Path) -> None:
+    """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
     columns = outcome.table()
     _write_rows(
         folder / CSV,
@@ -69,11 +79,6 @@ def write_fits(outcome: FitOutcome, folder: Path) -> None:
     if isinstance(grid, Grid):
         maps(outcome, grid).to_netcdf(folder / MAPS, engine="h5netcdf")
     _write_curves(outcome, folder / "curves")
-    if outcome.study.output.report or outcome.study.output.figures:
-        write_report(outcome, folder)
-    if outcome.study.text:
-        (folder / "study.toml").write_text(outcome.study.text, encoding="utf-8")
-    write_provenance(outcome.provenance, folder)
 
 
 def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:

@@ -11,8 +11,9 @@ import orjson
 
 from winkler.errors import WinklerError
 from winkler.problems.adhesive import AdhesiveSolution
+from winkler.problems.wear_states import WearState
 from winkler.study.captions import CAPTIONS, STUCK
-from winkler.study.figures import answers_over, shown_point, svg_element
+from winkler.study.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.markup import safe
 from winkler.study.outcome import Outcome
 from winkler.study.report import OF_MANY, papers, trust
@@ -24,8 +25,21 @@ from winkler.web.moments import Moments, contact_at
 from winkler.web.solid import draw_solid
 from winkler.web.springs import draw_row, row_of
 from winkler.web.view import NOTHING, View, fitting
+from winkler.web.worn import draw_worn_pressure, draw_worn_profile
 
-__all__ = ["Frame", "Picture", "Scene", "Shown", "Told", "packed", "pictures", "scene", "sheets", "told"]
+__all__ = [
+    "Frame",
+    "Picture",
+    "Scene",
+    "Shown",
+    "Told",
+    "method_pictures",
+    "packed",
+    "pictures",
+    "scene",
+    "sheets",
+    "told",
+]
 
 
 class Told(NamedTuple):
@@ -41,6 +55,8 @@ class Told(NamedTuple):
         The study as a file.
     moments, moment
         How many moments the answer has, zero where it is no history; and which of them is shown first.
+    points
+        Of a sweep.
     """
 
     standing: str
@@ -50,6 +66,7 @@ class Told(NamedTuple):
     text: str
     moments: int
     moment: int
+    points: int = 1
 
 
 class Picture(NamedTuple):
@@ -98,8 +115,8 @@ class Scene(NamedTuple):
         At that moment; None where none is shown.
     view
         The frame that the pictures share.
-    moment
-        Which of the moments is shown, -1 without a history.
+    moments, moment
+        Those of the answer, and which of them is shown.
     remark
         What must be said about them all.
     """
@@ -108,6 +125,7 @@ class Scene(NamedTuple):
     point: Any
     contact: Any
     view: View
+    moments: Moments
     moment: int
     remark: str
 
@@ -125,7 +143,14 @@ def told(outcome: Outcome, text: str, moments: int, moment: int) -> Told:
     """Return the answer in words and numbers."""
     answers = "\n".join(part for part in (answered(outcome), failures(outcome), expected(outcome)) if part)
     return Told(
-        worst(outcome.validity).value, answers, trust(outcome.validity), papers(outcome.study), text, moments, moment
+        worst(outcome.validity).value,
+        answers,
+        trust(outcome.validity),
+        papers(outcome.study),
+        text,
+        moments,
+        moment,
+        len(outcome.points),
     )
 
 
@@ -156,20 +181,41 @@ def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still:
             remark = (
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
-    return Scene(outcome, point, contact, view, moment if moments.total else -1, remark)
+    if outcome.study.sweep and contact is not None:
+        last = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
+        remark = f"{last} {remark}".rstrip()
+    return Scene(outcome, point, contact, view, moments, moment, remark)
 
 
-def pictures(seen: Scene) -> Iterator[Picture]:
-    """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
-    contact, view = seen.contact, seen.view
+def pictures(seen: Scene) -> Iterator[Picture | Frame]:
+    """Yield the interactive pictures, so that the first are drawn while the next are made; then say that all came."""
+    total = 0
+    for picture in _pictures(seen):
+        total += 1
+        yield picture
+    yield Frame(total, seen.remark)
+
+
+def _pictures(seen: Scene) -> Iterator[Picture]:
+    contact, view, moments = seen.contact, seen.view, seen.moments
     if contact is not None and hasattr(contact, "recess"):
         row = row_of(contact, view.extent)
         yield _made("springs", lambda: draw_row(seen.point.problem.bed, row, float(contact.depth), view))
     elif contact is not None:
-        yield from _method(contact, view)
+        yield from method_pictures(contact, view)
+    if moments.states and isinstance(moments.states[seen.moment], WearState):
+        yield from _worn(moments, seen.moment)
     for pair in histories.curves_of(seen.outcome, seen.point):
-        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment)
+        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment if moments.total else -1)
         yield Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
+
+
+def _worn(moments: Moments, moment: int) -> Iterator[Picture]:
+    states = moments.states
+    told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
+    yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
+    told = "p(r) at this moment, at first and in the end."
+    yield Picture("worn_pressure", "Pressure", told, packed(draw_worn_pressure(states, moment)))
 
 
 def _recovering(state: Any) -> View:
@@ -177,7 +223,8 @@ def _recovering(state: Any) -> View:
     return View(wide, 1.2 * max(float(np.max(state.recess)), float(state.depth), 1e-3 * wide))
 
 
-def _method(contact: Any, view: View) -> Iterator[Picture]:
+def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
+    """Yield the pictures of the method for one contact."""
     pressed = contact.pressed
     sticks = isinstance(contact, AdhesiveSolution)
     makers: dict[str, Callable[[], Chart]] = {

@@ -9,7 +9,7 @@ from winkler.plot import style
 from winkler.plot.series import Scale, Series, spoken
 from winkler.study.explain import plain_symbol
 
-__all__ = ["CONFIG", "Chart", "axis", "chart", "label", "line", "marked", "remark"]
+__all__ = ["CONFIG", "LEGENDED", "Chart", "axis", "chart", "label", "line", "marked", "remark"]
 
 Chart = dict[str, Any]
 """``data`` and ``layout`` of a figure."""
@@ -22,6 +22,22 @@ CONFIG = {
     "scrollZoom": False,
 }
 """No button leads out of this machine."""
+
+LEGENDED = {
+    "showlegend": True,
+    "legend": {
+        "orientation": "h",
+        "x": 0.0,
+        "y": 1.02,
+        "xanchor": "left",
+        "yanchor": "bottom",
+        "font": {"size": 11},
+        "itemclick": False,
+        "itemdoubleclick": False,
+    },
+    "margin": {"l": 62, "r": 14, "t": 40, "b": 46},
+}
+"""What a figure adds that names its lines above."""
 
 
 def marked(symbol: str) -> str:
@@ -87,7 +103,7 @@ def chart(data: list[dict[str, Any]], across: dict[str, Any], upright: dict[str,
 
 def line(x: Any, y: Any, colour: str, **more: Any) -> dict[str, Any]:
     """Return a line."""
-    look = {"color": colour, "width": more.pop("width", 2)}
+    look = {"color": colour, "width": more.pop("width", 2), "dash": more.pop("dash", "solid")}
     return {"type": "scatter", "mode": "lines", "x": x, "y": y, "line": look, "hoverinfo": "x+y", **more}
 
 

@@ -64,19 +64,29 @@ class Fields:
 
     def draw(self, part: Part) -> None:
         """Draw a part, and those inside it."""
-        remark = ui.label().classes("wrong").props('role="alert"')
-        remark.set_visibility(False)
-        self.remarks[part.path] = remark
+        self.remark(part.path)
         if part.takes_file:
             self._file(part)
         for child in part.children:
             match child:
                 case Entry():
-                    self._entry(child)
+                    self.entry(child)
                 case Slot():
                     self._slot(child)
                 case Many():
                     self._many(child)
+
+    def remark(self, path: str) -> None:
+        """Leave room for what is wrong at a path."""
+        told = ui.label().classes("wrong").props('role="alert"')
+        told.set_visibility(False)
+        self.remarks[path] = told
+
+    def heading(self, path: str, title: str, meaning: str) -> None:
+        """Draw what stands over some fields, with room for what is wrong with them."""
+        ui.label(title).classes("many")
+        ui.label(meaning).classes("meaning")
+        self.remark(path)
 
     def say(self, path: str, sentence: str) -> bool:
         """Show a sentence beside the field at a path, or at the nearest part around it; tell whether there is one."""
@@ -106,7 +116,8 @@ class Fields:
                 told.text = ""
                 told.set_visibility(False)
 
-    def _entry(self, entry: Entry) -> None:
+    def entry(self, entry: Entry, *, slides: bool = True) -> None:
+        """Draw one key; with a slider, unless it counts something."""
         if entry.takes == SWITCH:
             box = ui.checkbox(entry.label, value=entry.text == "true").tooltip(entry.hint)
             box.on_value_change(lambda event: self.hands.change(entry.path, str(event.value).lower(), entry.takes))
@@ -125,6 +136,9 @@ class Fields:
             if not entry.required:
                 field.props("stack-label")
             self.inputs[entry.path] = field
+            if not slides:
+                field.on_value_change(lambda event: self.hands.change(entry.path, str(event.value or ""), entry.takes))
+                return
             slider = self._slider(entry, field)
             field.on_value_change(lambda event: self._typed(entry, str(event.value or ""), slider))
 
@@ -197,10 +211,14 @@ class Fields:
             names = {"": NUMBERS, **{name: name for name in dict.fromkeys((*self.files, *filter(None, [part.file])))}}
             choice = ui.select(names, value=part.file, label="from").props("outlined dense options-dense")
             choice.on_value_change(lambda event: self.hands.read(part.path, event.value or ""))
-            button = ui.button("Upload", icon="upload_file").props("outline dense no-caps")
-            button.props["data-upload"] = part.path
-            button.on("click", lambda: self.hands.pick(part.path))
-            button.on("click", js_handler=self.picker)
+            self.upload(part.path)
+
+    def upload(self, path: str) -> None:
+        """Draw the button that uploads a file for a place."""
+        button = ui.button("Upload", icon="upload_file").props("outline dense no-caps")
+        button.props["data-upload"] = path
+        button.on("click", lambda: self.hands.pick(path))
+        button.on("click", js_handler=self.picker)
 
 
 def _may_slide(entry: Entry) -> bool:

@@ -15,6 +15,12 @@ __all__ = ["Entry", "Many", "Part", "Slot", "at", "begun", "chosen", "drop", "ow
 
 FILE = "file"
 """The key that stands for a file in place of numbers."""
+SECTIONED = re.compile(
+    r"((?:fit|sweep)(?:\.\w+)?)"  # fit.curve, sweep.design
+    r'(?:\."([^"]*)")?'  # sweep."problem.load.force"
+    r"(?:\.(\w+))?(?:\[(\d+)\])?(?: has no '(\w+)')?"
+)
+"""How a sentence about a section of a study begins."""
 
 
 class Entry(NamedTuple):
@@ -186,7 +192,12 @@ def owner_of(sentence: str) -> str:
     ('problem.load.force', 'problem.load.force')
     >>> owner_of("problem.path.steps[1].normal: the depth is not there.")
     'problem.path.steps.1.normal'
+    >>> owner_of('fit.free."problem.bed.medium.first.young"[0]: ...'), owner_of("fit.curve: gel.csv: ...")
+    ('fit.free.problem.bed.medium.first.young.0', 'fit.curve')
     """
+    found = SECTIONED.match(sentence)
+    if found is not None:
+        return ".".join(part for part in found.groups() if part)
     found = re.match(r"(problem(?:\.\w+|\[\d+\])*)(?: has no '(\w+)')?", sentence)
     if found is None:
         return ""

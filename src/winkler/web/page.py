@@ -6,24 +6,32 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from nicegui import context, events, ui
+import tomli_w
+from nicegui import context, ui
 
 from winkler.errors import WinklerError
 from winkler.study.catalogue import CATALOGUE, kinds
-from winkler.study.explain import completed, summary
+from winkler.study.explain import summary
+from winkler.study.fit_reading import FITTED
 from winkler.study.reading import parsed
-from winkler.web import form
+from winkler.web import fit_form, form
 from winkler.web.answer import Frame, Picture, Shown, Told
+from winkler.web.asking import TASKS, Asking
+from winkler.web.astext import AsText
+from winkler.web.export import File
 from winkler.web.fields import Fields
+from winkler.web.files import Files
+from winkler.web.fit_fields import draw_curve, draw_free, draw_measurement
 from winkler.web.result import Result
-from winkler.web.room import LARGEST, Room
+from winkler.web.room import Room
 from winkler.web.solver import Solver, Worker, started
-from winkler.web.typed import typed
-from winkler.web.worker import Done, Export, File, Look, Solve, Wrong
+from winkler.web.sweep_fields import draw_sweep
+from winkler.web.worker import Done, Export, Look, Progress, Solve, Wrong
 
 __all__ = ["Page", "page"]
 
-FIRST = "indentation"
+KNOWN = ("title", "problem", "fit", "sweep", "source", "grade")
+"""Sections of a study that the form shows, or that need no showing."""
 HERE = Path(__file__).parent
 
 
@@ -47,7 +55,7 @@ def page(limit: float, spare: list[Worker]) -> Callable[[], None]:
 
 
 class Page:
-    """What one open page holds: the table of its study, its folder, its worker.
+    """What one open page holds: its study, its folder, its worker, and what is shown.
 
     Parameters
     ----------
@@ -60,12 +68,13 @@ class Page:
     def __init__(self, limit: float, worker: Worker) -> None:
         self.limit = limit
         self.client = context.client
-        self.table: dict[str, Any] = form.begun(FIRST)
+        self.asking = Asking(self.changed, self.solve)
         self.room = Room()
         self.solver = Solver(self.heard, worker)
         self.waiting: Callable[[int], Any] | None = None
+        self.answering = False
         self.anew = True
-        self.target = ""
+        self.shown_task = self.asking.task
 
     def left(self) -> None:
         """Clean up when the page is gone."""
@@ -82,12 +91,12 @@ class Page:
         with ui.element("header").classes("top"):
             ui.html("<h1>winkler</h1>", sanitize=False)
             ui.label("Contact mechanics: measured shapes in; forces, pressures and stresses out.").classes("motto")
-            self._files()
+            self.files = Files(self.room, self.opened, self.uploaded, self.not_taken, self.export)
         with ui.element("main").classes("desk"):
             with ui.element("section").classes("asked").props('aria-label="The study"'):
                 self._problem()
                 self.parts = ui.element("div").classes("form")
-                self._text()
+                self.text = AsText(lambda: self.asking.table, self.take_text)
             with ui.element("section").classes("answered").props('aria-label="The answer"') as right:
                 self.result = Result(self.look, self.stop, right)
         self.rebuild()
@@ -95,166 +104,105 @@ class Page:
         self.solve()
 
     def _problem(self) -> None:
-        names = {name: name.replace("_", " ") for name in CATALOGUE["problem"]}
-        self.choice = ui.select(names, value=FIRST, label="problem")
-        self.choice.props("outlined options-dense").classes("problem").props["data-choice"] = "problem"
+        self.task = ui.toggle(TASKS, value=self.asking.task).props("no-caps unelevated spread").classes("task")
+        self.task.props["aria-label"] = "what to do"
+        self.task.on_value_change(lambda event: self.asking.turn(event.value))
+        self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
+        self.choice.props["data-choice"] = "problem"
         self.meaning = ui.label().classes("meaning")
-        self.choice.on_value_change(lambda event: self.choose("problem", event.value) if event.value else None)
-
-    def _files(self) -> None:
-        """Add what is opened, uploaded and taken along."""
-        size = LARGEST
-        opened = ui.upload(on_upload=self.opened, on_rejected=self.refused, auto_upload=True, max_file_size=size)
-        opened.classes("unseen").props('accept=".toml"').props["data-upload"] = "study"
-        self.uploads = ui.upload(
-            on_upload=self.uploaded, on_rejected=self.refused, auto_upload=True, max_file_size=size
-        )
-        self.uploads.classes("unseen").props["data-upload"] = "data"
-        with ui.element("nav").classes("files"):
-            button = ui.button("Open a study", icon="folder_open").props("flat dense no-caps")
-            button.on("click", js_handler=_picker(opened))
-            for what, told, icon in (
-                ("study", "Study file", "description"),
-                ("csv", "CSV", "table_view"),
-                ("png", "Figures", "image"),
-                ("report", "Report", "article"),
-            ):
-                take = ui.button(told, icon=icon, on_click=lambda what=what: self.export(what))
-                take.props("flat dense no-caps").props["data-export"] = what
-
-    def _text(self) -> None:
-        """Add the study as text, to be read and written."""
-        with ui.expansion("The study as text", on_value_change=self.unfold).classes("astext") as self.fold:
-            self.area = ui.textarea().props("outlined input-class=code autogrow").classes("text")
-            self.area.props["aria-label"] = "The study as text"
-            self.wrong_text = ui.label().classes("wrong").props('role="alert"')
-            ui.button("Use this text", on_click=lambda: self.take_text(str(self.area.value))).props("outline no-caps")
-
-    def unfold(self) -> None:
-        """Write the study where it is read."""
-        import tomli_w
-
-        self.area.set_value(tomli_w.dumps(self.table))
-
-    # -------------------------------------------------------------------------------------- what a person does
-
-    def choose(self, path: str, kind: str) -> None:
-        """Put a kind at a place; an empty one leaves it out."""
-        if kind == str((form.at(self.table, path) or {}).get("kind", "")):
-            return
-        if kind:
-            form.chosen(self.table, path, kind)
-        else:
-            form.drop(self.table, path)
-        if path == "problem":
-            self.table = {"title": self.table["title"], "problem": self.table["problem"]}
-        self.changed()
-
-    def change(self, path: str, text: str, takes: str) -> None:
-        """Put what was typed at a key; nothing leaves it out."""
-        content = typed(text, takes) if text.strip() else None
-        if content == form.at(self.table, path):
-            return
-        if content is None:
-            form.drop(self.table, path)
-        else:
-            form.put(self.table, path, content)
-        self.solve()
-
-    def add(self, path: str, kind: str) -> None:
-        """Add a kind to a list."""
-        form.put(self.table, path, [*(form.at(self.table, path) or []), completed({"kind": kind})])
-        self.changed()
-
-    def pick(self, path: str) -> None:
-        """Say that the next upload belongs to a place."""
-        self.target = path
-
-    def read(self, path: str, name: str) -> None:
-        """Take a file in place of numbers; an empty name goes back to numbers."""
-        kind = str(form.at(self.table, path)["kind"])
-        form.put(self.table, path, {"kind": kind, "file": name} if name else completed({"kind": kind}))
-        self.changed()
-
-    async def uploaded(self, event: events.UploadEventArguments) -> None:
-        """Keep what was uploaded, and read it where it was asked for."""
-        self.uploads.reset()
-        try:
-            name = self.room.keep(event.file.name, await event.file.read())
-        except WinklerError as error:
-            self.fields.say(self.target, str(error))
-            return
-        if form.at(self.table, self.target) is not None:
-            self.read(self.target, name)
-
-    def refused(self) -> None:
-        """Say why a file was not taken."""
-        ui.notify(
-            f"The file is not taken: it has more than {LARGEST / 1e6:.0f} MB, or another ending.", type="negative"
-        )
-
-    async def opened(self, event: events.UploadEventArguments) -> None:
-        """Take an uploaded study."""
-        event.sender.reset()  # type: ignore[attr-defined]
-        try:
-            text = (await event.file.read()).decode("utf-8-sig")
-        except UnicodeDecodeError as error:
-            ui.notify(f"{event.file.name}: byte {error.start} is not UTF-8; save it as UTF-8 text.", type="negative")
-            return
-        self.fold.open()
-        self.take_text(text)
-
-    def take_text(self, text: str) -> None:
-        """Take a study from its text; say what is wrong with it below the text."""
-        self.area.set_value(text)
-        try:
-            table = parsed(text, "")
-            if str((form.at(table, "problem") or {}).get("kind")) not in CATALOGUE["problem"]:
-                self.solver_check(text)
-            self.room.check(table)
-        except WinklerError as error:
-            self.wrong_text.text = str(error)
-            return
-        self.wrong_text.text = ""
-        self.table = table
-        self.changed()
-
-    def solver_check(self, text: str) -> None:
-        """Let the study's own checks say what is wrong with its problem."""
-        from winkler.study.reading import parse_study
-
-        parse_study(text, folder=self.room.folder)
-
-    # --------------------------------------------------------------------------------- questions and answers
+        self.choice.on_value_change(lambda event: self.asking.choose("problem", event.value) if event.value else None)
 
     def rebuild(self) -> None:
         """Make the form anew."""
-        problem = form.part_of(self.table)
-        self.choice.set_value(problem.kind)
+        asking = self.asking
+        fits = asking.task == "fit"
+        problem = fit_form.model(asking.table) if fits else form.part_of(asking.table)
+        self.task.set_value(asking.task)
+        names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
+        self.choice.set_options(names, value=problem.kind)
+        self.choice.props["label"] = "model of the curve" if fits else "problem"
         self.meaning.text = summary(kinds()[problem.kind].cls)
         self.parts.clear()
-        self.fields = Fields(self, self.room.names, _picker(self.uploads))
+        self.fields = Fields(asking, self.room.names, self.files.picker)
         with self.parts:
+            if fits:
+                draw_curve(self.fields, asking)
+                draw_free(self.fields, asking)
+                self.fields.heading("problem", "The model", "Numbers that are free begin here, if they have no start.")
             self.fields.draw(problem)
-            others = [f"[{name}]" for name in self.table if name not in ("title", "problem", "source", "grade")]
+            if fits:
+                draw_measurement(self.fields, asking)
+            else:
+                draw_sweep(self.fields, asking)
+            others = [f"[{name}]" for name in asking.table if name not in KNOWN]
             if others:
                 ui.label(f"The study also has {', '.join(others)}: see the study as text.").classes("meaning")
+
+    # --------------------------------------------------------------------------------------------------- files
+
+    def opened(self, text: str) -> None:
+        """Take an uploaded study."""
+        self.text.open(text)
+
+    def take_text(self, text: str) -> str:
+        """Take a study from its text; return what is wrong with it."""
+        try:
+            table = parsed(text, "")
+            known = FITTED if "fit" in table else CATALOGUE["problem"]
+            if str((form.at(table, "problem") or {}).get("kind")) not in known:
+                self._told_by_the_study(text, fits="fit" in table)
+            if not isinstance(table.get("fit", {}), dict) or not isinstance(form.at(table, "fit.free") or {}, dict):
+                self._told_by_the_study(text, fits=True)
+            if "fit" not in table:  # a curve that is missing is said beside its field
+                self.room.check(table)
+        except WinklerError as error:
+            return str(error)
+        self.asking.take(table)
+        return ""
+
+    def _told_by_the_study(self, text: str, *, fits: bool) -> None:
+        """Let the study's own checks say what is wrong with its problem."""
+        from winkler.study.fit_reading import parse_fit_study
+        from winkler.study.reading import parse_study
+
+        (parse_fit_study if fits else parse_study)(text, folder=self.room.folder)
+
+    def uploaded(self, name: str) -> None:
+        """Read what was uploaded where it was asked for."""
+        if form.at(self.asking.table, self.asking.target) is not None:
+            self.asking.read(self.asking.target, name)
+
+    def not_taken(self, sentence: str) -> None:
+        """Say beside its place why an upload is not taken."""
+        self.fields.say(self.asking.target, sentence)
+
+    def export(self, what: str) -> None:
+        """Ask for the answer as a file."""
+        if self.result.told is None:
+            ui.notify("There is no answer to take along: mend what is marked first.", type="warning")
+        elif what == "study":
+            self.files.take_study(self.result.told.text)
+        else:
+            self.ask(lambda number: Export(number, what))
+
+    # --------------------------------------------------------------------------------- questions and answers
 
     def changed(self) -> None:
         """Show another form, and its answer."""
         self.anew = True
+        if self.asking.task != self.shown_task:
+            self.shown_task = self.asking.task
+            self.result.forget()
         self.rebuild()
         self.solve()
 
     def solve(self) -> None:
         """Ask for the answer to the study as it stands; while another is on its way, the newest question waits."""
-        import tomli_w
-
-        text = tomli_w.dumps(self.table)
-        if self.fold.value:
-            self.area.set_value(text)
+        table = self.asking.table
+        text = tomli_w.dumps(table)
+        self.text.show()
         try:
-            self.room.check(self.table)
+            self.room.check(table)
         except WinklerError as error:
             self.wrong(str(error).splitlines())
             return
@@ -265,15 +213,6 @@ class Page:
         """Ask for the pictures of another moment."""
         self.ask(lambda number: Look(number, moment))
 
-    def export(self, what: str) -> None:
-        """Ask for the answer as a file."""
-        if self.result.told is None:
-            ui.notify("There is no answer to take along: mend what is marked first.", type="warning")
-        elif what == "study":
-            ui.download.content(self.result.told.text.encode(), "study.toml")
-        else:
-            self.ask(lambda number: Export(number, what))
-
     def ask(self, make: Callable[[int], Any]) -> None:
         """Ask now, or as soon as what is being answered has been."""
         self.result.state("busy")
@@ -283,12 +222,12 @@ class Page:
             self.answering = True
             self.solver.ask(make)
 
-    answering = False
-
     def heard(self, reply: Any) -> None:
         """Show a part of an answer."""
         with self.client:
             match reply:
+                case Progress():
+                    self.result.reached(reply.done, reply.total)
                 case Wrong():
                     self.wrong(list(reply.sentences))
                 case Told():
@@ -302,7 +241,8 @@ class Page:
                     self.result.picture(reply)
                 case Frame():
                     self.result.show(reply)
-            if not isinstance(reply, Told | Picture):  # what follows the pictures gives way to a new question
+            going = isinstance(reply, Told | Picture) or (isinstance(reply, Progress) and self.waiting is None)
+            if not going:  # a sweep, and what follows the pictures, give way to a new question
                 self.answering = False
                 if self.waiting is not None:
                     make, self.waiting = self.waiting, None
@@ -333,8 +273,3 @@ class Page:
         self.waiting, self.answering = None, False
         self.solver.stop()
         self.result.refuse([why], beside=False)
-
-
-def _picker(upload: ui.upload) -> str:
-    """Return the script that opens the choice of a file; it runs in the browser, which wants to see the click."""
-    return f"() => getElement({upload.id}).$refs.qRef.pickFiles()"

@@ -38,6 +38,7 @@ class Result:
         self.cards: list[Card] = []
         self.come = 0
         self.sheets = 0
+        self.points = ""
         with ui.element("div").classes("status") as self.status:
             self.clock = ui.label("Getting ready …").props('role="status"')
             self.halt = ui.button("Stop", icon="stop", on_click=lambda: stop()).props("outline dense no-caps")
@@ -95,6 +96,7 @@ class Result:
                 part.set_content(content)
         self.drawn.clear()
         self.sheets = 0
+        self.place.classes(**{"add" if told.points > 1 else "remove": "swept"})
         self.film.set_visibility(told.moments > 1)
         if self.timer.active:
             self.toggle()
@@ -135,6 +137,16 @@ class Result:
             body = one.svg or f'<p class="missing">Not shown: {safe(one.missing)}</p>'
             ui.html(f"<figure>{caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
 
+    def forget(self) -> None:
+        """Take away what is shown: it is no answer to what is asked now."""
+        self.told, self.come = None, 0
+        self.remark.text = ""
+        self.keep(0)
+        self.drawn.clear()
+        for part in (self.head, *self.tail):
+            part.set_content("")
+        self.film.set_visibility(False)
+
     def refuse(self, sentences: list[str], *, beside: bool) -> None:
         """Say why there is no answer; the last one stays, pale."""
         self.told, self.come = None, 0
@@ -148,22 +160,28 @@ class Result:
             for one in sentences:
                 ui.label(one)
             if beside:
-                ui.label("Mend what is marked in the form; what is shown below is the answer before.")
+                before = "; what is shown below is the answer before" if self.head.content else ""
+                ui.label(f"Mend what is marked in the form{before}.")
         self.wrong.set_visibility(True)
         self.state("wrong")
 
     def state(self, word: str) -> None:
         """Say whether an answer is on its way (``busy``), complete (``done``), or refused (``wrong``)."""
+        self.points = ""
         self.place.props["data-state"] = word
         self.place.props["aria-busy"] = "true" if word == "busy" else "false"
         self.place.update()
+
+    def reached(self, done: int, total: int) -> None:
+        """Tell how many points of a sweep are solved."""
+        self.points = f", {done} of {total} points" if done < total else ""
 
     def passing(self, seconds: float, *, ready: bool) -> None:
         """Tell how long it takes."""
         busy = not ready or seconds > 0.4
         self.status.set_visibility(busy)
         if busy:
-            self.clock.text = f"Solving and drawing, {seconds:.0f} s" if ready else "Getting ready …"
+            self.clock.text = f"Solving and drawing, {seconds:.0f} s{self.points}" if ready else "Getting ready …"
             self.halt.set_visibility(ready)
 
     def rest(self) -> None:

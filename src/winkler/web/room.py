@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import re
 import shutil
 import tempfile
+import zipfile
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +17,8 @@ __all__ = ["LARGEST", "Room", "files_in", "plain_name"]
 
 LARGEST = 20_000_000
 """Greatest size of an upload [bytes]."""
+CURVE = "fit.curve"
+"""The key of a study that names a measured curve."""
 MOST = 50
 """So many files are kept."""
 
@@ -37,7 +42,7 @@ def files_in(content: Any, key: str = "") -> list[tuple[str, Any]]:
     if isinstance(content, dict):
         for name, item in content.items():
             where = f"{key}.{name}" if key else str(name)
-            found += [(where, item)] if name == "file" else files_in(item, where)
+            found += [(where, item)] if name == "file" or where == CURVE else files_in(item, where)
     elif isinstance(content, list):
         for place, item in enumerate(content):
             found += files_in(item, f"{key}[{place}]")
@@ -75,6 +80,39 @@ class Room:
         (self.folder / kept).write_bytes(content)
         return kept
 
+    def unpack(self, content: bytes, study: str) -> bytes:
+        """Keep the files of an archive, and return the study that lies among them.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no study in it, or it is damaged or too large.
+        """
+        try:
+            with zipfile.ZipFile(io.BytesIO(content)) as pack:
+                inside = [one for one in pack.infolist() if not one.is_dir()]
+                if study not in [one.filename for one in inside]:
+                    raise InvalidInput(f"the archive holds no {study}; open one that this app has made.")
+                if sum(one.file_size for one in inside) > LARGEST or len(inside) > MOST:
+                    raise InvalidInput(
+                        f"the archive holds more than {LARGEST / 1e6:.0f} MB or {MOST} files; upload the data alone."
+                    )
+                for one in inside:
+                    if one.filename != study:
+                        self.keep(one.filename, pack.read(one))
+                return pack.read(study)
+        except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, zlib.error) as error:
+            raise InvalidInput(f"the archive cannot be read ({error}); open one that this app has made.") from None
+
+    def packed(self, text: str, study: str, names: tuple[str, ...]) -> bytes:
+        """Return a study and the files that it reads as one archive."""
+        store = io.BytesIO()
+        with zipfile.ZipFile(store, "w", zipfile.ZIP_DEFLATED) as pack:
+            pack.writestr(study, text)
+            for name in names:
+                pack.write(self.folder / name, name)
+        return store.getvalue()
+
     def check(self, table: Any) -> None:
         """Refuse a study that names a file outside this folder.
 
@@ -85,6 +123,8 @@ class Room:
         """
         wrong = [
             f"{key} is {name!r}; the app reads uploaded files only: upload it, and give its plain name."
+            if name
+            else f"{key} is left out; upload a measured curve, or choose one."
             for key, name in files_in(table)
             if isinstance(name, str) and (name != plain_name(name) or name not in self.names)
         ]

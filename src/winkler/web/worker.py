@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import contextlib
-import io
-import tempfile
-import zipfile
-from collections.abc import Iterator
+import math
+import re
+import time
+from collections.abc import Generator, Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
+    from winkler.study.fit_outcome import FitOutcome
     from winkler.study.outcome import Outcome
+    from winkler.study.study import Study
+    from winkler.web.export import File
 
-__all__ = ["Done", "Export", "File", "Look", "Solve", "Wrong", "work"]
+__all__ = ["POINTS", "Done", "Export", "Look", "Progress", "Solve", "Wrong", "beside_the_curve", "work"]
 
 
 class Solve(NamedTuple):
@@ -39,7 +42,7 @@ class Export(NamedTuple):
 
     number: int
     what: str
-    """``csv``, ``png`` or ``report``."""
+    """``csv``, ``netcdf``, ``png`` or ``report``."""
 
 
 class Wrong(NamedTuple):
@@ -48,17 +51,21 @@ class Wrong(NamedTuple):
     sentences: tuple[str, ...]
 
 
-class File(NamedTuple):
-    """A file to be taken along."""
+class Progress(NamedTuple):
+    """Says how many points of a sweep are solved."""
 
-    name: str
-    content: bytes
+    done: int
+    total: int
 
 
 class Done(NamedTuple):
     """Says that all has been sent for a question."""
 
 
+POINTS = 1000
+"""A sweep in the app has so many points at most."""
+BEAT = 0.2
+"""Seconds between two words about the progress of a sweep."""
 PAUSE = 0.35
 """Seconds of rest before sheets are drawn."""
 STUDY = "study.toml"
@@ -74,15 +81,18 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     bench = _Bench()
-    rest = {bench.answer.Frame: PAUSE, bench.answer.Shown: 0.0}
+    from winkler.web.answer import Frame, Picture, Told
+
+    needed = Told, Picture
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         while True:
             asked = pipe.recv()
             for reply in bench.replies(asked):
                 pipe.send((asked.number, reply))
-                # sheets, which follow words and pictures, are left out when there is something newer to do
-                if type(reply) in rest and pipe.poll(rest[type(reply)] if isinstance(asked, Solve) else 0.0):
+                # points, and sheets that follow words and pictures, are left out when there is something newer to do
+                rest = PAUSE if isinstance(reply, Frame) else 0.0
+                if isinstance(asked, Solve) and not isinstance(reply, needed) and pipe.poll(rest):
                     break
             pipe.send((asked.number, Done()))
 
@@ -100,7 +110,8 @@ class _Bench:
 
         self.answer, self.nothing, self.none = answer, NOTHING, Moments()
         self.view, self.moments = NOTHING, self.none
-        self.outcome: Outcome | None = None
+        self.outcome: Outcome | FitOutcome | None = None
+        self.folder = Path()
         warm = tomli_w.dumps(begun("indentation"))
         list(self.replies(Solve(0, warm, Path(), True)))  # so that the first question does not wait for imports
         self.view, self.outcome = NOTHING, None
@@ -117,55 +128,102 @@ class _Bench:
                 case Export():
                     yield self._file(asked.what)
         except WinklerError as error:
-            yield Wrong(tuple(line.removeprefix(f"{STUDY}: ") for line in str(error).splitlines()))
+            yield Wrong(tuple(self._plain(line) for line in str(error).splitlines()))
         except Exception as error:
             told = " ".join(str(error).split())
             yield Wrong((f"winkler made a mistake ({type(error).__name__}: {told}); report it with this study.",))
 
-    def _solved(self, asked: Solve) -> Iterator[Any]:
-        from winkler.study.figures import shown_point
-        from winkler.study.reading import parse_study, study_text
-        from winkler.study.run import run
-        from winkler.web.moments import moments_of, telling
+    def _plain(self, sentence: str) -> str:
+        """Return a sentence without the folder of the page, and without its file named twice."""
+        sentence = sentence.removeprefix(f"{STUDY}: ").replace(f"{self.folder}/", "")
+        return re.sub(r"\b([\w.-]+): \1(?=[:,])", r"\1", sentence)
 
-        self.outcome, self.moments = None, self.none
+    def _solved(self, asked: Solve) -> Iterator[Any]:
+        from winkler.study.reading import parsed
+
+        self.outcome, self.moments, self.folder = None, self.none, asked.folder
         if asked.anew:
             self.view = self.nothing
+        yield from self._fitted(asked) if "fit" in parsed(asked.text, STUDY) else self._answered(asked)
+
+    def _answered(self, asked: Solve) -> Iterator[Any]:
+        from winkler.study.figures import shown_point
+        from winkler.study.reading import parse_study, study_text
+        from winkler.web.moments import moments_of, telling
+
         study = parse_study(asked.text, file=STUDY, folder=asked.folder)
-        self.outcome = run(study)
-        point = shown_point(self.outcome)
+        self.outcome = outcome = yield from self._run(study)
+        point = shown_point(outcome)
         self.moments = moments_of(point)
         moment = telling(point, self.moments)
-        yield self.answer.told(self.outcome, study_text(study), self.moments.total, moment)
+        yield self.answer.told(outcome, study_text(study), self.moments.total, moment)
         yield from self._pictures(moment, still=False)
-        yield from self.answer.sheets(self.outcome)
+        yield from self.answer.sheets(outcome)
+
+    def _run(self, study: Study) -> Generator[Progress, None, Outcome]:
+        """Solve the points of a study; yield how far it is, now and then."""
+        from winkler.errors import InvalidInput
+        from winkler.study.run import gather
+        from winkler.study.sweep import solve_points
+
+        total, started = math.prod(study.shape), time.perf_counter()
+        if total > POINTS:
+            raise InvalidInput(
+                f"sweep: there are {total} points, and the app solves at most {POINTS}; ask for fewer, or take the "
+                "study to `winkler run`, which takes millions."
+            )
+        points, told = [], started
+        for point in solve_points(study):
+            points.append(point)
+            if total > 1 and time.perf_counter() - told > BEAT:
+                told = time.perf_counter()
+                yield Progress(len(points), total)
+        return gather(study, points, started=started)
+
+    def _fitted(self, asked: Solve) -> Iterator[Any]:
+        from winkler.errors import WinklerError
+        from winkler.study.fit_reading import parse_fit_study
+        from winkler.study.fit_run import fit_study
+        from winkler.web import fitted
+
+        study = parse_fit_study(asked.text, file=STUDY, folder=asked.folder)
+        try:
+            self.outcome = fit_study(study)
+        except WinklerError as error:
+            raise type(error)(beside_the_curve(str(error))) from None
+        yield fitted.told_fits(self.outcome, asked.text)
+        yield from self._pictures(0, still=False)
+        yield from fitted.fit_sheets(self.outcome)
 
     def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
+        from winkler.study.fit_outcome import FitOutcome
+        from winkler.web.fitted import fit_pictures
+
         assert self.outcome is not None
+        if isinstance(self.outcome, FitOutcome):
+            yield from fit_pictures(self.outcome, moment)
+            return
         scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
-        self.view, count = scene.view, 0
-        for picture in self.answer.pictures(scene):
-            count += 1
-            yield picture
-        yield self.answer.Frame(count, scene.remark)
+        self.view = scene.view
+        yield from self.answer.pictures(scene)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput
-        from winkler.study import archive, figures, report
+        from winkler.web.export import exported
 
-        outcome = self.outcome
-        if outcome is None:
+        if self.outcome is None:
             raise InvalidInput("there is no answer to take along; mend the study first.")
-        if what == "report":
-            return File(report.REPORT, report.page(outcome).encode("utf-8"))
-        with tempfile.TemporaryDirectory(prefix="winkler-app-") as place:
-            folder = Path(place)
-            if what == "csv":
-                archive.write(outcome, folder)
-                return File(archive.CSV, (folder / archive.CSV).read_bytes())
-            figures.save(figures.figures_of(outcome), folder, ("png",))
-            store, pictures = io.BytesIO(), sorted(folder.rglob("*.png"))
-            with zipfile.ZipFile(store, "w") as pack:
-                for path in pictures:
-                    pack.write(path, path.name)
-            return File("figures.zip", store.getvalue())
+        return exported(self.outcome, what)
+
+
+def beside_the_curve(sentence: str) -> str:
+    """Return why no curve could be fitted, told of the key in the study that it is about.
+
+    Examples
+    --------
+    >>> beside_the_curve("gel.csv: fit: not identifiable: the curve cannot tell one from the other.")
+    'fit.free: gel.csv: the curve cannot tell one from the other.'
+    """
+    if ": fit: not identifiable: " in sentence:
+        return f"fit.free: {sentence.replace('fit: not identifiable: ', '')}"
+    return f"fit.curve: {sentence}"

@@ -1,0 +1,93 @@
+"""What a page shows of fits: the numbers with their errors, what speaks against them, and pictures of one curve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from winkler.errors import WinklerError
+from winkler.fitting.outcome import Fit
+from winkler.plot.series import told as spoken_number
+from winkler.study import fit_tables
+from winkler.study.figures import svg_element
+from winkler.study.fit_outcome import FitOutcome
+from winkler.study.fit_report import figures_of_curves, figures_of_many, steps
+from winkler.study.markup import kept, safe
+from winkler.study.mathml import symbol
+from winkler.study.report import papers, trust
+from winkler.validity import worst
+from winkler.web.answer import Frame, Picture, Shown, Told, method_pictures, packed
+from winkler.web.fit_chart import MOST, draw_fit, draw_loop
+from winkler.web.fit_form import spoken_key
+from winkler.web.view import fitting
+
+__all__ = ["fit_pictures", "fit_sheets", "told_fits"]
+
+CURVE = "Dots are measured, the line is the fitted law; below, what is left over. It should scatter without a course."
+METHOD = "The pictures of the method show the fitted contact at the largest depth of the curve."
+
+
+def told_fits(outcome: FitOutcome, text: str) -> Told:
+    """Return the fitted numbers in words."""
+    count = len(outcome.fitted)
+    answers = [_cards(outcome) if count == 1 else "", fit_tables.doubts(outcome)]
+    body = [fit_tables.answers(outcome), steps(outcome), fit_tables.failures(outcome)]
+    return Told(
+        worst(outcome.validity).value,
+        f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
+        trust(outcome.validity),
+        papers(outcome.study.problem),
+        text,
+        count if count > 1 else 0,
+        0,
+    )
+
+
+def _cards(outcome: FitOutcome) -> str:
+    """Return every fitted number with its interval, in large letters."""
+    fit, cards = outcome.fitted[0].fit, []
+    for free in outcome.study.free:
+        word = outcome.study.word(free.key)
+        low, high = (spoken_number(end, word.unit) for end in fit.interval(free.path))
+        name = spoken_key(free.key).rpartition("› ")[2]
+        cards.append(
+            f'<div class="card"><div class="value">{safe(spoken_number(fit.value(free.path), word.unit))}</div>'
+            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>95 %: {kept(f"{low} … {high}")}</div></div>'
+        )
+    return f'<div class="cards">{"".join(cards)}</div>'
+
+
+def fit_pictures(outcome: FitOutcome, moment: int) -> Iterator[Picture | Frame]:
+    """Yield the interactive pictures of one of the curves, then their end.
+
+    Parameters
+    ----------
+    outcome
+        What the fits came to.
+    moment
+        Which of the fitted curves.
+    """
+    result = outcome.fitted[moment]
+    fit = result.fit
+    some = f" Of {fit.curve.count} points {MOST} are drawn." if fit.curve.count > MOST else ""
+    found = [Picture("fit", f"Curve and fit: {result.name}", f"{CURVE}{some}", packed(draw_fit(fit)))]
+    remark = ""
+    if isinstance(fit, Fit):
+        try:
+            contact = fit.model.solve()
+        except WinklerError as error:
+            remark = f"There are no pictures of the method: {error}"
+        else:
+            found += method_pictures(contact, fitting(contact.pressed))
+            remark = METHOD
+    else:
+        sentence = "As the body answered; in and out differ because it relaxes."
+        found.append(Picture("loop", "Force over depth", sentence, packed(draw_loop(fit))))
+    yield from found
+    yield Frame(len(found), remark)
+
+
+def fit_sheets(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield the sheets of fits: maps and numbers of many curves, and of a body that relaxes its relaxation."""
+    relaxing = not isinstance(outcome.fitted[0].fit, Fit)
+    for one in (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())):
+        yield Shown(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))

@@ -1,0 +1,209 @@
+"""Fits in the app: the same numbers as on the command line, and every mistake beside its field."""
+
+from __future__ import annotations
+
+import csv
+import io
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tomli_w
+from web_replies import gathered
+
+from winkler.cli import main
+from winkler.errors import InvalidInput
+from winkler.io.curves import read_curve
+from winkler.study.fit_reading import FITTED, parse_fit_study
+from winkler.study.reading import parsed
+from winkler.web import fit_form, form
+from winkler.web.answer import Told
+from winkler.web.asking import Asking
+from winkler.web.fit_chart import MOST, drawn_points
+from winkler.web.room import Room, files_in
+from winkler.web.worker import Export, Look, Solve, Wrong, _Bench, beside_the_curve
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+YOUNG = "problem.bed.medium.first.young"
+
+
+@pytest.fixture(scope="module")
+def bench():
+    return _Bench()
+
+
+@pytest.fixture
+def room(tmp_path):
+    shutil.copy(EXAMPLES / "data" / "gel_bead.csv", tmp_path / "gel_bead.csv")
+    return tmp_path
+
+
+def gel_table():
+    """The study of the example, with the curve beside it as an upload lies there."""
+    table = parsed((EXAMPLES / "studies" / "fit_gel.toml").read_text(encoding="utf-8"), "fit_gel.toml")
+    form.put(table, "fit.curve", "gel_bead.csv")
+    return table
+
+
+def solved(bench, table, folder):
+    return gathered(bench.replies(Solve(1, tomli_w.dumps(table), folder, True)))
+
+
+def test_the_app_and_the_command_line_fit_equal_numbers(bench, room, tmp_path):
+    told, frame = solved(bench, gel_table(), room)
+    (file,) = bench.replies(Export(2, "csv"))
+    folder = tmp_path / "by_command"
+    assert main(["fit", str(EXAMPLES / "studies" / "fit_gel.toml"), "--output", str(folder), "--quiet"]) == 0
+    rows = [
+        next(csv.DictReader(io.StringIO(text)))
+        for text in (file.content.decode("utf-8"), (folder / "fit.csv").read_text(encoding="utf-8"))
+    ]
+    for row in rows:
+        row["curve [-]"] = row["curve [-]"].rpartition("/")[2] if "curve [-]" in row else ""
+    assert {k: v.rpartition("/")[2] for k, v in rows[0].items()} == {
+        k: v.rpartition("/")[2] for k, v in rows[1].items()
+    }
+    assert isinstance(told, Told)
+    assert "3.99 kPa" in told.answers
+    assert told.standing == "approximate"
+    assert [one.name for one in frame.pictures][:2] == ["fit", "shape"]
+
+
+def test_the_picture_holds_the_curve_and_what_is_left_over(bench, room):
+    _, frame = solved(bench, gel_table(), room)
+    chart = frame.pictures[0].chart
+    fit = bench.outcome.fitted[0].fit
+    curve = read_curve(room / "gel_bead.csv")
+    dots, left, law = chart["data"][:3]
+    scale = 1e9  # to nN
+    assert np.sort(dots["y"]) == pytest.approx(np.sort(curve.force) * scale, rel=1e-6, abs=1e-6)
+    assert np.sort(left["y"]) == pytest.approx(np.sort(curve.force - fit.predicted) * 1e12, rel=1e-4, abs=1e-4)
+    assert law["name"] == "fitted"
+    assert np.sort(law["y"]) == pytest.approx(np.sort(fit.predicted) * scale, rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("path", "content", "owner", "part"),
+    [
+        ("fit.curve", "spoilt.csv", "fit.curve", "no table of a force curve"),
+        ("fit.part", "in", "fit.part", "approach or hold"),
+        ("fit.noise", "3 kg", "fit.noise", "mass"),
+        ("problem.bed.medium.first.young", "1 kg", YOUNG, "mass"),
+        ("fit.free", {YOUNG: ["10 N", "1 Pa"]}, f"fit.free.{YOUNG}.0", "force"),
+        ("fit.free", {YOUNG: ["2 Pa", "1 Pa"]}, f"fit.free.{YOUNG}", "not below"),
+        ("fit.free", {YOUNG: True, "problem.bed.medium.first.poisson": True}, "fit.free", "only a combination"),
+        ("fit.free", {}, "fit.free", "empty"),
+    ],
+)
+def test_every_mistake_names_its_field(bench, room, path, content, owner, part):
+    (room / "spoilt.csv").write_text("nothing to fit", encoding="utf-8")
+    table = gel_table()
+    form.put(table, path, content)
+    (wrong,) = solved(bench, table, room)
+    assert isinstance(wrong, Wrong)
+    assert part in wrong.sentences[0]
+    assert form.owner_of(wrong.sentences[0]) == owner
+
+
+def test_many_curves_are_looked_at_one_by_one(bench, tmp_path):
+    for place in (1, 2, 3):
+        lines = (EXAMPLES / "data" / "gel_bead.csv").read_text(encoding="utf-8").splitlines()
+        (tmp_path / f"c{place}.csv").write_text("\n".join(lines[: 4 + 100 * place]), encoding="utf-8")
+    table = gel_table()
+    form.put(table, "fit.curve", "c[23].csv")
+    told, frame, *sheets = solved(bench, table, tmp_path)
+    assert told.moments == 2
+    assert frame.pictures[0].title.endswith("c2.csv")
+    (looked,) = gathered(bench.replies(Look(2, 1)))
+    assert looked.pictures[0].title.endswith("c3.csv")
+    assert sheets == []
+
+
+@pytest.mark.parametrize("kind", FITTED)
+def test_what_a_fit_begins_with_can_be_read(kind, room):
+    table = fit_form.begun(kind)
+    form.put(table, "fit.curve", "gel_bead.csv")
+    study = parse_fit_study(tomli_w.dumps(table), folder=room)
+    lines, others = fit_form.lines(table)
+    assert [line.key for line in lines] == [free.key for free in study.free]
+    assert all(line.word.meaning for line in lines)
+    assert others
+    assert not set(others) & {line.key for line in lines}
+    for key in others:  # whatever may be chosen can be free
+        table["fit"]["free"] = {key: True}
+        parse_fit_study(tomli_w.dumps(table), folder=room)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "unit", "content"),
+    [
+        ("", "", "Pa", True),
+        ("1 kPa", "", "Pa", "1 kPa"),
+        ("1 kPa", "1 MPa", "Pa", ["1 kPa", "1 MPa"]),
+        ("0.1", "0.4", "", [0.1, 0.4]),
+        ("", "1 MPa", "Pa", ["", "1 MPa"]),
+    ],
+)
+def test_bounds(low, high, unit, content):
+    assert fit_form.bounds(low, high, unit) == content
+
+
+def test_both_studies_are_kept_while_one_turns():
+    calls = []
+    asking = Asking(lambda: calls.append("form"), lambda: calls.append("solve"))
+    asking.change("problem.load.force", "3 N", "quantity [N]")
+    asking.turn("fit")
+    asking.bound(YOUNG, "1 Pa", "1 MPa", "Pa")
+    asking.free("problem.bed.profile.curvature_radius")
+    asking.fix("baseline")
+    free = {YOUNG: ["1 Pa", "1 MPa"], "contact_point": True}
+    assert form.at(asking.table, "fit.free") == {**free, "problem.bed.profile.curvature_radius": True}
+    asking.choose("problem.bed.profile", "cone")  # has no radius
+    assert form.at(asking.table, "fit.free") == free
+    asking.turn("solve")
+    assert form.at(asking.table, "problem.load.force") == "3 N"
+    asking.turn("solve")
+    assert calls == ["solve", "form", "solve", "form", "form", "form", "form"]
+
+
+def test_the_curve_is_kept_when_the_model_changes():
+    asking = Asking(lambda: None, lambda: None)
+    asking.turn("fit")
+    asking.read("fit.curve", "gel.csv")
+    asking.choose("problem", "adhesive_indentation")
+    assert form.at(asking.table, "fit.curve") == "gel.csv"
+    assert form.at(asking.table, "problem.kind") == "adhesive_indentation"
+    assert list(files_in(asking.table)) == [("fit.curve", "gel.csv")]
+
+
+def test_a_study_and_its_curve_travel_together(room):
+    kept = Room()
+    text = tomli_w.dumps(gel_table())
+    kept.keep("gel_bead.csv", (room / "gel_bead.csv").read_bytes())
+    store = kept.packed(text, "study.toml", ("gel_bead.csv",))
+    other = Room()
+    assert other.unpack(store, "study.toml").decode() == text
+    assert other.names == ("gel_bead.csv",)
+    other.check(gel_table())
+    with pytest.raises(InvalidInput, match="upload a measured curve"):
+        other.check({"fit": {"curve": ""}})
+    with pytest.raises(InvalidInput, match="uploaded files only"):
+        other.check({"fit": {"curve": "../../etc/*"}})
+    with pytest.raises(InvalidInput, match=r"no study\.toml"):
+        other.unpack(kept.packed("", "else.toml", ()), "study.toml")
+    with pytest.raises(InvalidInput, match="cannot be read"):
+        other.unpack(b"PK\x03\x04 spoilt", "study.toml")
+    kept.close()
+    other.close()
+
+
+def test_only_so_many_points_are_drawn():
+    assert drawn_points(10).tolist() == list(range(10))
+    some = drawn_points(100_000)
+    assert some.size == MOST
+    assert some[-1] == 99_999
+
+
+def test_whose_fault_it_is():
+    assert beside_the_curve("gel.csv: it never touches.") == "fit.curve: gel.csv: it never touches."

@@ -1,0 +1,164 @@
+"""Sweeps in the app: rows of the form are lines of [sweep], and the numbers are those of the command line."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+import pytest
+import tomli_w
+
+from winkler.study.designs import DESIGNS
+from winkler.study.reading import parse_study
+from winkler.study.run import run
+from winkler.web import form, sweep_form
+from winkler.web.answer import Frame, Picture, Shown, Told
+from winkler.web.asking import Asking
+from winkler.web.worker import POINTS, Export, Progress, Solve, Wrong, _Bench
+
+FORCE, RADIUS, POISSON = (
+    "problem.load.force",
+    "problem.bed.profile.curvature_radius",
+    "problem.bed.medium.first.poisson",
+)
+
+
+@pytest.fixture(scope="module")
+def bench():
+    return _Bench()
+
+
+def asked(*keys, kind="crossed"):
+    """Return the table of a sweep as a person would make it."""
+    asking = Asking(lambda: None, lambda: None)
+    for key in keys:
+        asking.vary(key)
+    asking.redesign(kind)
+    return asking
+
+
+def first_of(bench, text, folder):
+    """Yield the parts of an answer up to its first sheet."""
+    for reply in bench.replies(Solve(1, text, folder, True)):
+        yield reply
+        if isinstance(reply, Shown):
+            return
+
+
+def test_a_number_varies_about_what_it_was():
+    asking = asked(FORCE, POISSON)
+    assert asking.table["sweep"] == {
+        FORCE: {"from": "50 N", "to": "200 N", "count": 5},
+        POISSON: {"from": 0, "to": 0.49, "count": 5},
+    }
+    study = parse_study(tomli_w.dumps(asking.table))
+    assert study.shape == (5, 5)
+    assert study.axes[0].values == (50.0, 87.5, 125.0, 162.5, 200.0)
+
+
+@pytest.mark.parametrize(
+    ("way", "texts", "values"),
+    [
+        ("even", {"from": "10 N", "to": "30 N", "count": "3"}, (10.0, 20.0, 30.0)),
+        ("ratio", {"from": "1 N", "to": "100 N", "count": "3"}, (1.0, 10.0, 100.0)),
+        ("list", {"values": "3 N, 1 N, 2 N"}, (3.0, 1.0, 2.0)),
+        ("even", {"values": "3 N, 4 N, 5 N"}, (3.0, 4.0, 5.0)),
+    ],
+)
+def test_what_stands_in_the_boxes_is_what_is_solved(way, texts, values):
+    asking = asked(FORCE)
+    asking.vary_over(FORCE, way, texts, anew=True)
+    study = parse_study(tomli_w.dumps(asking.table))
+    assert study.axes[0].values == pytest.approx(values, rel=1e-12)
+    ((row,), others) = sweep_form.rows(asking.table)
+    assert row.way == way
+    again = asked(FORCE)
+    again.vary_over(FORCE, row.way, row.texts, anew=True)
+    assert again.table == asking.table
+    assert FORCE not in others
+    assert RADIUS in others
+
+
+@pytest.mark.parametrize("kind", DESIGNS)
+def test_every_design_can_be_chosen_and_left(kind):
+    asking = asked(FORCE, RADIUS, kind=kind)
+    assert sweep_form.plan(asking.table) == kind
+    study = parse_study(tomli_w.dumps(asking.table))
+    assert study.design.kind == kind
+    assert set(sweep_form.PLANS) == set(DESIGNS)
+    counts = {"crossed": 25, "zipped": 5, "latin_hypercube": 64, "sobol": 64, "sensitivity": 64 * 4}
+    points = 1
+    for length in study.shape:
+        points *= length
+    assert points == counts[kind]
+    asking.redesign("crossed")
+    assert parse_study(tomli_w.dumps(asking.table)).shape == (5, 5)
+
+
+def test_without_a_number_there_is_no_sweep():
+    asking = asked(FORCE, RADIUS, kind="sobol")
+    asking.still(FORCE)
+    assert list(asking.table["sweep"]) == ["design", RADIUS]
+    asking.choose("problem.bed.profile", "cone")  # has no radius
+    assert "sweep" not in asking.table
+
+
+def test_the_app_and_the_command_line_sweep_equal_numbers(bench, tmp_path):
+    asking = asked(FORCE, RADIUS, kind="sobol")
+    form.put(asking.table, "sweep.design.count", 8)
+    text = tomli_w.dumps(asking.table)
+    replies = [reply for reply in first_of(bench, text, tmp_path) if not isinstance(reply, Progress)]
+    told, *pictures, frame, sheet = replies
+    assert all(isinstance(one, Picture) for one in pictures)
+    assert isinstance(told, Told)
+    assert told.points == 8
+    assert isinstance(frame, Frame)
+    assert "the last point of the sweep" in frame.remark
+    assert isinstance(sheet, Shown)
+    assert sheet.title == "Depth over what was varied"
+    (file,) = bench.replies(Export(2, "csv"))
+    rows = list(csv.DictReader(io.StringIO(file.content.decode())))
+    expected = run(parse_study(text))
+    for name in ("depth [m]", "radius [m]"):
+        assert [float(row[name]) for row in rows] == expected.answer(name.split()[0]).ravel().tolist()
+    (archive,) = bench.replies(Export(3, "netcdf"))
+    assert archive.name == "results.nc"
+
+
+def test_progress_is_told_and_rises(bench, tmp_path, monkeypatch):
+    monkeypatch.setattr("winkler.web.worker.BEAT", 0.0)
+    text = tomli_w.dumps(asked(FORCE).table)
+    replies = bench.replies(Solve(1, text, tmp_path, True))
+    assert [next(replies) for _ in range(5)] == [Progress(done, 5) for done in range(1, 6)]
+    assert isinstance(next(replies), Told)
+
+
+def test_too_many_points_are_refused(bench, tmp_path):
+    asking = asked(FORCE, RADIUS)
+    asking.vary_over(FORCE, "even", {"from": "1 N", "to": "2 N", "count": "101"}, anew=False)
+    asking.vary_over(RADIUS, "even", {"from": "1 mm", "to": "2 mm", "count": "10"}, anew=False)
+    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(asking.table), tmp_path, True))
+    assert isinstance(wrong, Wrong)
+    (sentence,) = wrong.sentences
+    assert f"1010 points, and the app solves at most {POINTS}" in sentence
+    assert form.owner_of(sentence) == "sweep"
+
+
+@pytest.mark.parametrize(
+    ("key", "content", "owner"),
+    [
+        (FORCE, {"from": "1 kg", "to": "2 N", "count": 3}, f"sweep.{FORCE}.from"),
+        (FORCE, {"from": "1 N", "count": 3}, f"sweep.{FORCE}.to"),
+        (FORCE, {"from": "1 N", "to": "2 N", "count": 2.5}, f"sweep.{FORCE}.count"),
+        (FORCE, ["1 N", "2 kg"], f"sweep.{FORCE}.1"),
+        (FORCE, [], f"sweep.{FORCE}"),
+        ("design", {"kind": "sobol", "count": 60, "seed": 0}, "sweep.design.count"),
+        (POISSON, {"from": 0.1, "to": 0.9, "count": 3}, "sweep"),
+    ],
+)
+def test_every_mistake_of_a_sweep_names_its_field(bench, tmp_path, key, content, owner):
+    asking = asked(FORCE)
+    asking.table["sweep"][key] = content
+    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(asking.table), tmp_path, True))
+    assert isinstance(wrong, Wrong)
+    assert form.owner_of(wrong.sentences[0]) == owner, wrong.sentences[0]
