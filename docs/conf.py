@@ -92,6 +92,7 @@ CHAPTERS = (
     ("Problems and their answers", "problems"),
     ("Fits to force curves", "fitting"),
     ("Fields", "fields"),
+    ("Greatest stresses", "peaks"),
     ("Reading measured tables", "io"),
     ("How far a result can be trusted", "validity"),
     ("Errors", "errors"),
