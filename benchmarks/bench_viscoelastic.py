@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.materials.viscoelastic import Maxwell, Prony
+from winkler.materials.spring_and_dashpot import Maxwell
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation

@@ -102,7 +102,8 @@ def _entry(name: str) -> str:
     """Return the directive that documents one name of the front door."""
     item = getattr(winkler, name)
     if inspect.isclass(item):
-        return f".. autoclass:: winkler.{name}\n   :members:\n"
+        shared = "   :inherited-members:\n" if name.endswith("Solution") else ""  # what answers have in common
+        return f".. autoclass:: winkler.{name}\n   :members:\n{shared}"
     if callable(item):
         return f".. autofunction:: winkler.{name}\n"
     return f".. py:data:: winkler.{name}\n\n   ``{str(item).replace('winkler.', '')}``\n"

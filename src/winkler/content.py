@@ -6,6 +6,7 @@ what they let through is looked at here, so that no bed is a number and no radiu
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import functools
 import math
@@ -19,7 +20,7 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.vocabulary import word
 
-__all__ = ["FAULTS", "Expected", "careful", "expected_of", "guarded", "refuse_wrong"]
+__all__ = ["FAULTS", "Expected", "careful", "expected_of", "guarded", "guarded_stream", "refuse_wrong"]
 
 SMALLEST, LARGEST = 1e-60, 1e60
 """Numbers in SI units of what is given lie between these; squares and cubes of them are still numbers."""
@@ -189,19 +190,43 @@ def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(solve)
     def answered(self: Any, *given: Any, **named: Any) -> Any:
-        try:
-            with np.errstate(over="raise", divide="raise", invalid="raise"):
-                return solve(self, *given, **named)
-        except WinklerError:
-            raise
-        except FAULTS as error:
-            far = next(_far(self), "")
-            if not far and not isinstance(error, ArithmeticError):
-                raise
-            why = far or "the numbers are too large, too small or too far from each other"
-            raise OutsideValidity(
-                f"{type(self).__name__}: {why}, so that it cannot be computed ({error}); check the numbers and their "
-                "units."
-            ) from error
+        with _told(self):
+            return solve(self, *given, **named)
 
     return answered
+
+
+def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterator[Any]]:
+    """Return a march whose every step is guarded as `guarded` does it; who iterates is left alone between them."""
+
+    @functools.wraps(steps)
+    def streamed(self: Any, *given: Any, **named: Any) -> Iterator[Any]:
+        states = steps(self, *given, **named)
+        while True:
+            with _told(self):
+                try:
+                    state = next(states)
+                except StopIteration:
+                    return
+            yield state
+
+    return streamed
+
+
+@contextlib.contextmanager
+def _told(problem: Any) -> Iterator[None]:
+    """Turn arithmetic that leaves the range of numbers into one sentence about a problem."""
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            yield
+    except WinklerError:
+        raise
+    except FAULTS as error:
+        far = next(_far(problem), "")
+        if not far and not isinstance(error, ArithmeticError):
+            raise
+        why = far or "the numbers are too large, too small or too far from each other"
+        raise OutsideValidity(
+            f"{type(problem).__name__}: {why}, so that it cannot be computed ({error}); check the numbers and their "
+            "units."
+        ) from error

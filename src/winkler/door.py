@@ -65,8 +65,9 @@ from winkler.materials.named import (
     material_names,
 )
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
-from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.depth_graded import DepthGradedHalfSpace

@@ -13,7 +13,7 @@ from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
-from winkler.content import FAULTS, careful, expected_of, guarded, refuse_wrong
+from winkler.content import FAULTS, careful, expected_of, guarded, guarded_stream, refuse_wrong
 from winkler.errors import InvalidInput, WinklerError
 
 __all__ = ["frozen_array", "value"]
@@ -32,7 +32,13 @@ def frozen_array(array: Any) -> np.ndarray:
     return result
 
 
+PLAIN = frozenset((float, int, str, bool))
+"""What is frozen already; a sweep has a million of them."""
+
+
 def _frozen(content: Any) -> Any:
+    if type(content) is tuple and PLAIN.issuperset(map(type, content)):
+        return content
     if isinstance(content, np.ndarray):
         return float(content) if content.ndim == 0 and content.dtype.kind in "iuf" else frozen_array(content)
     if isinstance(content, np.generic):
@@ -86,8 +92,8 @@ def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
 
     A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
-    is compared with the types of the fields (`winkler.content`); its ``solve`` tells in one sentence if numbers leave
-    the range of floating-point numbers.
+    is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps`` tell in one sentence
+    if numbers leave the range of floating-point numbers.
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
 
@@ -119,8 +125,9 @@ def value(cls: type[T]) -> type[T]:
         ("__setstate__", _setstate),
     ):
         setattr(cls, name, method)
-    if "solve" in vars(cls):
-        setattr(cls, "solve", guarded(vars(cls)["solve"]))  # noqa: B010 (mypy knows no such attribute)
+    for name, guard in (("solve", guarded), ("steps", guarded_stream)):
+        if name in vars(cls):
+            setattr(cls, name, guard(vars(cls)[name]))
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
     expected = expected_of(made)
     return made

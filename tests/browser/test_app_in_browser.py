@@ -123,6 +123,37 @@ def test_narrow_window(fresh):
     seen.shot("narrow")
 
 
+def test_the_body_turns_and_grows(fresh):
+    """It is drawn by a script of ours: keys and the mouse show other sides of it, and a new answer is drawn."""
+    seen = fresh()
+    canvas = seen.page.locator('[data-picture="shape"] canvas')
+
+    def look():
+        return canvas.evaluate("canvas => canvas.toDataURL()")
+
+    looks = [look()]
+    canvas.focus()
+    for key in ("ArrowLeft", "ArrowUp"):
+        seen.page.keyboard.press(key)
+        looks.append(look())
+    box = canvas.bounding_box()
+    seen.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    seen.page.mouse.down()
+    seen.page.mouse.move(box["x"] + 0.7 * box["width"], box["y"] + 0.5 * box["height"], steps=4)
+    seen.page.mouse.up()
+    looks.append(look())
+    assert len(set(looks)) == len(looks)
+    canvas.dblclick()
+    assert look() == looks[0]
+    edge = "() => document.querySelector('[data-picture=shape]').data.edge.radius"
+    before = seen.page.evaluate(edge)
+    seen.type(FORCE, "50 N")
+    seen.page.locator(".head .card .value", has_text="50 N").wait_for(timeout=20_000)
+    seen.settled()
+    assert seen.page.evaluate(edge) == pytest.approx(before * 0.5 ** (1 / 3), rel=1e-3)  # in the frame that is held
+    assert look() != looks[0]
+
+
 def test_a_history_plays(fresh):
     seen = fresh()
     seen.choose("problem", "tangential")

@@ -15,7 +15,8 @@ from slopes import order
 import winkler as wk
 from winkler.foundation.springs import Springs
 from winkler.loading import Depth
-from winkler.materials.viscoelastic import Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation

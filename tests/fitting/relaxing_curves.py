@@ -8,7 +8,7 @@ from scipy.special import beta, betainc
 import winkler as wk
 from winkler.fitting.curve import ForceCurve
 from winkler.materials.fractional import PowerLawSolid
-from winkler.materials.viscoelastic import StandardSolid
+from winkler.materials.spring_and_dashpot import StandardSolid
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation

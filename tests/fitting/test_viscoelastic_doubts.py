@@ -10,7 +10,8 @@ import winkler as wk
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.materials.fractional import PowerLawSolid
-from winkler.materials.viscoelastic import Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import StandardSolid
+from winkler.materials.viscoelastic import Prony
 
 STANDARD = [f"{FIRST}{field}" for field in ("relaxed_shear", "shear", "relaxation_time")]
 ROWS = [f"{FIRST}{field}" for field in ("relaxed_shear", "shears", "relaxation_times")]

@@ -17,7 +17,8 @@ from winkler.fitting.viscoelastic_band import relaxation_band, watched
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic_terms import compare_terms
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
-from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 

@@ -244,7 +244,7 @@ def test_an_atomic_force_microscope(instruments):
     assert rough.heights.shape == (256, 256)
     np.testing.assert_allclose(rough.lengths, 1e-5, rtol=1e-12)
     assert rough.missing == 0
-    assert rough.rms_height == pytest.approx(told.rms_height_from_area() * 1e-9, rel=1e-12)
+    assert rough.rms_height == pytest.approx(told.Sq() * 1e-9, rel=1e-12)
     other = read_topography(instruments / "di-3.di", channel="Height")
     assert other.rms_height > 1.1 * rough.rms_height
     with pytest.raises(

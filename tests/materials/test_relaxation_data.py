@@ -7,7 +7,8 @@ import pytest
 
 from winkler.errors import InvalidInput
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
-from winkler.materials.viscoelastic import Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import StandardSolid
+from winkler.materials.viscoelastic import Prony
 
 T = np.geomspace(1e-3, 1e3, 61)
 BETWEEN = np.sqrt(T[1:] * T[:-1])

@@ -13,7 +13,8 @@ from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.elastic import TransverselyIsotropic
 from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
-from winkler.materials.viscoelastic import KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.media.proportional import RelaxingInProportion
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path

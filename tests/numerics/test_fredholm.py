@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from winkler.numerics import fredholm
+from winkler.numerics import fredholm, punch_tables
 from winkler.numerics.cosine import transform
 
 
@@ -125,8 +125,8 @@ def test_the_derivatives_of_the_resolvent():
 @pytest.mark.slow
 def test_answers_do_not_depend_on_what_was_asked_before():
     response = Love(0.7)
-    fredholm._tables.cache_clear()
+    punch_tables._tables.cache_clear()
     before = float(fredholm.area(response, np.array(3.3)))
-    fredholm._tables.cache_clear()
+    punch_tables._tables.cache_clear()
     fredholm.area(response, np.geomspace(1e-4, 50.0, 30))
     assert float(fredholm.area(response, np.array(3.3))) == before

@@ -14,7 +14,8 @@ from scipy.special import beta, betainc
 import winkler as wk
 from winkler.fitting.viscoelastic_response import elastic_table, forces, positions
 from winkler.materials.fractional import PowerLawSolid
-from winkler.materials.viscoelastic import KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation

@@ -11,7 +11,8 @@ from scipy.integrate import solve_ivp
 import winkler as wk
 from winkler.foundation.springs import Springs
 from winkler.loading import Depth
-from winkler.materials.viscoelastic import KelvinVoigt, Maxwell, Prony
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.relaxation import Recovery
 from winkler.numerics.spectra import RelaxationSeries

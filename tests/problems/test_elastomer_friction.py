@@ -9,7 +9,8 @@ import pytest
 
 from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic
-from winkler.materials.viscoelastic import KelvinVoigt, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.problems.elastomer_friction import ElastomerFriction
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import PowerSpectrum, SelfAffine

@@ -16,7 +16,8 @@ import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import Depth, Force
 from winkler.materials.fractional import PowerLawSolid
-from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation

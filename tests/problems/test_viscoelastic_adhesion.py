@@ -12,7 +12,7 @@ import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.crack import RateDependentWork, SaturatingWork
 from winkler.loading import Depth, Force, Shift
-from winkler.materials.viscoelastic import Maxwell, StandardSolid
+from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic_adhesion import ViscoelasticAdhesion

@@ -9,7 +9,7 @@ import winkler as wk
 from winkler.errors import OutsideValidity
 from winkler.fields import peak_stress, restore, restore_body
 from winkler.loading import Depth
-from winkler.materials.viscoelastic import Maxwell, StandardSolid
+from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic import ViscoelasticIndentation

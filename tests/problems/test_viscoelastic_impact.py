@@ -9,7 +9,8 @@ import pytest
 
 import winkler as wk
 from winkler.errors import InvalidInput
-from winkler.materials.viscoelastic import KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.viscoelastic_impact import ViscoelasticImpact
 

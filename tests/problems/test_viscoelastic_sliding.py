@@ -11,7 +11,8 @@ from scipy.integrate import quad
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.loading import Depth, Force, Radius
-from winkler.materials.viscoelastic import KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.viscoelastic_sliding import SlidingResistance
 from winkler.validity import Standing

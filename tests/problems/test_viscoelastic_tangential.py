@@ -14,7 +14,8 @@ import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift
-from winkler.materials.viscoelastic import KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
+from winkler.materials.viscoelastic import Prony
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.problems.viscoelastic_tangential import ViscoelasticTangential

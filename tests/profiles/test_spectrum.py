@@ -172,7 +172,7 @@ def test_surface_topography_finds_the_same(periodic):
         rough = rough.cropped((0, 0), (256, 200)).detrended(1)
     sizes = tuple((rough.lengths * 1e6).tolist())
     other = judge.Topography(rough.heights * 1e6, sizes, unit="um", periodic=periodic)
-    assert rough.rms_height * 1e6 == pytest.approx(other.rms_height_from_area(), rel=1e-9)
+    assert rough.rms_height * 1e6 == pytest.approx(other.Sq(), rel=1e-9)
     assert rough.rms_slope == pytest.approx(other.rms_gradient(), rel=1e-9 if periodic else 2e-3)
     q, density = other.power_spectrum_from_area(nb_points_per_decade=10)
     seen = (q > 5e-2) & (q < 0.5) & np.isfinite(density)

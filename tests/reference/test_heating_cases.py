@@ -6,6 +6,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
+from theory_judge import moving
 
 from winkler.reference.heating import (
     disc_centre_rise,
@@ -24,20 +25,6 @@ FORCE = 4.0 / 3.0 * 210e9 / (2.0 * (1.0 - 0.09)) * RADIUS**3 / 10e-3
 def expected(case):
     content = tomllib.loads((CASES / f"{case}.toml").read_text(encoding="utf-8"))
     return {item["quantity"]: item["value"] for item in content["expect"]}
-
-
-def moving(peclet, x):
-    """lambda a T / Q at x of Hertz' flux: point sources in polar coordinates, where the kernel is smooth."""
-    node, weight = np.polynomial.legendre.leggauss(60)
-    part = 0.5 * (1.0 - np.cos(0.5 * np.pi * (1.0 + node)))
-    weight = 0.25 * np.pi * weight * np.sin(0.5 * np.pi * (1.0 + node))
-    turn = 2.0 * np.pi * np.arange(256) / 256
-    chord = x * np.cos(turn) + np.sqrt(1.0 - (x * np.sin(turn)) ** 2)
-    away = chord[:, None] * part
-    inside = 1.0 - x * x + 2.0 * x * away * np.cos(turn)[:, None] - away**2
-    flux = 1.5 / np.pi * np.sqrt(np.maximum(inside, 0.0))
-    kernel = flux * np.exp(-peclet * away * (1.0 - np.cos(turn)[:, None]))
-    return float(np.mean(chord * (kernel @ weight)))
 
 
 def test_slow_sliding():

@@ -136,8 +136,7 @@ def test_a_map_is_written_to_the_last_bit(shape):
         assert again == item
 
 
-def test_maps_of_a_sweep_stand_beside_one_another():
-    text = """
+SWEPT = """
 [problem]
 kind = "surface_contact"
 load = { kind = "force", force = "5 N" }
@@ -149,9 +148,12 @@ shape = [24, 24]
 periodic = false
 spectrum = { kind = "self_affine", hurst = 0.8, rms_height = "1 um", longest = "1 mm", shortest = "0.1 mm" }
 [sweep]
-"problem.topography.spectrum.rms_height" = ["0.5 um", "1 um"]
 """
-    study = parse_study(text)
+"""A sweep over random maps; what is swept is added."""
+
+
+def test_maps_of_a_sweep_stand_beside_one_another():
+    study = parse_study(SWEPT + '"problem.topography.spectrum.rms_height" = ["0.5 um", "1 um"]')
     assert parse_study(study_text(study)) == study
     outcome = run(study)
     data = dataset(outcome)
@@ -213,21 +215,7 @@ def test_a_report_tells_what_a_random_surface_is_made_of():
 
 def test_maps_of_other_sizes_share_the_corner():
     """Pixels that a smaller map does not have are nan; there are no common places."""
-    text = """
-[problem]
-kind = "surface_contact"
-load = { kind = "force", force = "5 N" }
-medium = { kind = "half_space", first = { kind = "elastic", young = "83 GPa", poisson = 0.37 } }
-[problem.topography]
-kind = "random_topography"
-lengths = "1 mm"
-shape = [24, 24]
-periodic = false
-spectrum = { kind = "self_affine", hurst = 0.8, rms_height = "1 um", longest = "1 mm", shortest = "0.1 mm" }
-[sweep]
-"problem.topography.shape" = [[16, 24], [24, 20]]
-"""
-    study = parse_study(text)
+    study = parse_study(SWEPT + '"problem.topography.shape" = [[16, 24], [24, 20]]')
     assert parse_study(study_text(study)) == study
     outcome = run(study)
     data = dataset(outcome)

@@ -18,7 +18,8 @@ from winkler.study.outcome import Failed, Solved
 from winkler.study.pool import ONE_THREAD
 from winkler.study.run import run
 from winkler.study.study import Axis, Fields, Places, Study
-from winkler.study.sweep import solve_points, tasks
+from winkler.study.sweep import solve_points
+from winkler.study.tasks import tasks
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
 PROBLEM = wk.Indentation(BED, wk.Force(1.0))

@@ -108,7 +108,7 @@ def test_the_app_and_the_command_line_sweep_equal_numbers(bench, tmp_path):
     form.put(asking.table, "sweep.design.count", 8)
     text = tomli_w.dumps(asking.table)
     replies = [reply for reply in first_of(bench, text, tmp_path) if not isinstance(reply, Progress)]
-    told, frame, sheet = replies
+    told, *_, frame, sheet = replies
     assert isinstance(told, Told)
     assert told.points == 8
     assert isinstance(frame, Frame)

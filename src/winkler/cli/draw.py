@@ -79,7 +79,8 @@ def _solved(study: Any, point: int) -> Solved:
     from winkler.errors import InvalidInput
     from winkler.study.outcome import Failed
     from winkler.study.run import ERRORS
-    from winkler.study.sweep import solved, tasks
+    from winkler.study.sweep import solved
+    from winkler.study.tasks import tasks
 
     points = tasks(study)
     if not -len(points) <= point < len(points):

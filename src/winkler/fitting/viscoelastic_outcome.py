@@ -26,7 +26,39 @@ QUASISTATIC = Note(
 
 
 @value
-class ViscoelasticFit(Estimate):
+class _RelaxingFit(Estimate):
+    """What the fit of a contact that relaxes has found, whether forces or positions were fitted."""
+
+    curve: ForceCurve
+    model: ViscoelasticIndentation
+    names: tuple[str, ...]
+    values: Array
+    standard_errors: Array
+    correlation: Array
+    lows: Array
+    highs: Array
+    logarithmic: tuple[bool, ...]
+    noise: float
+    weights: Array
+    scatter: float
+    effective_count: float
+    predicted: Array
+    depth: Array
+    radius: Array
+    flags: tuple[Flag, ...]
+
+    @property
+    def _on_logarithm(self) -> tuple[bool, ...]:
+        return self.logarithmic
+
+    @property
+    def _contact_notes(self) -> tuple[Note, ...]:
+        bed = self.model.bed
+        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius))
+
+
+@value
+class ViscoelasticFit(_RelaxingFit):
     """What the forces along a measured motion say about a solid that relaxes.
 
     Parameters
@@ -63,28 +95,6 @@ class ViscoelasticFit(Estimate):
         What speaks against the numbers.
     """
 
-    curve: ForceCurve
-    model: ViscoelasticIndentation
-    names: tuple[str, ...]
-    values: Array
-    standard_errors: Array
-    correlation: Array
-    lows: Array
-    highs: Array
-    logarithmic: tuple[bool, ...]
-    noise: float
-    weights: Array
-    scatter: float
-    effective_count: float
-    predicted: Array
-    depth: Array
-    radius: Array
-    flags: tuple[Flag, ...]
-
-    @property
-    def _on_logarithm(self) -> tuple[bool, ...]:
-        return self.logarithmic
-
     @property
     def residuals(self) -> Array:
         """Measured less fitted forces [N]."""
@@ -96,11 +106,11 @@ class ViscoelasticFit(Estimate):
         error = self.scatter / max(float(np.ptp(self.curve.force)), 1e-300)
         moved = np.any(self.curve.direction != 0.0)
         free = free_notes(self.curve, self.radius > 0.0, error) if moved else []
-        return (*_contact_notes(self.model, self.depth, self.radius), *free, QUASISTATIC)
+        return (*self._contact_notes, *free, QUASISTATIC)
 
 
 @value
-class CreepFit(Estimate):
+class CreepFit(_RelaxingFit):
     """What the positions under measured forces say about a solid that creeps.
 
     Parameters
@@ -137,28 +147,6 @@ class CreepFit(Estimate):
         What speaks against the numbers.
     """
 
-    curve: ForceCurve
-    model: ViscoelasticIndentation
-    names: tuple[str, ...]
-    values: Array
-    standard_errors: Array
-    correlation: Array
-    lows: Array
-    highs: Array
-    logarithmic: tuple[bool, ...]
-    noise: float
-    weights: Array
-    scatter: float
-    effective_count: float
-    predicted: Array
-    depth: Array
-    radius: Array
-    flags: tuple[Flag, ...]
-
-    @property
-    def _on_logarithm(self) -> tuple[bool, ...]:
-        return self.logarithmic
-
     @property
     def residuals(self) -> Array:
         """Measured less fitted positions [m]."""
@@ -167,8 +155,4 @@ class CreepFit(Estimate):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the fitted contact can be trusted."""
-        return (*_contact_notes(self.model, self.depth, self.radius), QUASISTATIC)
-
-
-def _contact_notes(model: ViscoelasticIndentation, depth: Array, radius: Array) -> tuple[Note, ...]:
-    return (*model.bed.notes, *contact_notes(elastic_like(model.bed), depth, radius))
+        return (*self._contact_notes, QUASISTATIC)

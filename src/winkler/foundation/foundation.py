@@ -8,6 +8,7 @@ plane profile g(x); with :math:`g(a) = d`
 
 from __future__ import annotations
 
+from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
@@ -19,7 +20,7 @@ __all__ = ["Foundation"]
 
 
 @value
-class Foundation:
+class Foundation(OnMedium):
     """The springs that stand for a profile pressed into a medium.
 
     Parameters
@@ -92,19 +93,3 @@ class Foundation:
     def gap_load(self, radius: Array) -> Array:
         """The integral of k'(x) g(x) from 0 to `radius` [N]."""
         return self.medium.gap_load(self.profile, radius)
-
-    def stiffness(self, radius: Array) -> Array:
-        """k(a) [N/m]."""
-        return self.medium.punch_stiffness(radius)
-
-    def normal_stiffness(self, x: Array) -> Array:
-        """c_N(x) [Pa]."""
-        return self.medium.normal_stiffness(x)
-
-    def normal_stiffness_slope(self, x: Array) -> Array:
-        """c_N'(x) [Pa/m]."""
-        return self.medium.normal_stiffness_slope(x)
-
-    def tangential_stiffness(self, x: Array) -> Array:
-        """c_T(x) [Pa]."""
-        return self.medium.tangential_stiffness(x)

@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.foundation.on_medium import OnMedium
 from winkler.media import body_of
 from winkler.media.body_of import Imprint
 from winkler.media.halfspace import HomogeneousMedium
@@ -26,7 +27,7 @@ __all__ = ["PlaneFoundation"]
 
 
 @value
-class PlaneFoundation:
+class PlaneFoundation(OnMedium):
     """Springs under a given plane profile.
 
     Parameters
@@ -124,19 +125,3 @@ class PlaneFoundation:
         radius = np.asarray(radius, dtype=float)
         moved = abel.integral(lambda x: self.stiffness(x) * self.gap_slope(x), edges, radius)
         return np.asarray(self.stiffness(radius) * self.gap(radius) - moved)
-
-    def stiffness(self, radius: Array) -> Array:
-        """k(a) [N/m]."""
-        return self.medium.punch_stiffness(radius)
-
-    def normal_stiffness(self, x: Array) -> Array:
-        """c_N(x) [Pa]."""
-        return self.medium.normal_stiffness(x)
-
-    def normal_stiffness_slope(self, x: Array) -> Array:
-        """c_N'(x) [Pa/m]."""
-        return self.medium.normal_stiffness_slope(x)
-
-    def tangential_stiffness(self, x: Array) -> Array:
-        """c_T(x) [Pa]."""
-        return self.medium.tangential_stiffness(x)

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.array_file import write_arrays
 from winkler.problems.contacts import Contacts
 
 __all__ = ["read_contacts", "write_contacts"]
@@ -38,21 +39,7 @@ def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
         If there is no such folder, or its file cannot be written.
     """
     path = Path(path)
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        with partial.open("wb") as file:
-            np.savez(file, format=np.array(FORMAT), **{word: getattr(contacts, word) for word in WORDS})
-            file.flush()
-            os.fsync(file.fileno())
-        partial.replace(path)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise InvalidInput(
-            f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
-        ) from None
-    except BaseException:
-        partial.unlink(missing_ok=True)
-        raise
+    write_arrays(path, {"format": np.array(FORMAT), **{word: getattr(contacts, word) for word in WORDS}})
     return path
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
+from winkler.io.array_file import write_arrays
 from winkler.problems.wear_states import FrettingState, WearState
 
 __all__ = ["read_wear", "write_wear"]
@@ -64,21 +65,7 @@ def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Pat
         raise InvalidInput(f"{path}: there is no state to keep; give at least one.")
     kind = next(name for name, cls in KINDS.items() if type(states[0]) is cls)
     rows: dict[str, Any] = {word: np.array([getattr(state, word) for state in states]) for word in _words(KINDS[kind])}
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        with partial.open("wb") as file:
-            np.savez(file, allow_pickle=False, format=np.array(FORMAT), kind=np.array(kind), **rows)
-            file.flush()
-            os.fsync(file.fileno())
-        partial.replace(path)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise InvalidInput(
-            f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
-        ) from None
-    except BaseException:
-        partial.unlink(missing_ok=True)
-        raise
+    write_arrays(path, {"format": np.array(FORMAT), "kind": np.array(kind), **rows})
     return path
 
 

@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import not_negative
 from winkler.numerics.types import Array, Quantity
 from winkler.values import value
 
@@ -37,7 +38,7 @@ class Current:
     current: float
 
     def __post_init__(self) -> None:
-        _not_negative("Current", "current", self.current, "A")
+        not_negative("Current", "current", self.current, "A")
 
 
 @value
@@ -58,7 +59,7 @@ class Voltage:
     voltage: float
 
     def __post_init__(self) -> None:
-        _not_negative("Voltage", "voltage", self.voltage, "V")
+        not_negative("Voltage", "voltage", self.voltage, "V")
 
 
 Drive = Current | Voltage
@@ -134,8 +135,3 @@ class WiedemannFranz:
             )
         found = 2.0 * np.sqrt(self.lorenz_number * (hot**2 - ambient**2))
         return float(found) if np.ndim(temperature) == 0 else found
-
-
-def _not_negative(owner: str, word: str, given: object, unit: str) -> None:
-    if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 <= given < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {given!r}; give zero or a positive, finite number in {unit}.")

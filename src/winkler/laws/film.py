@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
+from winkler.given import not_negative
 from winkler.values import value
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
@@ -28,11 +29,7 @@ class SurfaceFilm:
     area_resistance: float = 0.0
 
     def __post_init__(self) -> None:
-        given = self.area_resistance
-        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 <= given < math.inf:
-            raise InvalidInput(
-                f"SurfaceFilm: area_resistance is {given!r}; give zero or a positive, finite number in ohm m^2."
-            )
+        not_negative("SurfaceFilm", "area_resistance", self.area_resistance, "ohm m^2")
 
 
 @value

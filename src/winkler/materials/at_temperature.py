@@ -39,7 +39,7 @@ class AtTemperature(ViscoelasticSolid):
 
     Examples
     --------
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> law = WilliamsLandelFerry(reference_temperature=300.0, first_constant=8.86, second_constant=101.6)
     >>> warm = AtTemperature(Maxwell(shear=1e6, relaxation_time=1.0), law, temperature=320.0)
     >>> round(float(warm.series.times[0]), 6) == round(law.factor(320.0), 6)

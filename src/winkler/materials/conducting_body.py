@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
+from winkler.given import positive_fields
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.values import value
 
@@ -40,7 +41,7 @@ class Plated:
     def __post_init__(self) -> None:
         for word in ("plating", "on"):
             _conductor("Plated", word, getattr(self, word))
-        _positive("Plated", "thickness", self.thickness)
+        positive_fields(self, thickness="m")
         if type(self.plating) is not type(self.on):
             raise InvalidInput(
                 f"Plated: a plating of {type(self.plating).__name__} on {type(self.on).__name__}; give two of one sort."
@@ -72,8 +73,7 @@ class Rod:
 
     def __post_init__(self) -> None:
         _conductor("Rod", "conductor", self.conductor)
-        for word in ("radius", "length"):
-            _positive("Rod", word, getattr(self, word))
+        positive_fields(self, radius="m", length="m")
 
 
 ConductingBody = Conductor | Plated | Rod
@@ -109,8 +109,3 @@ def _conductor(owner: str, word: str, given: object) -> None:
             f"{owner}: {word} is a {type(given).__name__}; give ElectricalConductor(resistivity) or "
             "ThermalConductor(conductivity, diffusivity)."
         )
-
-
-def _positive(owner: str, word: str, number: float) -> None:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in m.")

@@ -2,9 +2,7 @@ r"""What conducts: solids with a resistivity against electric current, or a cond
 
 from __future__ import annotations
 
-import math
-
-from winkler.errors import InvalidInput
+from winkler.given import not_negative, positive
 from winkler.values import value
 
 __all__ = ["ElectricalConductor", "ThermalConductor"]
@@ -37,13 +35,8 @@ class ElectricalConductor:
     temperature_coefficient: float = 0.0
 
     def __post_init__(self) -> None:
-        _positive("ElectricalConductor", "resistivity", self.resistivity, "ohm m")
-        alpha = self.temperature_coefficient
-        if isinstance(alpha, bool) or not isinstance(alpha, int | float) or not 0.0 <= alpha < math.inf:
-            raise InvalidInput(
-                f"ElectricalConductor: temperature_coefficient is {alpha!r}; give zero or a positive, finite number in "
-                "1/K."
-            )
+        positive("ElectricalConductor", "resistivity", self.resistivity, "ohm m")
+        not_negative("ElectricalConductor", "temperature_coefficient", self.temperature_coefficient, "1/K")
 
     def resistivity_above(self, rise: float) -> float:
         """Return rho [ohm m] at `rise` [K] above the temperature of the body."""
@@ -78,8 +71,8 @@ class ThermalConductor:
     diffusivity: float
 
     def __post_init__(self) -> None:
-        _positive("ThermalConductor", "conductivity", self.conductivity, "W/(m K)")
-        _positive("ThermalConductor", "diffusivity", self.diffusivity, "m^2/s")
+        positive("ThermalConductor", "conductivity", self.conductivity, "W/(m K)")
+        positive("ThermalConductor", "diffusivity", self.diffusivity, "m^2/s")
 
     @classmethod
     def of(cls, conductivity: float, density: float, heat_capacity: float) -> ThermalConductor:
@@ -95,10 +88,5 @@ class ThermalConductor:
             ("density", density, "kg/m^3"),
             ("heat_capacity", heat_capacity, "J/(kg K)"),
         ):
-            _positive("ThermalConductor", word, number, unit)
+            positive("ThermalConductor", word, number, unit)
         return cls(conductivity, conductivity / (density * heat_capacity))
-
-
-def _positive(owner: str, word: str, number: float, unit: str) -> None:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")

@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import poisson_ratio, positive_fields
 from winkler.numerics.types import Array
 from winkler.values import frozen_array, value
 
@@ -44,17 +45,6 @@ class DepthGrading(Protocol):
         ...
 
 
-def _check(owner: object, positive: tuple[str, ...]) -> None:
-    name = type(owner).__name__
-    for word in positive:
-        number = getattr(owner, word)
-        if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-            raise InvalidInput(f"{name}: {word} is {number!r}; it must be a positive, finite number.")
-    poisson = getattr(owner, "poisson")  # noqa: B009
-    if isinstance(poisson, bool) or not isinstance(poisson, int | float) or not -1.0 < poisson <= 0.5:
-        raise InvalidInput(f"{name}: poisson is {poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
-
-
 @value
 class ExponentialGrading:
     """E(z) = deep + (surface - deep) exp(-z / depth_scale).
@@ -75,7 +65,8 @@ class ExponentialGrading:
     poisson: float
 
     def __post_init__(self) -> None:
-        _check(self, ("surface_young", "deep_young", "depth_scale"))
+        positive_fields(self, surface_young="Pa", deep_young="Pa", depth_scale="m")
+        poisson_ratio("ExponentialGrading", self.poisson)
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -124,7 +115,8 @@ class SigmoidalGrading:
     poisson: float
 
     def __post_init__(self) -> None:
-        _check(self, ("surface_young", "deep_young", "transition_depth", "transition_width"))
+        positive_fields(self, surface_young="Pa", deep_young="Pa", transition_depth="m", transition_width="m")
+        poisson_ratio("SigmoidalGrading", self.poisson)
 
     @property
     def breaks(self) -> tuple[float, ...]:

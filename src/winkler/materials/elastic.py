@@ -5,14 +5,10 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
+from winkler.given import poisson_ratio, positive
 from winkler.values import value
 
 __all__ = ["Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
-
-
-def _positive(owner: str, word: str, number: float, unit: str) -> None:
-    if not (isinstance(number, int | float) and math.isfinite(number) and number > 0.0):
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")
 
 
 @value
@@ -44,11 +40,10 @@ class Elastic:
     strength: float = math.inf
 
     def __post_init__(self) -> None:
-        _positive("Elastic", "young", self.young, "Pa")
-        if not (isinstance(self.poisson, int | float) and -1.0 < self.poisson <= 0.5):
-            raise InvalidInput(f"Elastic: poisson is {self.poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
+        positive("Elastic", "young", self.young, "Pa")
+        poisson_ratio("Elastic", self.poisson)
         if self.strength != math.inf:
-            _positive("Elastic", "strength", self.strength, "Pa")
+            positive("Elastic", "strength", self.strength, "Pa")
 
     @property
     def shear(self) -> float:

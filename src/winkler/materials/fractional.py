@@ -14,6 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged
+from winkler.given import not_negative, poisson_ratio
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
@@ -150,11 +151,7 @@ class FractionalZener(ViscoelasticSolid):
 
     def __post_init__(self) -> None:
         _check(self, "shear", "relaxation_time")
-        given = self.relaxed_shear
-        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 <= given < math.inf:
-            raise InvalidInput(
-                f"FractionalZener: relaxed_shear is {given!r}; give zero or a positive, finite number in Pa."
-            )
+        not_negative("FractionalZener", "relaxed_shear", self.relaxed_shear, "Pa")
 
     @property
     def span(self) -> tuple[float, float]:
@@ -243,5 +240,4 @@ def _check(solid: PowerLawSolid | FractionalZener, *positive: str) -> None:
         raise InvalidInput(f"{owner}: the span from {solid.shortest:g} to {solid.longest:g} s is empty; exchange them.")
     if not 1e-10 <= solid.tolerance <= 0.1:
         raise InvalidInput(f"{owner}: tolerance is {solid.tolerance!r}; give one between 1e-10 and 0.1.")
-    if not -1.0 < solid.poisson <= 0.5:
-        raise InvalidInput(f"{owner}: poisson is {solid.poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
+    poisson_ratio(owner, solid.poisson)

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
+from winkler.given import poisson_ratio, positive_fields
 from winkler.values import value
 
 __all__ = ["PowerLawGraded"]
@@ -54,19 +55,12 @@ class PowerLawGraded:
     poisson: float
 
     def __post_init__(self) -> None:
-        for word, unit in (("young", "Pa"), ("depth_scale", "m")):
-            number = getattr(self, word)
-            if not (_is_number(number) and math.isfinite(number) and number > 0.0):
-                raise InvalidInput(
-                    f"PowerLawGraded: {word} is {number!r}; it must be a positive, finite number in {unit}."
-                )
-        if not (_is_number(self.poisson) and -1.0 < self.poisson <= 0.5):
+        positive_fields(self, young="Pa", depth_scale="m")
+        poisson_ratio("PowerLawGraded", self.poisson)
+        given = self.exponent
+        if isinstance(given, bool) or not isinstance(given, int | float) or not -1.0 < given <= 1.0:
             raise InvalidInput(
-                f"PowerLawGraded: poisson is {self.poisson!r}; a Poisson ratio is above -1 and at most 0.5."
-            )
-        if not (_is_number(self.exponent) and -1.0 < self.exponent <= 1.0):
-            raise InvalidInput(
-                f"PowerLawGraded: exponent is {self.exponent!r}; a surface under load has a finite depth only for "
+                f"PowerLawGraded: exponent is {given!r}; a surface under load has a finite depth only for "
                 "exponents above -1 and below 1."
             )
         if self.exponent == 1.0 and self.poisson != 0.5:
@@ -78,7 +72,3 @@ class PowerLawGraded:
     def young_at(self, depth: float) -> float:
         """Return Young's modulus [Pa] at a depth [m]."""
         return self.young * math.pow(depth / self.depth_scale, self.exponent)
-
-
-def _is_number(content: object) -> bool:
-    return isinstance(content, int | float) and not isinstance(content, bool)

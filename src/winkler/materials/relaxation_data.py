@@ -13,6 +13,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import poisson_ratio
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
@@ -200,8 +201,7 @@ def _check(data: RelaxationData | CreepData | DynamicData, first: str, *others: 
             raise InvalidInput(
                 f"{owner}: {first} has {rising.size} numbers and {word} {getattr(data, word).size}; give as many."
             )
-    if isinstance(data.poisson, bool) or not -1.0 < data.poisson <= 0.5:
-        raise InvalidInput(f"{owner}: poisson is {data.poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
+    poisson_ratio(owner, data.poisson)
 
 
 def _spread(time: Array) -> Array:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
+from winkler.given import positive, positive_fields
 from winkler.values import value
 
 __all__ = ["Arrhenius", "WilliamsLandelFerry"]
@@ -48,8 +49,7 @@ class WilliamsLandelFerry:
     second_constant: float = 51.6
 
     def __post_init__(self) -> None:
-        for word, unit in (("reference_temperature", "K"), ("first_constant", "1"), ("second_constant", "K")):
-            _positive("WilliamsLandelFerry", word, getattr(self, word), unit)
+        positive_fields(self, reference_temperature="K", first_constant="", second_constant="K")
 
     def factor(self, temperature: float) -> float:
         """Return a_T [-] at a temperature [K].
@@ -61,7 +61,8 @@ class WilliamsLandelFerry:
         OutsideValidity
             If it is so low that the law has no answer.
         """
-        above = _positive("WilliamsLandelFerry", "temperature", temperature, "K") - self.reference_temperature
+        positive("WilliamsLandelFerry", "temperature", temperature, "K")
+        above = temperature - self.reference_temperature
         if self.second_constant + above <= 0.0:
             raise OutsideValidity(
                 f"WilliamsLandelFerry: at {temperature:g} K the law has no answer; it holds well above "
@@ -98,8 +99,7 @@ class Arrhenius:
     activation_energy: float
 
     def __post_init__(self) -> None:
-        for word, unit in (("reference_temperature", "K"), ("activation_energy", "J/mol")):
-            _positive("Arrhenius", word, getattr(self, word), unit)
+        positive_fields(self, reference_temperature="K", activation_energy="J/mol")
 
     def factor(self, temperature: float) -> float:
         """Return a_T [-] at a temperature [K].
@@ -109,11 +109,5 @@ class Arrhenius:
         InvalidInput
             If the temperature is not positive.
         """
-        absolute = _positive("Arrhenius", "temperature", temperature, "K")
-        return math.exp(self.activation_energy / GAS * (1.0 / absolute - 1.0 / self.reference_temperature))
-
-
-def _positive(owner: str, word: str, number: float, unit: str) -> float:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")
-    return float(number)
+        positive("Arrhenius", "temperature", temperature, "K")
+        return math.exp(self.activation_energy / GAS * (1.0 / temperature - 1.0 / self.reference_temperature))

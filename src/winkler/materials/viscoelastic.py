@@ -12,11 +12,12 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import not_negative, poisson_ratio, positive
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
 
-__all__ = ["GeneralisedKelvin", "KelvinVoigt", "Maxwell", "Prony", "StandardSolid", "ViscoelasticSolid"]
+__all__ = ["GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
 
 
 class ViscoelasticSolid:
@@ -134,7 +135,8 @@ class ViscoelasticSolid:
         InvalidInput
             If the factor is not positive and finite.
         """
-        series = self.series.scaled(1.0, _positive("slowed", "factor", factor, "1"))
+        positive("slowed", "factor", factor, "")
+        series = self.series.scaled(1.0, factor)
         return Prony(series.relaxed, series.moduli, series.times, series.viscosity, self.poisson)
 
 
@@ -176,7 +178,9 @@ class Prony(ViscoelasticSolid):
     poisson: float = 0.5
 
     def __post_init__(self) -> None:
-        _check_numbers(self, relaxed_shear="Pa", viscosity="Pa s")
+        poisson_ratio("Prony", self.poisson)
+        not_negative("Prony", "relaxed_shear", self.relaxed_shear, "Pa")
+        not_negative("Prony", "viscosity", self.viscosity, "Pa s")
         for word, unit in (("shears", "Pa"), ("relaxation_times", "s")):
             object.__setattr__(self, word, _positive_row("Prony", word, getattr(self, word), unit, flat=True))
         if self.shears.size != self.relaxation_times.size:
@@ -231,7 +235,9 @@ class GeneralisedKelvin(ViscoelasticSolid):
     poisson: float = 0.5
 
     def __post_init__(self) -> None:
-        _check_numbers(self, glassy_compliance="1/Pa", fluidity="1/(Pa s)")
+        poisson_ratio("GeneralisedKelvin", self.poisson)
+        not_negative("GeneralisedKelvin", "glassy_compliance", self.glassy_compliance, "1/Pa")
+        not_negative("GeneralisedKelvin", "fluidity", self.fluidity, "1/(Pa s)")
         for word, unit in (("compliances", "1/Pa"), ("retardation_times", "s")):
             object.__setattr__(self, word, _positive_row("GeneralisedKelvin", word, getattr(self, word), unit, True))
         if self.compliances.size != self.retardation_times.size:
@@ -249,134 +255,6 @@ class GeneralisedKelvin(ViscoelasticSolid):
         return of_creep(CreepSeries(self.glassy_compliance, self.fluidity, strengths, times))
 
 
-@value
-class KelvinVoigt(ViscoelasticSolid):
-    """A spring and a dashpot side by side: the stress is G gamma + eta dgamma/dt.
-
-    It has no immediate answer: a sudden step of strain takes an infinite force.
-
-    Parameters
-    ----------
-    shear : float
-        G [Pa], positive.
-    viscosity : float
-        eta [Pa s], positive.
-    poisson : float, optional
-        nu [-].
-
-    Raises
-    ------
-    InvalidInput
-        If a number is outside its range.
-
-    Examples
-    --------
-    >>> round(float(KelvinVoigt(shear=2.0, viscosity=4.0).creep(2.0)), 9)
-    0.316060279
-    """
-
-    shear: float
-    viscosity: float
-    poisson: float = 0.5
-
-    def __post_init__(self) -> None:
-        _check_numbers(self)
-        for word, unit in (("shear", "Pa"), ("viscosity", "Pa s")):
-            _positive("KelvinVoigt", word, getattr(self, word), unit)
-
-    @property
-    def series(self) -> RelaxationSeries:
-        """G(t) [Pa]."""
-        return RelaxationSeries(self.shear, self.viscosity, np.empty(0), np.empty(0))
-
-
-@value
-class Maxwell(ViscoelasticSolid):
-    """A spring and a dashpot one behind the other, G(t) = G exp(-t / tau): it flows for ever.
-
-    Parameters
-    ----------
-    shear : float
-        G [Pa], positive.
-    relaxation_time : float
-        tau [s], positive: viscosity over G.
-    poisson : float, optional
-        nu [-].
-
-    Raises
-    ------
-    InvalidInput
-        If a number is outside its range.
-
-    Examples
-    --------
-    >>> float(Maxwell(shear=2.0, relaxation_time=3.0).creep(6.0))
-    1.5
-    """
-
-    shear: float
-    relaxation_time: float
-    poisson: float = 0.5
-
-    def __post_init__(self) -> None:
-        _check_numbers(self)
-        for word, unit in (("shear", "Pa"), ("relaxation_time", "s")):
-            _positive("Maxwell", word, getattr(self, word), unit)
-
-    @property
-    def series(self) -> RelaxationSeries:
-        """G(t) [Pa]."""
-        return RelaxationSeries(0.0, 0.0, np.array([self.shear]), np.array([self.relaxation_time]))
-
-
-@value
-class StandardSolid(ViscoelasticSolid):
-    """The standard linear solid (Zener), G(t) = G_inf + G_1 exp(-t / tau).
-
-    Parameters
-    ----------
-    relaxed_shear : float
-        G_inf [Pa], positive.
-    shear : float
-        G_1 [Pa], positive: what relaxes.
-    relaxation_time : float
-        tau [s], positive.
-    poisson : float, optional
-        nu [-].
-
-    Raises
-    ------
-    InvalidInput
-        If a number is outside its range.
-
-    Examples
-    --------
-    >>> float(StandardSolid(relaxed_shear=1.0, shear=3.0, relaxation_time=0.5).storage(2.0))
-    2.5
-    """
-
-    relaxed_shear: float
-    shear: float
-    relaxation_time: float
-    poisson: float = 0.5
-
-    def __post_init__(self) -> None:
-        _check_numbers(self)
-        for word, unit in (("relaxed_shear", "Pa"), ("shear", "Pa"), ("relaxation_time", "s")):
-            _positive("StandardSolid", word, getattr(self, word), unit)
-
-    @property
-    def series(self) -> RelaxationSeries:
-        """G(t) [Pa]."""
-        return RelaxationSeries(self.relaxed_shear, 0.0, np.array([self.shear]), np.array([self.relaxation_time]))
-
-
-def _positive(owner: str, word: str, number: float, unit: str) -> float:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")
-    return float(number)
-
-
 def _positive_row(owner: str, word: str, given: ArrayLike, unit: str, flat: bool = False) -> Array:
     try:
         numbers = np.array(given, dtype=float)
@@ -387,14 +265,3 @@ def _positive_row(owner: str, word: str, given: ArrayLike, unit: str, flat: bool
         raise InvalidInput(f"{owner}: {word} is {given!r}; give {what}, finite numbers in {unit}.")
     numbers.flags.writeable = False
     return numbers
-
-
-def _check_numbers(solid: ViscoelasticSolid, **units: str) -> None:
-    """Refuse a Poisson's ratio out of range, and numbers that are negative."""
-    owner, poisson = type(solid).__name__, solid.poisson
-    if isinstance(poisson, bool) or not isinstance(poisson, int | float) or not -1.0 < poisson <= 0.5:
-        raise InvalidInput(f"{owner}: poisson is {poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
-    for word, unit in units.items():
-        number = getattr(solid, word)
-        if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 <= number < math.inf:
-            raise InvalidInput(f"{owner}: {word} is {number!r}; give zero or a positive, finite number in {unit}.")

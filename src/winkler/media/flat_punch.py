@@ -19,7 +19,7 @@ from typing import cast
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics import fredholm
+from winkler.numerics import fredholm, punch_tables
 from winkler.numerics.cosine import Response
 from winkler.numerics.rooted import RootPanels, doubled, fit, nodes
 from winkler.numerics.types import Array
@@ -84,7 +84,7 @@ def _held(profile: Profile, x: Array) -> Array:
 def _moments(response: Response, profile: Profile, x: Array) -> Array:
     """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
     flat = _held(profile, x).ravel()
-    octaves = np.maximum(fredholm.octave_of(response, flat), LOWEST)
+    octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
     result = np.zeros((3, flat.size))
     for octave in np.unique(octaves):
         (members,) = np.nonzero(octaves == octave)
@@ -115,16 +115,16 @@ def _tabulated(response: Response, profile: Profile, octave: int, a: Array) -> A
 
 
 def _directly(response: Response, profile: Profile, octave: int, a: Array) -> Array:
-    return _integrated(response, profile, a, fredholm.tables(response, octave)[-1].panels)
+    return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
 
 
 @functools.lru_cache(maxsize=512)
 def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
     response, profile = cast(Response, given), cast(Profile, body)
-    high = fredholm.first_radius(response) * 2.0**octave
+    high = punch_tables.first_radius(response) * 2.0**octave
     low, high = 0.5 * high, min(high, _tame(body))
     kinks = np.array([b for b, _ in profile.kinks if b < high])
-    steps = [table.high for table in fredholm.tables(response, octave) if low < table.high < high]
+    steps = [table.high for table in punch_tables.tables(response, octave) if low < table.high < high]
     edges = np.unique(np.concatenate([[low, high], kinks[kinks > low], steps]))
     noise = _noise(profile) / SETTLED
 
@@ -133,7 +133,7 @@ def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
         whole = np.max(np.abs(values[2])) + noise * high
         return np.array([SETTLED * size, 10.0 * SETTLED * size / low, SETTLED * whole]) + 1e-300
 
-    panels = fredholm.tables(response, octave)[-1].panels
+    panels = punch_tables.tables(response, octave)[-1].panels
     return fit(lambda a: _integrated(response, profile, a, panels), edges, kinks, tolerances)
 
 

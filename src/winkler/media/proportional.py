@@ -68,7 +68,7 @@ class RelaxingInProportion(RelaxingMedium):
 
     >>> from winkler.materials.elastic import Elastic, Rigid
     >>> from winkler.materials.layered import Layer
-    >>> from winkler.materials.viscoelastic import StandardSolid
+    >>> from winkler.materials.spring_and_dashpot import StandardSolid
     >>> film = CoatedHalfSpace([Layer(Elastic(young=1e6, poisson=0.49), thickness=1e-3)], on=Rigid())
     >>> rubber = StandardSolid(relaxed_shear=0.3e6, shear=1.2e6, relaxation_time=0.1)
     >>> relaxing = RelaxingInProportion(film, rubber, shear=0.3e6)

@@ -21,9 +21,9 @@ from typing import cast
 import numpy as np
 
 from winkler.media.medium import PunchFacts
-from winkler.numerics import fredholm
+from winkler.numerics import fredholm, punch_tables
 from winkler.numerics.cosine import Response, transform
-from winkler.numerics.fredholm import Punches
+from winkler.numerics.punch_tables import Punches
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.rooted import root
 
@@ -47,8 +47,8 @@ FAR = 16.0
 def facts(response: Response, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
     pull, least, most = math.inf, -FAINT, 1.0
-    for octave in range(max(int(fredholm.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
-        if _weight(response, fredholm.first_radius(response) * 2.0**octave) < NARROW:
+    for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
+        if _weight(response, punch_tables.first_radius(response) * 2.0**octave) < NARROW:
             break  # and so are all narrower ones
         first, low, high = _octave(cast(Hashable, response), octave)
         pull, least, most = min(pull, first), min(least, low), max(most, high)
@@ -59,7 +59,7 @@ def facts(response: Response, radius: float) -> PunchFacts:
 def _octave(given: Hashable, octave: int) -> tuple[float, float, float]:
     """Return up to which radius no punch of an octave pulls, and the bounds of u1 outside its widest."""
     response = cast(Response, given)
-    tables = fredholm.tables(response, octave)
+    tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
     return pull, *_outside(response, tables[-1])
 

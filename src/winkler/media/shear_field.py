@@ -19,7 +19,8 @@ from winkler.media.shear_field_punch import (
     shear_punch_below,
     shear_punch_on,
 )
-from winkler.media.subsurface import superposed_below, superposed_on
+from winkler.media.subsurface import superposed_below
+from winkler.media.surface_limit import superposed_on
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 

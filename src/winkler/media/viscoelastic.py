@@ -60,7 +60,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
 
     Examples
     --------
-    >>> from winkler.materials.viscoelastic import StandardSolid
+    >>> from winkler.materials.spring_and_dashpot import StandardSolid
     >>> gel = ViscoelasticHalfSpace(StandardSolid(relaxed_shear=1e3, shear=4e3, relaxation_time=2.0))
     >>> gel.relaxation.relaxed, gel.relaxation.glassy
     (4000.0, 20000.0)

@@ -17,6 +17,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.given import positive
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.loading import Force
 from winkler.problems import griffith
@@ -36,12 +37,12 @@ UNLOADED = Force(0.0)
 GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984"
 TABOR = "D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6"
 EQUATIONS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
+UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": "m", "strength": "Pa"}
 
 
 def _positive(owner: str, **given: float) -> None:
     for word, number in given.items():
-        if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-            raise InvalidInput(f"{owner}: {word} is {number!r}; give a positive, finite number in SI units.")
+        positive(owner, word, number, UNITS[word])
 
 
 def tabor_parameter(*, curvature_radius: float, modulus: float, work: float, distance: float) -> float:

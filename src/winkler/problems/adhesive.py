@@ -19,7 +19,7 @@ from winkler.media.coated import LayeredMedium
 from winkler.media.graded import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics import abel
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems import griffith
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.closure import at_end
@@ -163,10 +163,10 @@ class AdhesiveSolution:
         """G [J/m^2] of the edge: the work of adhesion where the edge is free, less where a rim holds it."""
         law = self.problem.law
         if isinstance(law, ShortRange):
-            return self._shaped(
+            return shaped(
                 griffith.energy_release_rate(self.problem.bed, np.asarray(self.depth), np.asarray(self.radius))
             )
-        return self._shaped(np.full(np.shape(self.depth), law.work))
+        return shaped(np.full(np.shape(self.depth), law.work))
 
     @property
     def stress_intensity(self) -> Quantity:
@@ -176,7 +176,7 @@ class AdhesiveSolution:
         that vanish at the surface, whose tension is singular with another power.
         """
         if not isinstance(self.problem.law, ShortRange):
-            return self._shaped(np.zeros(np.shape(self.depth)))
+            return shaped(np.zeros(np.shape(self.depth)))
         medium = self.problem.bed.medium
         if isinstance(medium, GradedHalfSpace) and medium.exponent != 0.0:
             raise OutsideValidity(
@@ -185,7 +185,7 @@ class AdhesiveSolution:
                 "energy_release_rate, which is meant the same on every medium."
             )
         if isinstance(medium, HomogeneousMedium | LayeredMedium | GradedHalfSpace):
-            return self._shaped(np.sqrt(2.0 * medium.modulus * np.asarray(self.energy_release_rate)))
+            return shaped(np.sqrt(2.0 * medium.modulus * np.asarray(self.energy_release_rate)))
         raise OutsideValidity(
             f"stress_intensity: the surface modulus of a {type(medium).__name__} is not known; use energy_release_rate."
         )
@@ -199,7 +199,7 @@ class AdhesiveSolution:
         if free.any():
             depth, force = self._states.slopes(radius[free])
             result[free] = np.where(depth != 0.0, force / np.where(depth != 0.0, depth, 1.0), np.inf)
-        return self._shaped(result.reshape(np.shape(self.depth)))
+        return shaped(result, np.shape(self.depth))
 
     @property
     def energy(self) -> Quantity:
@@ -209,7 +209,7 @@ class AdhesiveSolution:
             _elastic_energy(states.pressed(float(d), float(a))) if a > 0.0 else 0.0
             for d, a in zip(np.ravel(self.depth), np.ravel(self.radius), strict=True)
         ]
-        return self._shaped(np.reshape(parts, np.shape(self.depth)))
+        return shaped(np.array(parts), np.shape(self.depth))
 
     @property
     def pull_off(self) -> PullOffSolution:
@@ -262,9 +262,6 @@ class AdhesiveSolution:
                 "all limits of stability along the states of equilibrium",
             ),
         )
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if np.ndim(self.depth) == 0 else answer
 
 
 def _elastic_energy(pressed: Pressed) -> float:

@@ -25,7 +25,7 @@ from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics import abel
 from winkler.numerics.bracketing import between
 from winkler.numerics.chebyshev import fit_panels, stationary
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems import griffith
 from winkler.problems.adhesive import AdhesiveIndentation
 from winkler.problems.adhesive_edge import DeadLoad, Machine
@@ -161,16 +161,14 @@ class AdhesiveShear:
         signed = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
         shift, shear = (signed, stiffness * signed) if isinstance(self.lateral, Shift) else (signed / stiffness, signed)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if np.ndim(given) == 0 else answer.reshape(np.shape(given))
-
+        shape = np.shape(given)
         return AdhesiveShearSolution(
             self,
-            depth=shaped(depth),
-            force=shaped(force),
-            radius=shaped(radius),
-            shift=shaped(shift),
-            shear_force=shaped(shear),
+            depth=shaped(depth, shape),
+            force=shaped(force, shape),
+            radius=shaped(radius, shape),
+            shift=shaped(shift, shape),
+            shear_force=shaped(shear, shape),
             limit=states.limit(least),
         )
 

@@ -25,7 +25,7 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Shift
 from winkler.numerics.refined import along_springs, towards
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path
 from winkler.problems.damping import positive_frequency
 from winkler.problems.damping_notes import STEADY, damping_notes
@@ -278,7 +278,7 @@ class BimodalDampingSolution:
         moved = np.broadcast_to(np.asarray(self.problem.shift_amplitude, dtype=float), np.shape(self.loss_per_cycle))
         moving = moved > 0.0
         whole = np.pi * np.where(moving, moved, 1.0) ** 2 * self.problem.lateral_cycles
-        return self._shaped(np.where(moving, self.loss_per_cycle / whole, 0.0))
+        return shaped(np.where(moving, self.loss_per_cycle / whole, 0.0))
 
     def damping(self, frequency: float) -> Quantity:
         """Return the viscous damper that loses as much.
@@ -298,12 +298,9 @@ class BimodalDampingSolution:
         InvalidInput
             If the frequency is not positive.
         """
-        return self._shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (*self.contact.validity, STEADY, *damping_notes(self.problem.bed, float(self.contact.radius)))
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if np.ndim(self.loss_per_cycle) == 0 else np.asarray(answer)

@@ -17,17 +17,17 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.media.conductors import ElectricalConductors
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Quantity, shaped
 from winkler.problems.conducting_disc import (
     mean_free_path_note,
     pressed_disc,
     refuse_unknown_area,
     scope_notes,
 )
-from winkler.problems.picking import picked, single
+from winkler.problems.conducting_solution import ConductingSolution
 from winkler.validity import Note
 from winkler.values import value
 
@@ -112,25 +112,23 @@ class Constriction:
         radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
         parts = self.conductors.resistances(radius.ravel())
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if np.ndim(contact.radius) == 0 else answer.reshape(np.shape(contact.radius))
-
         bulk = parts.bulk_first + parts.bulk_second
+        shape = np.shape(contact.radius)
         return ConstrictionSolution(
             self,
             contact.depth,
             contact.force,
             contact.radius,
-            resistance=shaped(parts.first + parts.second + parts.film + bulk),
-            first_constriction=shaped(parts.first),
-            second_constriction=shaped(parts.second),
-            film_resistance=shaped(parts.film),
+            resistance=shaped(parts.first + parts.second + parts.film + bulk, shape),
+            first_constriction=shaped(parts.first, shape),
+            second_constriction=shaped(parts.second, shape),
+            film_resistance=shaped(parts.film, shape),
             bulk_resistance=bulk,
         )
 
 
 @value
-class ConstrictionSolution:
+class ConstrictionSolution(ConductingSolution):
     """The answer to a `Constriction`; every quantity has the shape of the load.
 
     Parameters
@@ -150,10 +148,6 @@ class ConstrictionSolution:
     """
 
     problem: Constriction
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
-    resistance: Quantity
     first_constriction: Quantity
     second_constriction: Quantity
     film_resistance: Quantity
@@ -162,30 +156,12 @@ class ConstrictionSolution:
     @property
     def conductance(self) -> Quantity:
         """1 / R [S]; zero without contact."""
-        inverse = 1.0 / np.asarray(self.resistance)
-        return float(inverse) if np.ndim(self.resistance) == 0 else inverse
+        return shaped(1.0 / np.asarray(self.resistance))
 
     @property
     def constriction(self) -> Quantity:
         """What the constriction costs in both bodies [ohm]."""
         return self.first_constriction + self.second_constriction
-
-    @property
-    def pressed(self) -> Pressed:
-        """The springs, from which pressure and stress are restored; of one load."""
-        return Pressed(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
-
-    def at(self, index: int | tuple[int, ...]) -> ConstrictionSolution:
-        """Return the solution of one load of an array.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such load.
-        """
-        problem = self.problem
-        load, *_ = picked(problem.load, index, self.depth, self.force, self.radius)
-        return Constriction(problem.bed, problem.conductors, load, problem.mean_free_path).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

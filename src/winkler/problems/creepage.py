@@ -11,13 +11,15 @@ force.
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.values import value
 
-__all__ = ["Creepage"]
+__all__ = ["AtCreepages", "Creepage", "Creeping"]
 
 MOST = 1e9
 """Beyond it nothing rolls any more."""
@@ -78,3 +80,27 @@ class Creepage:
             *(np.asarray(part, dtype=float) for part in (self.longitudinal, self.lateral, self.spin))
         )
         return along.ravel(), across.ravel(), turning.ravel()
+
+
+class Creeping(Protocol):
+    """A problem of rolling at one creepage, or at many."""
+
+    @property
+    def creepage(self) -> Creepage:
+        """How the bodies creep."""
+
+
+class AtCreepages:
+    """The part of an answer that its creepages tell."""
+
+    problem: Creeping
+
+    @property
+    def longitudinal_creepage(self) -> Quantity:
+        """xi [-], in the shape of the answers."""
+        return shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
+
+    @property
+    def lateral_creepage(self) -> Quantity:
+        """eta [-], in the shape of the answers."""
+        return shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))

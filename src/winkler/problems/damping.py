@@ -25,7 +25,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, Normal, ShearForce, Shift
 from winkler.numerics.bracketing import between
 from winkler.numerics.refined import along_springs, towards
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
@@ -192,7 +192,7 @@ class FrictionDampingSolution:
         stuck = 0.0
         if not np.all(moving):
             stuck = _Slipping(self.problem.law.coefficient, self.contact).stiffness
-        return self._shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
+        return shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
 
     @property
     def loss_stiffness(self) -> Quantity:
@@ -202,7 +202,7 @@ class FrictionDampingSolution:
         """
         moved = np.asarray(self.shift)
         moving = moved > 0.0
-        return self._shaped(np.where(moving, self.loss_per_cycle / (np.pi * np.where(moving, moved, 1.0) ** 2), 0.0))
+        return shaped(np.where(moving, self.loss_per_cycle / (np.pi * np.where(moving, moved, 1.0) ** 2), 0.0))
 
     @property
     def loss_factor(self) -> Quantity:
@@ -212,7 +212,7 @@ class FrictionDampingSolution:
         """
         whole = np.pi * np.asarray(self.shear_force) * np.asarray(self.shift)
         moving = whole > 0.0
-        return self._shaped(np.where(moving, self.loss_per_cycle / np.where(moving, whole, 1.0), 0.0))
+        return shaped(np.where(moving, self.loss_per_cycle / np.where(moving, whole, 1.0), 0.0))
 
     def damping(self, frequency: float) -> Quantity:
         """Return the viscous damper that loses as much.
@@ -232,15 +232,12 @@ class FrictionDampingSolution:
         InvalidInput
             If the frequency is not positive.
         """
-        return self._shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (*self.contact.validity, *damping_notes(self.problem.bed, float(self.contact.radius)))
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if np.ndim(self.shift) == 0 else np.asarray(answer)
 
 
 def positive_frequency(frequency: float) -> float:

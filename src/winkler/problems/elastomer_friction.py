@@ -56,7 +56,7 @@ class ElastomerFriction:
     Examples
     --------
     >>> import numpy as np
-    >>> from winkler.materials.viscoelastic import StandardSolid
+    >>> from winkler.materials.spring_and_dashpot import StandardSolid
     >>> from winkler.profiles.spectrum import SelfAffine
     >>> asphalt = SelfAffine(hurst=0.8, rms_height=1e-4, longest=1e-2, shortest=1e-5)
     >>> rubber = StandardSolid(1e6, 1e7, 1e-4)

@@ -14,6 +14,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import positive_fields
 from winkler.numerics.bracketing import between
 from winkler.values import value
 
@@ -21,11 +22,6 @@ __all__ = ["ContactEllipse", "CurvedBodies"]
 
 SLENDEREST = 1e-8
 """Smallest ratio of the semi-axes that is looked for; far beyond what Kalker's table holds."""
-
-
-def _check(owner: str, word: str, number: float) -> None:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; give one positive, finite number in m.")
 
 
 @value
@@ -49,8 +45,7 @@ class ContactEllipse:
     lateral_semi_axis: float
 
     def __post_init__(self) -> None:
-        _check("ContactEllipse", "longitudinal_semi_axis", self.longitudinal_semi_axis)
-        _check("ContactEllipse", "lateral_semi_axis", self.lateral_semi_axis)
+        positive_fields(self, longitudinal_semi_axis="m", lateral_semi_axis="m")
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
         """Return a and b [m], whatever presses the bodies."""
@@ -90,8 +85,7 @@ class CurvedBodies:
     lateral_curvature_radius: float
 
     def __post_init__(self) -> None:
-        _check("CurvedBodies", "longitudinal_curvature_radius", self.longitudinal_curvature_radius)
-        _check("CurvedBodies", "lateral_curvature_radius", self.lateral_curvature_radius)
+        positive_fields(self, longitudinal_curvature_radius="m", lateral_curvature_radius="m")
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
         """Return a and b [m].

@@ -21,7 +21,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array, ArrayLike, Quantity
+from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Note, Standing
@@ -138,9 +138,6 @@ class EllipticIndentation:
             force = (np.maximum(depth, 0.0) / unit) ** 1.5
         grown = np.cbrt(force)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer) if answer.ndim == 0 else answer
-
         return EllipticSolution(self, shaped(depth), shaped(force), shaped(a * grown), shaped(b * grown))
 
 
@@ -175,18 +172,18 @@ class EllipticSolution:
     def stiffness(self) -> Quantity:
         """dF/dd [N/m]."""
         radius = np.sqrt(self.equivalent_radius * np.maximum(self.depth, 0.0))
-        return self._shaped(2.0 * self.problem.medium.modulus * radius)
+        return shaped(2.0 * self.problem.medium.modulus * radius)
 
     @property
     def area(self) -> Quantity:
         """pi a b [m^2]."""
-        return self._shaped(np.asarray(math.pi * self.longitudinal_semi_axis * self.lateral_semi_axis))
+        return shaped(np.asarray(math.pi * self.longitudinal_semi_axis * self.lateral_semi_axis))
 
     @property
     def peak_pressure(self) -> Quantity:
         """p_0 = 3 F / (2 pi a b) [Pa], in the middle; zero without contact."""
         area = np.asarray(self.area)
-        return self._shaped(1.5 * np.asarray(self.force) / np.where(area > 0.0, area, 1.0))
+        return shaped(1.5 * np.asarray(self.force) / np.where(area > 0.0, area, 1.0))
 
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero outside of the ellipse.
@@ -229,7 +226,3 @@ class EllipticSolution:
                 HERTZ,
             ),
         )
-
-    @staticmethod
-    def _shaped(answer: Array) -> Quantity:
-        return float(answer) if np.ndim(answer) == 0 else answer

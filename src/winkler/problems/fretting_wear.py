@@ -24,6 +24,7 @@ from winkler.laws.wear import WearLaw
 from winkler.loading import Normal, ShearForce, Shift
 from winkler.numerics.types import Array, Quantity
 from winkler.path import numbers_of
+from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation
 from winkler.problems.wear_checks import check_fineness, check_normal, check_wear, touching, wearable
 from winkler.problems.wear_line import Rubbed, WearLine, WornContact, wear_line
@@ -254,24 +255,10 @@ class FrettingSolution:
     @classmethod
     def of(cls, problem: FrettingWear, states: list[FrettingState]) -> FrettingSolution:
         """Gather states, of all cycles or of the first."""
-
-        def column(name: str) -> Array:
-            return np.array([getattr(state, name) for state in states], dtype=float)
-
         return cls(
             problem,
-            cycles=column("elapsed"),
-            depth=column("depth"),
-            force=column("force"),
-            radius=column("radius"),
-            stick_radius=column("stick_radius"),
-            shift=column("shift"),
-            shear_force=column("shear_force"),
-            worn_depth=column("worn_depth"),
-            worn_volume=column("worn_volume"),
-            first_volume=column("first_volume"),
-            second_volume=column("second_volume"),
-            loss_per_cycle=column("loss_per_cycle"),
+            cycles=np.array([state.elapsed for state in states]),
+            **rows(cls, states, "cycles"),
             states=tuple(states),
         )
 

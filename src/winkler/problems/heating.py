@@ -27,7 +27,7 @@ from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
 from winkler.loading import Load
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.heat_source import HeatSource, heat_sources, loads_over
 from winkler.problems.heated_body import HeatedBody
 from winkler.problems.heating_input import all_finite, checked_heating, load_number, thick_bodies
@@ -214,12 +214,12 @@ class FrictionHeatingSolution:
     @property
     def radius(self) -> Quantity:
         """Radius of the contact a [m]."""
-        return self._shaped(np.broadcast_to(self.contact.radius, np.shape(self.heat_rate)))
+        return shaped(np.broadcast_to(self.contact.radius, np.shape(self.heat_rate)))
 
     @property
     def flash_temperature(self) -> Quantity:
         """The greatest temperature of the contact, that of the warmer body [K]."""
-        return self._shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
+        return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
 
     @property
     def stationary_temperature(self) -> Quantity:
@@ -254,14 +254,14 @@ class FrictionHeatingSolution:
                     for peclet, body in zip((self.first_peclet, self.second_peclet), problem._bodies, strict=True)
                 )
                 found[mine] = shared(first, second, problem.partition)
-        return self._shaped(found * self.heat_rate)
+        return shaped(found * self.heat_rate)
 
     @property
     def overestimate(self) -> Quantity:
         """By how much the rule of slow sliding exceeds the flash temperature, relative to that [-]."""
         flash = np.asarray(self.flash_temperature)
         warm = flash > 0.0
-        return self._shaped(np.where(warm, self.stationary_temperature / np.where(warm, flash, 1.0) - 1.0, 0.0))
+        return shaped(np.where(warm, self.stationary_temperature / np.where(warm, flash, 1.0) - 1.0, 0.0))
 
     @property
     def first(self) -> HeatedBody:
@@ -325,6 +325,3 @@ class FrictionHeatingSolution:
         )
         notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
         return (*self.contact.validity, *notes)
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if np.ndim(self.heat_rate) == 0 else np.asarray(answer)

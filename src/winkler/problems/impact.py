@@ -19,12 +19,13 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
+from winkler.given import positive_fields
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
 from winkler.problems.closure import at_depth
 from winkler.problems.impact_curve import deepest, normal_curve, stiffness_ratio
 from winkler.problems.impact_march import Moment, Motion, stages, turning
-from winkler.problems.impact_notes import PLANAR, SLOW, checked_count, checked_positive, gravity_note
+from winkler.problems.impact_notes import PLANAR, SLOW, checked_count, gravity_note
 from winkler.problems.impact_states import ImpactStage, ImpactState
 from winkler.problems.trust import indentation_notes
 from winkler.validity import Note
@@ -114,10 +115,9 @@ class Impact:
                 f"Impact: with a friction coefficient of {self.law.coefficient:g} hardly a spring slides, and rounding "
                 f"hides which; give at most {MUCH:g}, or Coulomb(math.inf) if nothing slides."
             )
-        for word, unit in (("mass", "kg"), ("velocity", "m/s")):
-            checked_positive("Impact", word, unit, getattr(self, word))
+        positive_fields(self, mass="kg", velocity="m/s")
         if self.inertia != math.inf:
-            checked_positive("Impact", "inertia", "kg m^2", self.inertia)
+            positive_fields(self, inertia="kg m^2")
         for word, unit in (("lateral_velocity", "m/s"), ("angular_velocity", "rad/s"), ("lever", "m")):
             number = getattr(self, word)
             if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):

@@ -20,6 +20,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
+from winkler.given import positive_fields
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
 from winkler.numerics.types import Array
@@ -27,7 +28,7 @@ from winkler.problems.adhesive_cycle import AdhesiveCycle
 from winkler.problems.adhesive_edge import stored_energy
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.cycle_states import AdhesiveJump
-from winkler.problems.impact_notes import SLOW, checked_count, checked_positive, gravity_note
+from winkler.problems.impact_notes import SLOW, checked_count, gravity_note
 from winkler.problems.impact_states import AdhesiveImpactState
 from winkler.problems.impact_swing import Swing, swing
 from winkler.validity import Note, Standing
@@ -93,8 +94,7 @@ class AdhesiveImpact:
                 f"AdhesiveImpact: the law is a {type(self.law).__name__}; give ShortRange(work) or "
                 "ShortRange(work_closing=..., work_opening=...): attraction from afar begins before the touch."
             )
-        for word, unit in (("mass", "kg"), ("velocity", "m/s")):
-            checked_positive("AdhesiveImpact", word, unit, getattr(self, word))
+        positive_fields(self, mass="kg", velocity="m/s")
         checked_count("AdhesiveImpact", self.count)
 
     def steps(self) -> Iterator[AdhesiveImpactState]:

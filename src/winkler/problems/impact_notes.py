@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.validity import Note, Standing
 
-__all__ = ["PLANAR", "SLOW", "checked_count", "checked_positive", "gravity_note"]
+__all__ = ["PLANAR", "SLOW", "checked_count", "gravity_note"]
 
 MINDLIN = "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731"
 MAW = "N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5"
@@ -37,12 +35,6 @@ def gravity_note(force: Array) -> Note:
         f"Gravity and other forces are left out: they must be small against the {np.max(force):.4g} N of the contact.",
         "equations of motion",
     )
-
-
-def checked_positive(owner: str, word: str, unit: str, number: float) -> None:
-    """Refuse what is no positive, finite number."""
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; give a positive number in {unit}.")
 
 
 def checked_count(owner: str, count: int) -> None:

@@ -18,7 +18,7 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed, Pressed
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics import abel
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.closure import at_depth, at_force, at_radius
 from winkler.problems.picking import picked, single
 from winkler.problems.trust import indentation_notes
@@ -96,10 +96,7 @@ class Indentation:
         if asked == "depth":
             load = np.where(radius_ > 0.0, load, 0.0)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if np.ndim(given) == 0 else answer.reshape(np.shape(given))
-
-        return IndentationSolution(self, shaped(depth_), shaped(load), shaped(radius_))
+        return IndentationSolution(self, *(shaped(answer, np.shape(given)) for answer in (depth_, load, radius_)))
 
 
 @value
@@ -126,19 +123,19 @@ class IndentationSolution:
     @property
     def stiffness(self) -> Quantity:
         """dF/dd = k(a) [N/m]."""
-        return self._shaped(self.problem.bed.stiffness(np.asarray(self.radius)))
+        return shaped(self.problem.bed.stiffness(np.asarray(self.radius)))
 
     @property
     def mean_pressure(self) -> Quantity:
         """F / (pi a^2) [Pa]; zero without contact."""
         area = np.pi * np.asarray(self.radius) ** 2
-        return self._shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
+        return shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
 
     @property
     def energy(self) -> Quantity:
         """Elastic energy U [J], the work that was needed to press the bodies together."""
         work = [_energy(self.problem.bed, d, a) for d, a in zip(*map(np.ravel, (self.depth, self.radius)), strict=True)]
-        return self._shaped(np.reshape(work, np.shape(self.depth)))
+        return shaped(np.array(work), np.shape(self.depth))
 
     def line_load(self, x: Array) -> Array:
         """Load of the springs per length.
@@ -185,9 +182,6 @@ class IndentationSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, onset of yield."""
         return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.force), np.ravel(self.radius))
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if np.ndim(self.depth) == 0 else answer
 
 
 def _energy(bed: Bed, depth: float, radius: float) -> float:

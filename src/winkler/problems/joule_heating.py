@@ -12,16 +12,16 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
 from winkler.loading import Load
 from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conductors import ElectricalConductors
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.conducting_solution import ConductingSolution
 from winkler.problems.constriction import Constriction
 from winkler.problems.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
-from winkler.problems.picking import picked, single
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -122,22 +122,20 @@ class JouleHeating:
         resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), cold)
         touch, most = _temperatures(self, hot)
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if np.ndim(contact.radius) == 0 else answer.reshape(np.shape(contact.radius))
-
+        shape = np.shape(contact.radius)
         return JouleHeatingSolution(
             self,
             contact.depth,
             contact.force,
             contact.radius,
-            resistance=shaped(resistance),
+            resistance=shaped(resistance, shape),
             cold_resistance=contact.resistance,
-            current=shaped(hot.current),
-            voltage=shaped(hot.voltage),
-            film_voltage=shaped(hot.film),
-            heat_rate=shaped(hot.current * hot.voltage),
-            contact_temperature=shaped(touch),
-            max_temperature=shaped(most),
+            current=shaped(hot.current, shape),
+            voltage=shaped(hot.voltage, shape),
+            film_voltage=shaped(hot.film, shape),
+            heat_rate=shaped(hot.current * hot.voltage, shape),
+            contact_temperature=shaped(touch, shape),
+            max_temperature=shaped(most, shape),
         )
 
     def _driven(self, radius: Array) -> Hot:
@@ -210,7 +208,7 @@ def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:
 
 
 @value
-class JouleHeatingSolution:
+class JouleHeatingSolution(ConductingSolution):
     """The answer to a `JouleHeating`; every quantity has the shape of the load.
 
     Parameters
@@ -234,10 +232,6 @@ class JouleHeatingSolution:
     """
 
     problem: JouleHeating
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
-    resistance: Quantity
     cold_resistance: Quantity
     current: Quantity
     voltage: Quantity
@@ -250,25 +244,6 @@ class JouleHeatingSolution:
     def rise(self) -> Quantity:
         """Supertemperature: by how much the hottest place is hotter than the bodies [K]."""
         return self.max_temperature - self.problem.temperature
-
-    @property
-    def pressed(self) -> Pressed:
-        """The springs, from which pressure and stress are restored; of one load."""
-        return Pressed(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
-
-    def at(self, index: int | tuple[int, ...]) -> JouleHeatingSolution:
-        """Return the solution of one load of an array.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such load.
-        """
-        problem = self.problem
-        load, *_ = picked(problem.load, index, self.depth, self.force, self.radius)
-        return JouleHeating(
-            problem.bed, problem.conductors, load, problem.drive, problem.law, problem.temperature
-        ).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -22,7 +22,7 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.bracketing import between
 from winkler.numerics.roots import invert
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.closure import at_depth
 from winkler.profiles.profile import Profile
 from winkler.validity import Note, Standing
@@ -125,11 +125,12 @@ class NearlyRoundIndentation:
             depths = given.ravel()
             forces, stiffness, contours = springs.pressed(depths)
 
-        def shaped(numbers: Array) -> Quantity:
-            return float(numbers[0]) if given.ndim == 0 else numbers.reshape(given.shape)
-
         return NearlyRoundSolution(
-            self, shaped(depths), shaped(forces), shaped(stiffness), contours.reshape((*given.shape, -1))
+            self,
+            shaped(depths, given.shape),
+            shaped(forces, given.shape),
+            shaped(stiffness, given.shape),
+            contours.reshape((*given.shape, -1)),
         )
 
 

@@ -20,6 +20,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.given import whole_number
 from winkler.laws.friction import Coulomb
 from winkler.loading import Load
 from winkler.numerics.rolling_kernels import push
@@ -29,7 +30,7 @@ from winkler.problems.indentation import IndentationSolution
 from winkler.problems.rolling import check_rolling, rolling_notes, touching
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
-from winkler.problems.rolling_springs import check_count, springs
+from winkler.problems.rolling_springs import springs
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -112,8 +113,8 @@ class OscillatingRolling:
             if not good or number < 0.0 or (number == 0.0 and not least):
                 allowed = "zero or more" if least else "positive"
                 raise InvalidInput(f"OscillatingRolling: {word} is {number!r}; give one number, {allowed}, in {unit}.")
-        check_count("OscillatingRolling", "cycles", self.cycles, 1, 100_000)
-        check_count("OscillatingRolling", "count", self.count, 20, 100_000)
+        whole_number("OscillatingRolling", "cycles", self.cycles, 1, 100_000)
+        whole_number("OscillatingRolling", "count", self.count, 20, 100_000)
 
     @property
     def shakedown_force(self) -> float:

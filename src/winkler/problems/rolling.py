@@ -22,8 +22,8 @@ from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array, Quantity
-from winkler.problems.creepage import Creepage
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
@@ -125,7 +125,7 @@ class Rolling:
 
 
 @value
-class RollingSolution:
+class RollingSolution(AtCreepages):
     """The answer to a `Rolling`; every quantity has the shape of the creepage.
 
     Parameters
@@ -147,31 +147,21 @@ class RollingSolution:
     stick_share: Quantity
 
     @property
-    def longitudinal_creepage(self) -> Quantity:
-        """xi [-], in the shape of the answers."""
-        return self._shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
-
-    @property
-    def lateral_creepage(self) -> Quantity:
-        """eta [-], in the shape of the answers."""
-        return self._shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))
-
-    @property
     def shear_force(self) -> Quantity:
         """The resultant of both forces [N]."""
-        return self._shaped(np.hypot(self.longitudinal_force, self.lateral_force))
+        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
 
     @property
     def saturation(self) -> Quantity:
         """The resultant over the sliding force mu F_N [-]; one where the bodies slide."""
-        return self._shaped(np.asarray(self.shear_force) / self._line.most)
+        return shaped(np.asarray(self.shear_force) / self._line.most)
 
     @property
     def loss_per_distance(self) -> Quantity:
         """Energy lost per distance rolled [J/m]: creepage times force, never negative."""
         creep = self.problem.creepage
         lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force
-        return self._shaped(lost)
+        return shaped(lost)
 
     def shear_load(self, x: Array) -> Array:
         """Return the resultant line load of one creepage.
@@ -209,9 +199,6 @@ class RollingSolution:
     @property
     def _line(self) -> RollingLine:
         return RollingLine(self.problem.friction.coefficient, self.contact)
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if self.problem.creepage.shape == () else np.asarray(answer)
 
 
 TOGETHER = Note(

@@ -7,11 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.problems.rolling_line import RollingLine
 
-__all__ = ["RollingSprings", "check_count", "springs"]
+__all__ = ["RollingSprings", "springs"]
 
 
 class RollingSprings(NamedTuple):
@@ -58,14 +57,3 @@ def springs(line: RollingLine, way: float, pieces: int, count: int) -> tuple[Rol
     cuts = np.concatenate([[-a], x[:-1] + 0.5 * apart, [a]])
     bound = np.maximum(line.bearing(cuts[:-1], cuts[1:]), 0.0) / weight
     return RollingSprings(x, bound, weight, left / apart), steps
-
-
-def check_count(owner: str, word: str, number: int, least: int, most: int) -> None:
-    """Refuse what is no whole number within bounds.
-
-    Raises
-    ------
-    InvalidInput
-    """
-    if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; give a whole number from {least} to {most}.")

@@ -17,6 +17,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.given import whole_number
 from winkler.laws.friction import Coulomb
 from winkler.loading import Load, ShearForce
 from winkler.numerics.rolling_kernels import push, roll
@@ -26,7 +27,7 @@ from winkler.problems.indentation import IndentationSolution
 from winkler.problems.rolling import Rolling, RollingSolution, check_rolling, rolling_notes, touching
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
-from winkler.problems.rolling_springs import check_count, springs
+from winkler.problems.rolling_springs import springs
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -109,8 +110,8 @@ class RollingStart:
             raise InvalidInput(f"RollingStart: the distance is {far!r}; give how far it rolls, positive, in m.")
         if not isinstance(self.start, ShearForce) or np.ndim(self.start.shear_force) != 0:
             raise InvalidInput(f"RollingStart: start is {self.start!r}; give ShearForce(F) with one number.")
-        check_count("RollingStart", "points", self.points, 1, 100_000)
-        check_count("RollingStart", "count", self.count, 20, 100_000)
+        whole_number("RollingStart", "points", self.points, 1, 100_000)
+        whole_number("RollingStart", "count", self.count, 20, 100_000)
 
     @property
     def steady(self) -> RollingSolution:

@@ -7,20 +7,15 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import whole_number
 from winkler.loading import Depth, Force
 from winkler.problems.rough_line import prescribed
 from winkler.profiles.spectrum import Spectrum
 from winkler.validity import Note, Standing
 
-__all__ = ["check_ensemble", "check_spectrum", "length_in_m", "resolution_note"]
+__all__ = ["check_ensemble", "check_spectrum", "resolution_note"]
 
 ROUNDING = 1e-9
-
-
-def length_in_m(owner: str, word: str, number: object) -> None:
-    """Refuse what is no positive, finite length."""
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in m.")
 
 
 def check_spectrum(owner: str, spectrum: object) -> None:
@@ -32,8 +27,7 @@ def check_spectrum(owner: str, spectrum: object) -> None:
 def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: int, seed: int) -> None:
     """Refuse loads that are none or pull, and numbers of lines and springs that are none."""
     for word, number, least in (("realisations", realisations, 1), ("count", count, 16), ("seed", seed, 0)):
-        if isinstance(number, bool) or not isinstance(number, int) or number < least:
-            raise InvalidInput(f"{owner}: {word} is {number!r}; give a whole number, at least {least}.")
+        whole_number(owner, word, number, least)
     if not isinstance(load, Force | Depth):
         raise InvalidInput(f"{owner}: the load is a {type(load).__name__}; give Force or Depth.")
     least_load = float(np.min(prescribed(load)))

@@ -13,14 +13,14 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import positive_fields
 from winkler.loading import Depth, Force
-from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.types import Array, Quantity
-from winkler.problems.conducting_stiffness import conductance_of_stiffness
+from winkler.numerics.types import Quantity, shaped
 from winkler.problems.persson import area_fraction, mean_separation
-from winkler.problems.rough_checks import check_ensemble, check_spectrum, length_in_m, resolution_note
+from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds
+from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
 from winkler.validity import Note, Standing
@@ -82,7 +82,7 @@ class RoughContact:
                 f"RoughContact: the medium is a {type(self.medium).__name__}; roughness is known on homogeneous "
                 "half-spaces alone, give HalfSpace."
             )
-        length_in_m("RoughContact", "side", self.side)
+        positive_fields(self, side="m")
         check_spectrum("RoughContact", self.spectrum)
         check_ensemble("RoughContact", self.load, self.realisations, self.count, self.seed)
 
@@ -114,7 +114,7 @@ class RoughContact:
 
 
 @value
-class RoughContactSolution:
+class RoughContactSolution(RoughSolution):
     """The answer to a `RoughContact`.
 
     Parameters
@@ -128,22 +128,6 @@ class RoughContactSolution:
     """
 
     problem: RoughContact
-    depth: Quantity
-    depth_band: Array
-    force: Quantity
-    force_band: Array
-    stiffness: Quantity
-    stiffness_band: Array
-
-    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
-        """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
-
-        Raises
-        ------
-        OutsideValidity
-            If there is a film, a plating or a rod.
-        """
-        return _shaped(self.stiffness * conductance_of_stiffness("RoughContact", self.problem.medium, conductors))
 
     @property
     def area(self) -> Quantity:
@@ -151,14 +135,14 @@ class RoughContactSolution:
         square = self.problem.side**2
         slope = self.problem.spectrum.rms_slope
         fraction = area_fraction(np.asarray(self.force) / square, self.problem.medium.modulus, slope)
-        return _shaped(square * fraction)
+        return shaped(square * fraction)
 
     @property
     def mean_gap(self) -> Quantity:
         """Mean distance of the surfaces [m], after Persson."""
         square = self.problem.side**2
         pressure = np.asarray(self.force) / square
-        return _shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
+        return shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -181,8 +165,3 @@ class RoughContactSolution:
                 LYASHENKO,
             ),
         )
-
-
-def _shaped(numbers: Quantity) -> Quantity:
-    """Return a number as a number."""
-    return float(numbers) if np.ndim(numbers) == 0 else numbers

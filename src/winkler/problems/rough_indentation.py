@@ -15,16 +15,16 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
+from winkler.given import positive_fields
 from winkler.loading import Depth, Force
-from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.quadrature import gauss_legendre
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.closure import at_force
-from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.persson import area_fraction
-from winkler.problems.rough_checks import check_ensemble, check_spectrum, length_in_m, resolution_note
+from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds, prescribed
+from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
 from winkler.validity import Note, Standing
@@ -84,7 +84,7 @@ class RoughIndentation:
                 "RoughIndentation: roughness is known on homogeneous half-spaces alone; give Foundation(profile, "
                 "HalfSpace(...))."
             )
-        length_in_m("RoughIndentation", "length", self.length)
+        positive_fields(self, length="m")
         check_spectrum("RoughIndentation", self.spectrum)
         check_ensemble("RoughIndentation", self.load, self.realisations, self.count, self.seed)
 
@@ -147,7 +147,7 @@ class RoughIndentation:
 
 
 @value
-class RoughIndentationSolution:
+class RoughIndentationSolution(RoughSolution):
     """The answer to a `RoughIndentation`.
 
     Parameters
@@ -161,28 +161,12 @@ class RoughIndentationSolution:
     """
 
     problem: RoughIndentation
-    depth: Quantity
-    depth_band: Array
-    force: Quantity
-    force_band: Array
-    stiffness: Quantity
-    stiffness_band: Array
-
-    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
-        """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
-
-        Raises
-        ------
-        OutsideValidity
-            If there is a film, a plating or a rod.
-        """
-        return _shaped(self.stiffness * conductance_of_stiffness("RoughIndentation", self.problem.medium, conductors))
 
     @property
     def smooth_stiffness(self) -> Quantity:
         """dF/dd [N/m] of the smooth body under the same forces."""
         _, radius = at_force(self.problem.bed, np.ravel(self.force))
-        return _shaped(self.problem.bed.stiffness(radius).reshape(np.shape(self.force)))
+        return shaped(self.problem.bed.stiffness(radius), np.shape(self.force))
 
     @property
     def area(self) -> Quantity:
@@ -197,7 +181,7 @@ class RoughIndentationSolution:
             pressure = self.problem.medium.pressure(Pressed(bed, depth, radius), radius * np.sin(angle))
             touching = area_fraction(pressure, self.problem.medium.modulus, slope)
             answer.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
-        return _shaped(np.reshape(answer, np.shape(self.force)))
+        return shaped(np.array(answer), np.shape(self.force))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -220,8 +204,3 @@ class RoughIndentationSolution:
                 POPOV,
             ),
         )
-
-
-def _shaped(numbers: Quantity) -> Quantity:
-    """Return a number as a number."""
-    return float(numbers) if np.ndim(numbers) == 0 else numbers

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.values import frozen_array, value
@@ -54,10 +55,7 @@ class RoughLine:
         numbers = np.array(self.heights, dtype=float)
         if numbers.ndim != 1 or numbers.size < 2 or not np.all(np.isfinite(numbers)):
             raise InvalidInput("RoughLine: heights must be a row of at least two finite numbers in m.")
-        for word, unit in (("length", "m"), ("modulus", "Pa")):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < np.inf:
-                raise InvalidInput(f"RoughLine: {word} is {number!r}; it must be a positive, finite number in {unit}.")
+        positive_fields(self, length="m", modulus="Pa")
         object.__setattr__(self, "heights", frozen_array(numbers))
 
     @functools.cached_property

@@ -21,8 +21,8 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.fastsim import mapped, rolled
-from winkler.numerics.types import Array, Quantity
-from winkler.problems.creepage import Creepage
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling import check_friction
@@ -149,7 +149,7 @@ class SimplifiedRolling:
 
 
 @value
-class SimplifiedRollingSolution:
+class SimplifiedRollingSolution(AtCreepages):
     """The answer to a `SimplifiedRolling`; forces and moment have the shape of the creepage.
 
     Parameters
@@ -175,37 +175,27 @@ class SimplifiedRollingSolution:
     moment: Quantity
 
     @property
-    def longitudinal_creepage(self) -> Quantity:
-        """xi [-], in the shape of the answers."""
-        return self._shaped(np.broadcast_to(self.problem.creepage.longitudinal, self.problem.creepage.shape))
-
-    @property
-    def lateral_creepage(self) -> Quantity:
-        """eta [-], in the shape of the answers."""
-        return self._shaped(np.broadcast_to(self.problem.creepage.lateral, self.problem.creepage.shape))
-
-    @property
     def spin_creepage(self) -> Quantity:
         """phi [1/m], in the shape of the answers."""
-        return self._shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
+        return shaped(np.broadcast_to(self.problem.creepage.spin, self.problem.creepage.shape))
 
     @property
     def shear_force(self) -> Quantity:
         """The resultant of both forces [N]."""
-        return self._shaped(np.hypot(self.longitudinal_force, self.lateral_force))
+        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
 
     @property
     def saturation(self) -> Quantity:
         """The resultant over mu F_N [-]."""
         most = self.problem.friction.coefficient * float(self.problem.load.force)
-        return self._shaped(np.asarray(self.shear_force) / most)
+        return shaped(np.asarray(self.shear_force) / most)
 
     @property
     def loss_per_distance(self) -> Quantity:
         """Energy lost per distance rolled [J/m]: creepage times force, and spin times moment."""
         creep = self.problem.creepage
         lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force
-        return self._shaped(lost + np.asarray(creep.spin) * self.moment)
+        return shaped(lost + np.asarray(creep.spin) * self.moment)
 
     @property
     def traction(self) -> RollingTraction:
@@ -256,9 +246,6 @@ class SimplifiedRollingSolution:
             standing, verdict = Standing.OUTSIDE, "the bodies are no half-spaces"
         statement = f"The semi-axes are up to {ratio:.3g} of the relative radii of curvature: {verdict}."
         return Note(standing, statement, JOHNSON)
-
-    def _shaped(self, answer: Array) -> Quantity:
-        return float(answer) if self.problem.creepage.shape == () else np.asarray(answer)
 
 
 @value

@@ -19,6 +19,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear, PairWear
 from winkler.loading import Normal
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation
 from winkler.problems.wear_checks import check_fineness, check_normal, check_wear, touching, wearable
 from winkler.problems.wear_line import WearLine, WornContact, wear_line
@@ -196,18 +197,10 @@ class SlidingSolution:
     @classmethod
     def of(cls, problem: SlidingWear, states: list[WearState]) -> SlidingSolution:
         """Gather states, of the whole distance or of its beginning."""
-
-        def column(name: str) -> Array:
-            return np.array([getattr(state, name) for state in states], dtype=float)
-
         return cls(
             problem,
-            distance=column("elapsed"),
-            depth=column("depth"),
-            force=column("force"),
-            radius=column("radius"),
-            worn_depth=column("worn_depth"),
-            worn_volume=column("worn_volume"),
+            distance=np.array([state.elapsed for state in states]),
+            **rows(cls, states, "distance"),
             states=tuple(states),
         )
 

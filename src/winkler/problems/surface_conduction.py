@@ -17,9 +17,10 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import whole_number
 from winkler.loading import Depth, Force
 from winkler.media.conductors import ElectricalConductors
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.rough_contact import RoughContact, RoughContactSolution
 from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
@@ -79,10 +80,8 @@ class SurfaceConduction:
                 f"SurfaceConduction: conductors is a {type(self.conductors).__name__}; give "
                 "ElectricalConductors(first, second)."
             )
-        for word, least in (("realisations", 1), ("seed", 0)):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int) or number < least:
-                raise InvalidInput(f"SurfaceConduction: {word} is {number!r}; give a whole number, at least {least}.")
+        whole_number("SurfaceConduction", "realisations", self.realisations, 1)
+        whole_number("SurfaceConduction", "seed", self.seed, 0)
         conductance_of_stiffness("SurfaceConduction", self.contact.medium, self.conductors)
 
     def solve(self) -> SurfaceConductionSolution:
@@ -155,27 +154,27 @@ class SurfaceConductionSolution:
     @property
     def conductance(self) -> Quantity:
         """1 / R [S] by boundary elements."""
-        return _shaped(1.0 / self._resistance(self.stiffness))
+        return shaped(1.0 / self._resistance(self.stiffness))
 
     @property
     def resistance(self) -> Quantity:
         """R [ohm] by boundary elements."""
-        return _shaped(self._resistance(self.stiffness))
+        return shaped(self._resistance(self.stiffness))
 
     @property
     def line_resistance(self) -> Quantity:
         """R [ohm] by the lines."""
-        return _shaped(self._resistance(self.line_stiffness))
+        return shaped(self._resistance(self.line_stiffness))
 
     @property
     def least_resistance(self) -> Quantity:
         """The lower bound of R [ohm]; zero of a periodic map."""
-        return _shaped(self._resistance(self.greatest_stiffness))
+        return shaped(self._resistance(self.greatest_stiffness))
 
     @property
     def greatest_resistance(self) -> Quantity:
         """The upper bound of R [ohm]."""
-        return _shaped(self._resistance(self.least_stiffness))
+        return shaped(self._resistance(self.least_stiffness))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -203,7 +202,3 @@ class SurfaceConductionSolution:
             *((curved,) if shape > CURVED else ()),
             bounds,
         )
-
-
-def _shaped(numbers: Array) -> Quantity:
-    return float(numbers) if numbers.ndim == 0 else numbers

@@ -23,6 +23,7 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.spring_march import march
 from winkler.problems.spring_states import OwnLaw, SpringLaw, SpringState
@@ -182,21 +183,10 @@ class TangentialSolution:
     @classmethod
     def of(cls, problem: Tangential, states: list[TangentialState | SpringState]) -> TangentialSolution:
         """Gather states, of the whole path or of its beginning."""
-
-        def column(name: str) -> Array:
-            return np.array([getattr(state, name) for state in states], dtype=float)
-
         return cls(
             problem,
-            time=column("time"),
-            depth=column("depth"),
-            force=column("force"),
-            radius=column("radius"),
-            shift=column("shift"),
-            shear_force=column("shear_force"),
             stick_radius=stick_radii(problem.bed, states),
-            stored_energy=column("stored_energy"),
-            dissipation=column("dissipation"),
+            **rows(cls, states, "stick_radius"),
             states=tuple(states),
         )
 

@@ -13,14 +13,14 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.materials.conducting_body import surface_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.conducting_disc import pressed_disc, refuse_unknown_area, scope_notes
-from winkler.problems.picking import picked, single
+from winkler.problems.conducting_solution import ConductingSolution
 from winkler.validity import Note, Standing
 from winkler.values import value
 
@@ -101,24 +101,22 @@ class ThermalConstriction:
         radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
         parts = self.conductors.resistances(radius.ravel())
 
-        def shaped(answer: Array) -> Quantity:
-            return float(answer[0]) if np.ndim(contact.radius) == 0 else answer.reshape(np.shape(contact.radius))
-
         bulk = parts.bulk_first + parts.bulk_second
         whole = parts.first + parts.second + parts.film + bulk
         heat = self.temperature_drop / whole
+        shape = np.shape(contact.radius)
         return ThermalConstrictionSolution(
             self,
             contact.depth,
             contact.force,
             contact.radius,
-            resistance=shaped(whole),
-            constriction=shaped(parts.first + parts.second),
-            interface_resistance=shaped(parts.film),
+            resistance=shaped(whole, shape),
+            constriction=shaped(parts.first + parts.second, shape),
+            interface_resistance=shaped(parts.film, shape),
             bulk_resistance=bulk,
-            heat_rate=shaped(heat),
-            first_drop=shaped(_drop(heat, parts.first, parts.bulk_first)),
-            second_drop=shaped(_drop(heat, parts.second, parts.bulk_second)),
+            heat_rate=shaped(heat, shape),
+            first_drop=shaped(_drop(heat, parts.first, parts.bulk_first), shape),
+            second_drop=shaped(_drop(heat, parts.second, parts.bulk_second), shape),
         )
 
 
@@ -129,7 +127,7 @@ def _drop(heat: Array, constriction: Array, bulk: float) -> Array:
 
 
 @value
-class ThermalConstrictionSolution:
+class ThermalConstrictionSolution(ConductingSolution):
     """The answer to a `ThermalConstriction`; every quantity has the shape of the load.
 
     Parameters
@@ -153,10 +151,6 @@ class ThermalConstrictionSolution:
     """
 
     problem: ThermalConstriction
-    depth: Quantity
-    force: Quantity
-    radius: Quantity
-    resistance: Quantity
     constriction: Quantity
     interface_resistance: Quantity
     bulk_resistance: float
@@ -167,25 +161,7 @@ class ThermalConstrictionSolution:
     @property
     def conductance(self) -> Quantity:
         """Heat rate per drop of temperature [W/K]; zero without contact."""
-        inverse = 1.0 / np.asarray(self.resistance)
-        return float(inverse) if np.ndim(self.resistance) == 0 else inverse
-
-    @property
-    def pressed(self) -> Pressed:
-        """The springs, from which pressure and stress are restored; of one load."""
-        return Pressed(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
-
-    def at(self, index: int | tuple[int, ...]) -> ThermalConstrictionSolution:
-        """Return the solution of one load of an array.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such load.
-        """
-        problem = self.problem
-        load, *_ = picked(problem.load, index, self.depth, self.force, self.radius)
-        return ThermalConstriction(problem.bed, problem.conductors, load, problem.temperature_drop).solve()
+        return shaped(1.0 / np.asarray(self.resistance))
 
     @property
     def validity(self) -> tuple[Note, ...]:

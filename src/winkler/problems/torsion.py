@@ -25,6 +25,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.closure import at_depth, at_force
+from winkler.problems.gathering import rows
 from winkler.problems.torsion_bound import Press, TwistBound, twist_bound
 from winkler.problems.torsion_march import LOSS, TURN, Turned, square, torque_of, turned, turned_to
 from winkler.problems.torsion_memory import TwistMemory, fresh, pieces_of
@@ -183,22 +184,9 @@ class Torsion:
         """
         states = list(self.steps())
 
-        def gathered(word: str) -> Array:
-            return np.array([getattr(state, word) for state in states])
-
         return TorsionSolution(
             self,
-            time=gathered("time"),
-            depth=gathered("depth"),
-            force=gathered("force"),
-            radius=gathered("radius"),
-            angle=gathered("angle"),
-            torque=gathered("torque"),
-            torque_limit=gathered("torque_limit"),
-            stick_radius=gathered("stick_radius"),
-            stored_energy=gathered("stored_energy"),
-            dissipation=gathered("dissipation"),
-            nested=gathered("nested"),
+            **rows(TorsionSolution, states),
             states=tuple(states),
         )
 

@@ -77,7 +77,7 @@ class ViscoelasticIndentation:
     A ball pressed into a Maxwell solid with E* = 1 and tau = 0.3 to d = 1 and back at the same speed.
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> medium = ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=0.3))

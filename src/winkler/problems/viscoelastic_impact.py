@@ -17,6 +17,7 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
+from winkler.given import positive_fields, whole_number
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.closure import at_depth
@@ -70,7 +71,7 @@ class ViscoelasticImpact:
     A ball on a Maxwell solid whose relaxation time is that of the impact, (m^2 / (E*^2 R v))^(1/5).
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0)))
@@ -93,14 +94,8 @@ class ViscoelasticImpact:
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticImpact", self.bed)
-        for word, unit in (("mass", "kg"), ("velocity", "m/s")):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-                raise InvalidInput(
-                    f"ViscoelasticImpact: {word} is {number!r}; it must be a positive, finite number in {unit}."
-                )
-        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 2:
-            raise InvalidInput(f"ViscoelasticImpact: count is {self.count!r}; give a whole number, at least 2.")
+        positive_fields(self, mass="kg", velocity="m/s")
+        whole_number("ViscoelasticImpact", "count", self.count, 2)
         if isinstance(self.tolerance, bool) or not 1e-9 <= self.tolerance <= 0.1:
             raise InvalidInput(
                 f"ViscoelasticImpact: tolerance is {self.tolerance!r}; give a number between 1e-9 and 0.1."

@@ -92,7 +92,7 @@ class SlidingResistance:
     Slowly, a ball meets the resistance tau v F / R (E* = 1 Pa, tau = 1 s), half of that of the line.
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import KelvinVoigt
+    >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.25)))
     >>> rolling = SlidingResistance(bed, Depth(0.01), [1e-6, 1e-3, 1e-2]).solve()

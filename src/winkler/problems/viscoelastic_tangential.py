@@ -26,6 +26,7 @@ from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.closure import at_depth
+from winkler.problems.gathering import rows
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
@@ -76,7 +77,7 @@ class ViscoelasticTangential:
     proportion (E* = 1 Pa at once, tau = 1 s).
 
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0)))
     >>> half = 0.5 * 0.3 * 0.01 * 1.5  # of mu d E*/G*
@@ -263,22 +264,9 @@ class ViscoelasticTangentialSolution:
         cls, problem: ViscoelasticTangential, states: list[ViscoelasticTangentialState]
     ) -> ViscoelasticTangentialSolution:
         """Gather states, of the whole path or of its beginning."""
-
-        def column(name: str) -> Array:
-            return np.array([getattr(state, name) for state in states], dtype=float)
-
         return cls(
             problem,
-            time=column("time"),
-            depth=column("depth"),
-            force=column("force"),
-            radius=column("radius"),
-            shift=column("shift"),
-            shear_force=column("shear_force"),
-            stick_radius=column("stick_radius"),
-            stored_energy=column("stored_energy"),
-            friction_loss=column("friction_loss"),
-            dissipation=column("dissipation"),
+            **rows(cls, states),
             states=tuple(states),
         )
 

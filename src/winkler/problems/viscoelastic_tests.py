@@ -10,13 +10,13 @@ and an oscillation so small that the contact stays as wide as it is meets :math:
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
+from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array, Quantity
@@ -53,7 +53,7 @@ class CreepTest:
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=2.0)))
@@ -69,7 +69,7 @@ class CreepTest:
 
     def __post_init__(self) -> None:
         relaxation_of("CreepTest", self.bed)
-        _check_positive("CreepTest", "force", self.force, "N")
+        positive_fields(self, force="N")
         object.__setattr__(self, "time", _checked_row("CreepTest", "time", self.time, "s"))
 
     def solve(self) -> StepSolution:
@@ -115,7 +115,7 @@ class RelaxationTest:
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import Maxwell
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=2.0)))
@@ -131,7 +131,7 @@ class RelaxationTest:
 
     def __post_init__(self) -> None:
         relaxation_of("RelaxationTest", self.bed)
-        _check_positive("RelaxationTest", "depth", self.depth, "m")
+        positive_fields(self, depth="m")
         object.__setattr__(self, "time", _checked_row("RelaxationTest", "time", self.time, "s"))
 
     def solve(self) -> StepSolution:
@@ -207,7 +207,7 @@ class HarmonicIndentation:
     Examples
     --------
     >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.materials.viscoelastic import KelvinVoigt
+    >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
     >>> from winkler.profiles.power import Paraboloid
     >>> from winkler.media.viscoelastic import ViscoelasticHalfSpace
     >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.5)))
@@ -313,11 +313,6 @@ class HarmonicSolution:
             "linearisation about the relaxed contact",
         )
         return (*self.problem.bed.medium.notes, small)
-
-
-def _check_positive(owner: str, word: str, number: float, unit: str) -> None:
-    if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be a positive, finite number in {unit}.")
 
 
 def _checked_row(owner: str, word: str, given: Array, unit: str) -> Array:

@@ -1,4 +1,4 @@
-"""Checks of the numbers a shape is made from, each with one sentence."""
+"""The check of the half-angle that a conical shape is made from."""
 
 from __future__ import annotations
 
@@ -6,17 +6,7 @@ import math
 
 from winkler.errors import InvalidInput
 
-__all__ = ["angle", "positive"]
-
-
-def positive(owner: object, word: str, unit: str = "m") -> None:
-    """Refuse a field that is not a positive, finite number."""
-    number = getattr(owner, word)
-    if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number) or number <= 0.0:
-        raise InvalidInput(
-            f"{type(owner).__name__}: {word} is {number!r}; it must be a positive, finite number"
-            + (f" in {unit}." if unit else ".")
-        )
+__all__ = ["angle"]
 
 
 def angle(owner: object, word: str) -> None:

@@ -9,9 +9,10 @@ import math
 
 import numpy as np
 
+from winkler.given import positive_fields
 from winkler.numerics.abel import root_difference
 from winkler.numerics.types import Array
-from winkler.profiles.check import angle, positive
+from winkler.profiles.check import angle
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.profiles.profile import Shape
 from winkler.validity import Note, Standing
@@ -62,7 +63,7 @@ class TruncatedCone(PowerPieces):
 
     def __post_init__(self) -> None:
         angle(self, "half_angle")
-        positive(self, "flat_radius")
+        positive_fields(self, flat_radius="m")
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -94,7 +95,7 @@ class RoundedCone(PowerPieces):
     half_angle: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
+        positive_fields(self, curvature_radius="m")
         angle(self, "half_angle")
 
     @property
@@ -134,7 +135,7 @@ class SpheroConical(Shape):
     half_angle: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
+        positive_fields(self, curvature_radius="m")
         angle(self, "half_angle")
 
     @property

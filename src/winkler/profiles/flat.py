@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.given import positive_fields
 from winkler.numerics.types import Array
-from winkler.profiles.check import positive
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
 from winkler.values import value
@@ -31,7 +31,7 @@ class FlatPunch(Shape):
     radius: float
 
     def __post_init__(self) -> None:
-        positive(self, "radius")
+        positive_fields(self, radius="m")
 
     @property
     def reach(self) -> float:
@@ -89,7 +89,7 @@ class CappedCylinder(Shape):
     cap: Profile
 
     def __post_init__(self) -> None:
-        positive(self, "radius")
+        positive_fields(self, radius="m")
         if self.cap.reach < self.radius or self.cap.rim < self.radius:
             raise InvalidInput(
                 f"CappedCylinder: the cap is known up to {min(self.cap.reach, self.cap.rim):g} m but the cylinder has "

@@ -11,7 +11,6 @@ so that the cancellation in a height such as :math:`R-\sqrt{R^2-r^2}` spoils not
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Iterable, Mapping
 
@@ -20,9 +19,20 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.numerics import abel
 from winkler.numerics.expression import Expression
-from winkler.numerics.taylor import Terms, power_sum
+from winkler.numerics.taylor import power_sum
 from winkler.numerics.types import Array
-from winkler.profiles.power import PowerLaw
+from winkler.profiles.formula_parts import (
+    BESIDE,
+    ROUNDING,
+    last_finite,
+    law_of,
+    powers_of,
+    pure,
+    rest_of,
+    sides_of,
+    start_of,
+    stretched,
+)
 from winkler.profiles.profile import Kinks, Shape
 from winkler.values import value
 
@@ -30,10 +40,6 @@ __all__ = ["Formula"]
 
 FARTHEST = 1.0
 """How far a formula without a reach is tried out [m]."""
-ROUNDING = 1e-12
-"""What counts as zero, against the sum of the moduli of the parts of a height."""
-BESIDE = np.array([1e-5, 1e-6, 1e-7])
-"""Relative distances from a corner at which the slope beside it is read."""
 
 
 @value
@@ -104,7 +110,7 @@ class Formula(Shape):
             if not (_is_number(corner) and 0.0 < corner < self.reach):
                 raise InvalidInput(f"Formula: the corner {corner!r} must be a radius in m between 0 and the reach.")
         object.__setattr__(self, "corners", tuple(sorted({float(corner) for corner in self.corners})))
-        _start(self._law)
+        start_of(self._law)
         self._try_out()
         _ = self.kinks
 
@@ -112,10 +118,10 @@ class Formula(Shape):
         """Refuse a height that is not finite, negative, or zero everywhere."""
         end = FARTHEST if self.reach == math.inf else self.reach
         trial = np.unique(np.concatenate([np.geomspace(1e-12 * end, end, 481), np.linspace(0.0, end, 257)[1:]]))
-        height = self._law.taylor(trial)[0] - _start(self._law)
+        height = self._law.taylor(trial)[0] - start_of(self._law)
         bad = np.flatnonzero(~np.isfinite(height))
         if bad.size:
-            last = _last_finite(self._law, trial[max(bad[0] - 1, 0)], trial[bad[0]])
+            last = last_finite(self._law, trial[max(bad[0] - 1, 0)], trial[bad[0]])
             raise InvalidInput(
                 f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; say how "
                 f"far it holds, as reach={last:.6g} or less."
@@ -133,18 +139,18 @@ class Formula(Shape):
 
     @property
     def _law(self) -> Expression:
-        return _law(self.expression, self.constants)
+        return law_of(self.expression, self.constants)
 
     @property
     def kinks(self) -> Kinks:
         """``(radius, jump of the slope)`` at every stated corner."""
-        sides = _sides(self._law, self.corners)
+        sides = sides_of(self._law, self.corners)
         return tuple((corner, jump) for corner, (_, jump) in zip(self.corners, sides, strict=True))
 
     @property
     def rising(self) -> bool:
         """Known of a sum of powers with positive coefficients."""
-        return _pure(self._law) and all(c > 0.0 for c, _ in self._law.powers)
+        return pure(self._law) and all(c > 0.0 for c, _ in self._law.powers)
 
     def _refuse(self, what: str, r: Array, bad: Array) -> None:
         if np.any(bad):
@@ -159,49 +165,49 @@ class Formula(Shape):
         r = np.asarray(r, dtype=float)
         height = self._law.taylor(r)[0]
         self._refuse("height", r, ~np.isfinite(height))
-        return height - _start(self._law)
+        return height - start_of(self._law)
 
     def slope(self, r: Array) -> Array:
         """f'(r) [-]; at a corner, the value just below it."""
         r = np.asarray(r, dtype=float)
-        return power_sum(_powers(self._law), r)[1] + self._slope_of_rest(r)
+        return power_sum(powers_of(self._law), r)[1] + self._slope_of_rest(r)
 
     def curvature(self, r: Array) -> Array:
         """f''(r) [1/m]; at a corner, the value just below it."""
         r = np.asarray(r, dtype=float)
-        return power_sum(_powers(self._law), r)[2] + self._curvature_of_rest(r)
+        return power_sum(powers_of(self._law), r)[2] + self._curvature_of_rest(r)
 
     def _slope_of_rest(self, r: Array) -> Array:
-        slope = _rest(self._law, r)[1]
-        for corner, (below, _) in zip(self.corners, _sides(self._law, self.corners), strict=True):
+        slope = rest_of(self._law, r)[1]
+        for corner, (below, _) in zip(self.corners, sides_of(self._law, self.corners), strict=True):
             slope = np.where(r == corner, below, slope)
         self._refuse("slope", r, np.isnan(slope))
         return slope
 
     def _curvature_of_rest(self, r: Array) -> Array:
-        curvature = _rest(self._law, np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r))[2]
+        curvature = rest_of(self._law, np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r))[2]
         self._refuse("curvature", r, np.isnan(curvature))
         return curvature
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
         x = np.asarray(x, dtype=float)
-        powers = power_sum(_stretched(self._law), x)[0]
-        return powers if _pure(self._law) else powers + abel.gap(self._slope_of_rest, self.corners, x, powers)
+        powers = power_sum(stretched(self._law), x)[0]
+        return powers if pure(self._law) else powers + abel.gap(self._slope_of_rest, self.corners, x, powers)
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
         x = np.asarray(x, dtype=float)
-        powers = power_sum(_stretched(self._law), x)[1]
-        if _pure(self._law):
+        powers = power_sum(stretched(self._law), x)[1]
+        if pure(self._law):
             return powers
         return powers + abel.gap_slope(self._slope_of_rest, self._curvature_of_rest, self.kinks, x, powers)
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x, dtype=float)
-        powers = power_sum(tuple((c / (p + 1.0), p + 1.0) for c, p in _stretched(self._law)), x)[0]
-        if _pure(self._law):
+        powers = power_sum(tuple((c / (p + 1.0), p + 1.0) for c, p in stretched(self._law)), x)[0]
+        if pure(self._law):
             return powers
         inner = np.where(x > 0.0, x, 1.0)
         first = x * abel.gap(self._slope_of_rest, self.corners, x, powers / inner)
@@ -211,94 +217,3 @@ class Formula(Shape):
 
 def _is_number(content: object) -> bool:
     return isinstance(content, int | float) and not isinstance(content, bool)
-
-
-@functools.lru_cache(maxsize=256)
-def _law(expression: str, constants: tuple[tuple[str, float], ...]) -> Expression:
-    return Expression(expression, "r", constants)
-
-
-@functools.lru_cache(maxsize=256)
-def _pure(law: Expression) -> bool:
-    """Whether the formula is nothing but a sum of powers."""
-    return law.remainder(np.zeros(0)) is None
-
-
-@functools.lru_cache(maxsize=256)
-def _powers(law: Expression) -> Terms:
-    """Return the powers that are transformed in closed form.
-
-    The first power stays with the rest, where there is one: in (r - b) + sqrt((r - b)**2) their slopes cancel exactly.
-    """
-    return tuple((c, p) for c, p in law.powers if p != 0.0 and (p != 1.0 or _pure(law)))
-
-
-@functools.lru_cache(maxsize=256)
-def _stretched(law: Expression) -> Terms:
-    """Return (kappa_p c, p), their transform."""
-    return tuple((c * PowerLaw(1.0, p).stretch, p) for c, p in _powers(law))
-
-
-@functools.lru_cache(maxsize=256)
-def _linear(law: Expression) -> float:
-    return sum(c for c, p in law.powers if p == 1.0)
-
-
-def _rest(law: Expression, r: Array) -> tuple[Array, Array, Array]:
-    """Return value, slope and curvature of what is beside those powers."""
-    rest = law.remainder(r)
-    if rest is None:
-        return np.zeros(r.shape), np.zeros(r.shape), np.zeros(r.shape)
-    return rest[0], rest[1] + _linear(law), rest[2]
-
-
-@functools.lru_cache(maxsize=256)
-def _start(law: Expression) -> float:
-    """Return the rounding error of the height at r = 0, after checking that it is one."""
-    axis = np.zeros(1)
-    height, slope, curvature = (float(part[0]) for part in law.taylor(axis))
-    if math.isnan(height) or math.isnan(slope) or math.isnan(curvature) or math.isinf(height):
-        raise InvalidInput(
-            f"Formula: '{law.text}' cannot be evaluated at r = 0, where it is undetermined or infinite; rewrite it, as "
-            "r*sqrt(1 + r) for sqrt(r**2 + r**3)."
-        )
-    if math.isinf(_rest(law, axis)[1][0]):
-        raise InvalidInput(f"Formula: '{law.text}' is infinitely steep at r = 0; give one with a finite slope there.")
-    if abs(height) > ROUNDING * float(law.magnitude(axis)[0]):
-        raise InvalidInput(
-            f"Formula: the height of '{law.text}' is {height:.6g} m at r = 0; a profile starts at zero, so subtract it."
-        )
-    return height
-
-
-def _last_finite(law: Expression, low: float, high: float) -> float:
-    """Return where the height ceases to be finite, between a place where it is and one where it is not."""
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if np.isfinite(law.taylor([middle])[0][0]) else (low, middle)
-    return low
-
-
-@functools.lru_cache(maxsize=256)
-def _sides(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
-    """Return the slope just below every corner, and by how much it jumps there."""
-    found = []
-    for corner in corners:
-        r = corner * (1.0 + np.outer((-1.0, 1.0), BESIDE))
-        _, slope, curvature = _rest(law, r)
-        size = float(np.max(np.abs(slope)))
-        below, above = (_limit(near, size) for near in slope + (corner - r) * curvature)
-        if not math.isfinite(below + above):
-            raise InvalidInput(
-                f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:g} m."
-            )
-        found.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
-    return tuple(found)
-
-
-def _limit(near: Array, size: float) -> float:
-    """Return the limit of slopes read ever closer to a corner, by Aitken's rule; NaN if they run away."""
-    first, second = np.diff(near)
-    if abs(second) <= 1e-12 * size + 1e-15:
-        return float(near[-1])
-    return float(near[-1] - second**2 / (second - first)) if abs(second) < 0.9 * abs(first) else math.nan

@@ -9,8 +9,8 @@ import math
 
 import numpy as np
 
+from winkler.given import positive_fields
 from winkler.numerics.types import Array
-from winkler.profiles.check import positive
 from winkler.profiles.profile import Shape
 from winkler.values import value
 
@@ -34,7 +34,7 @@ class Paraboloid(Shape):
     curvature_radius: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
+        positive_fields(self, curvature_radius="m")
 
     @property
     def size(self) -> float:
@@ -91,8 +91,7 @@ class PowerLaw(Shape):
     exponent: float
 
     def __post_init__(self) -> None:
-        positive(self, "coefficient", "m^(1-n)")
-        positive(self, "exponent", "")
+        positive_fields(self, coefficient="m^(1-n)", exponent="")
 
     @property
     def rising(self) -> bool:

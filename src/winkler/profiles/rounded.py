@@ -12,9 +12,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.given import positive_fields
 from winkler.numerics.abel import root_difference
 from winkler.numerics.types import Array
-from winkler.profiles.check import positive
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.values import value
 
@@ -53,8 +53,7 @@ class RoundedPunch(PowerPieces):
     edge_radius: float
 
     def __post_init__(self) -> None:
-        positive(self, "flat_radius")
-        positive(self, "edge_radius")
+        positive_fields(self, flat_radius="m", edge_radius="m")
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -110,8 +109,7 @@ class TruncatedParaboloid(PowerPieces):
     flat_radius: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
-        positive(self, "flat_radius")
+        positive_fields(self, curvature_radius="m", flat_radius="m")
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -138,9 +136,7 @@ class CappedParaboloid(PowerPieces):
     cap_radius: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
-        positive(self, "cap_curvature_radius")
-        positive(self, "cap_radius")
+        positive_fields(self, curvature_radius="m", cap_curvature_radius="m", cap_radius="m")
 
     @property
     def terms(self) -> tuple[Term, ...]:

@@ -16,6 +16,7 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import positive_fields
 from winkler.numerics.types import Array
 from winkler.profiles.topography import Topography
 from winkler.values import frozen_array, value
@@ -90,10 +91,7 @@ class SelfAffine:
     roll_off: float = math.inf
 
     def __post_init__(self) -> None:
-        for word, unit in (("rms_height", "m"), ("longest", "m"), ("shortest", "m")):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-                raise InvalidInput(f"SelfAffine: {word} is {number!r}; it must be a positive, finite number in {unit}.")
+        positive_fields(self, rms_height="m", longest="m", shortest="m")
         if isinstance(self.hurst, bool) or not isinstance(self.hurst, int | float) or not 0.0 < self.hurst <= 1.0:
             raise InvalidInput(f"SelfAffine: hurst is {self.hurst!r}; give a number above 0 and at most 1.")
         if not self.shortest < min(self.roll_off, self.longest):

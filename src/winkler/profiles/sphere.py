@@ -10,8 +10,9 @@ import math
 
 import numpy as np
 
+from winkler.given import positive_fields
 from winkler.numerics.types import Array
-from winkler.profiles.check import angle, positive
+from winkler.profiles.check import angle
 from winkler.profiles.profile import Shape
 from winkler.values import value
 
@@ -121,7 +122,7 @@ class Sphere(_Round):
     curvature_radius: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
+        positive_fields(self, curvature_radius="m")
 
     @property
     def _axes(self) -> tuple[float, float]:
@@ -144,8 +145,7 @@ class Ellipsoid(_Round):
     axial_semi_axis: float
 
     def __post_init__(self) -> None:
-        positive(self, "radial_semi_axis")
-        positive(self, "axial_semi_axis")
+        positive_fields(self, radial_semi_axis="m", axial_semi_axis="m")
 
     @property
     def _axes(self) -> tuple[float, float]:
@@ -168,7 +168,7 @@ class Hyperboloid(Shape):
     half_angle: float
 
     def __post_init__(self) -> None:
-        positive(self, "curvature_radius")
+        positive_fields(self, curvature_radius="m")
         angle(self, "half_angle")
 
     @property

@@ -10,9 +10,9 @@ import math
 
 import numpy as np
 
+from winkler.given import positive_fields
 from winkler.numerics.struve import struve
 from winkler.numerics.types import Array
-from winkler.profiles.check import positive
 from winkler.profiles.profile import Shape
 from winkler.values import value
 
@@ -39,8 +39,7 @@ class Wavy(Shape):
     wavelength: float
 
     def __post_init__(self) -> None:
-        positive(self, "amplitude")
-        positive(self, "wavelength")
+        positive_fields(self, amplitude="m", wavelength="m")
 
     @property
     def _number(self) -> float:

@@ -62,6 +62,8 @@ def plain(content: Any) -> Any:
     if isinstance(content, np.ndarray):
         return plain(content.tolist())
     if isinstance(content, tuple | list):
+        if {float}.issuperset(map(type, content)) and all(map(math.isfinite, content)):
+            return [number + 0.0 for number in content]
         return [plain(item) for item in content]
     cls = type(content)
     fields = {field.name: plain(getattr(content, field.name)) for field in dataclasses.fields(content)}

@@ -77,23 +77,27 @@ CAPTIONS = {
 
 STUCK = {
     "springs": (
-        "The equivalent plane profile over its springs",
+        CAPTIONS["springs"][0],
         "Springs are compressed in the middle and stretched towards the edge, until they let go.",
     ),
     "line_load": (
-        "The load of the springs",
+        CAPTIONS["line_load"][0],
         "q(x), the compression times the stiffness of the springs; where they pull, the area counts negative.",
     ),
     "pressure": (
-        "The pressure",
+        CAPTIONS["pressure"][0],
         "p(r) of the three-dimensional contact, brought back from the springs; below zero the surfaces pull.",
     ),
     "force": (
-        "Force over depth",
+        CAPTIONS["force"][0],
         "All states of equilibrium around this one, the point; on the solid part they are stable.",
     ),
 }
 """The same for bodies that stick, where it differs."""
+
+ALONG = "The contact along its path"
+STICKING = "forces and energies over time, and how the last contact sticks and slips."
+LINES = "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's."
 
 SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
     EquilibriumCurve: (
@@ -114,13 +118,13 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
     PullOffSolution: ("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
     TangentialSolution: (
         "tangential",
-        "The contact along its path",
-        "The loop of the shear force, forces and energies over time, and how the last contact sticks and slips.",
+        ALONG,
+        f"The loop of the shear force, {STICKING}",
     ),
     TorsionSolution: (
         "torsion",
-        "The contact along its path",
-        "The loop of the torque, forces and energies over time, and how the last contact sticks and slips.",
+        ALONG,
+        f"The loop of the torque, {STICKING}",
     ),
     FrictionDampingSolution: ("damping", "What friction damps", "Loss, stiffness and loss factor over the amplitude."),
     BimodalDampingSolution: ("damping", "What friction damps", "Loss in every closed cycle of depth and shift."),
@@ -154,7 +158,7 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
     AdhesiveImpactSolution: ("impact", "The impact", "Force, velocity, contact and energies over time."),
     ViscoelasticSolution: (
         "relaxing",
-        "The contact along its path",
+        ALONG,
         "Force, depth, contact radius and energies; springs and pressure of a late contact, with the springs that have "
         "let go and recover on their own.",
     ),
@@ -182,7 +186,7 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
     ),
     ViscoelasticTangentialSolution: (
         "dragged",
-        "The contact along its path",
+        ALONG,
         "The loop of the shear force, forces, energies and the contact over time; springs and their loads of a late "
         "contact, with those that have let go and recover.",
     ),
@@ -239,12 +243,12 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
     RoughContactSolution: (
         "lines",
         "Rough lines of springs",
-        "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+        LINES,
     ),
     RoughIndentationSolution: (
         "lines",
         "Rough lines of springs under the body",
-        "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+        LINES,
     ),
     NearlyRoundSolution: ("contour", "The contact", "Its contour, computed in the directions of the points."),
     EllipticSolution: ("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),

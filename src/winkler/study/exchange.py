@@ -103,19 +103,6 @@ def to_pandas(answer: Any) -> pandas.DataFrame:
     ------
     InvalidInput
         If `answer` is no answer, or holds nothing that can be a column.
-
-    Examples
-    --------
-    >>> from winkler.foundation.foundation import Foundation
-    >>> from winkler.loading import Force
-    >>> from winkler.materials.elastic import Elastic
-    >>> from winkler.media.halfspace import HalfSpace
-    >>> from winkler.problems.indentation import Indentation
-    >>> from winkler.profiles.power import Paraboloid
-    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace(Elastic(210e9, 0.3)))
-    >>> pressed = to_pandas(Indentation(bed, Force(np.array([1.0, 10.0, 100.0]))).solve())
-    >>> len(pressed), pressed.attrs["units"]["force"]
-    (3, 'N')
     """
     import pandas
 

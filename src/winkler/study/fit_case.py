@@ -6,25 +6,22 @@ The quantity of an expectation is the key of a free number, ``problem.bed.medium
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.study import grammar
+from winkler.study.expected_case import expectations
 from winkler.study.fit_outcome import Fitted
 from winkler.study.fit_reading import parse_fit_study
 from winkler.study.fit_run import fit_study
 from winkler.study.fitting import FitStudy
+from winkler.study.judging import deviation
 from winkler.study.outcome import Verdict
 from winkler.study.reading import parsed, read_text
-from winkler.study.schema import MISSING
 from winkler.study.study import Expectation
 
 __all__ = ["FitCase", "fit_verdicts", "is_fit", "read_fit_case"]
-
-SHOWN = ("unit", "scale", "r", "z", "x")
-"""Keys of ``[[expect]]`` that may be left out."""
 
 
 class FitCase(NamedTuple):
@@ -53,7 +50,7 @@ def read_fit_case(path: Path) -> FitCase:
 
     raw = parsed(read_text(path), path.name)
     source, grade = str(raw.pop("source", "")), str(raw.pop("grade", ""))
-    asked = [_expectation(item, path.name) for item in raw.pop("expect", [])]
+    asked = expectations(raw.pop("expect", []), path.name)
     study = parse_fit_study(tomli_w.dumps(raw), file=path.name, folder=path.parent)
     free = [line.key for line in study.free]
     for item in asked:
@@ -61,17 +58,7 @@ def read_fit_case(path: Path) -> FitCase:
             raise InvalidInput(
                 f"{path.name}: expect asks for '{item.quantity}', which is not free; give one of {', '.join(free)}."
             )
-    return FitCase(study, source, grade, tuple(asked))
-
-
-def _expectation(item: dict[str, Any], file: str) -> Expectation:
-    try:
-        return grammar.expectation(dict.fromkeys(SHOWN, MISSING) | item)
-    except KeyError as error:
-        raise InvalidInput(f"{file}: expect needs {error.args[0]}; add it.") from None
-    except InvalidInput as error:
-        told = str(error).removeprefix("expect: ")
-        raise InvalidInput(f"{file}: expect: {told}") from None
+    return FitCase(study, source, grade, asked)
 
 
 def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
@@ -87,6 +74,5 @@ def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
     for place, result in enumerate(fit_study(case.study).results):
         for asked in case.expect:
             got = result.fit.value(paths[asked.quantity]) if isinstance(result, Fitted) else np.nan
-            off = abs(got - float(asked.expected)) / (asked.scale or abs(float(asked.expected)))
-            verdicts.append(Verdict((place,), asked, got, float(off) if np.isfinite(off) else np.inf))
+            verdicts.append(Verdict((place,), asked, got, deviation(got, asked)))
     return tuple(verdicts)

@@ -72,12 +72,16 @@ SECTIONS: dict[str, dict[str, str]] = {
         "tolerance": "largest allowed deviation, relative to the value or to scale",
         "scale": "what deviations are relative to; needed where the value is zero",
         "r": "of a field: distance from the axis",
+        "x": "of a function along the springs: place; of a field in the axes of the bodies: along x",
+        "y": "of a field in the axes of the bodies: along y, with x and z",
         "z": "of a field below the surface: depth",
-        "x": "of a function along the springs: place",
     },
 }
 """Section -> key -> what it says."""
 
+
+PLACE = ("r", "x", "y", "z")
+"""Where ``[[expect]]`` asks for a field."""
 
 PART: Any = Literal["approach", "hold", "retract", "both"]
 FIT: Any = Literal["force", "position"]
@@ -145,11 +149,11 @@ def expectation(table: dict[str, Any]) -> Expectation:
     scale = table["scale"]
     if given is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
         scale = f"{scale!r} {given}".strip()
-    place = tuple((key, float(_at(key, table[key], "m"))) for key in ("r", "z", "x") if table[key] is not MISSING)
-    if [key for key, _ in place] not in ([], ["r"], ["r", "z"], ["x"]):
+    place = tuple((key, float(_at(key, table[key], "m"))) for key in PLACE if table[key] is not MISSING)
+    if tuple(key for key, _ in place) not in ((), ("r",), ("r", "z"), ("x",), ("x", "y", "z")):
         raise InvalidInput(
             f"expect gives {' and '.join(key for key, _ in place)}; give r on the surface, r and z below it, "
-            "or x along the springs."
+            "x along the springs, or x, y and z."
         )
     return Expectation(
         quantity=name,
@@ -226,6 +230,7 @@ def study_form() -> type[BaseModel]:
         r=(Any, MISSING),
         z=(Any, MISSING),
         x=(Any, MISSING),
+        y=(Any, MISSING),
     )
     model = create_model(
         "study",

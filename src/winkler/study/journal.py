@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import itertools
 import json
 import os
 import zlib
@@ -17,9 +18,12 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from winkler.errors import InvalidInput
 from winkler.study.canonical import digest, plain
 from winkler.study.study import Study
+from winkler.study.varied import Axis
 
 __all__ = ["Journal"]
 
@@ -43,7 +47,7 @@ class Journal:
         """Number of points that are kept."""
         self._head = _head(study)
         self._file = -1
-        self._kept: list[dict[str, Any]] = []
+        self._known = 0
 
     @classmethod
     def beside(cls, results: Path, study: Study) -> Journal:
@@ -68,10 +72,12 @@ class Journal:
         self._close()
 
     def recalled(self) -> Iterator[dict[str, Any]]:
-        """Yield what an earlier run wrote of each point, once."""
-        self._kept.reverse()
-        while self._kept:
-            yield self._kept.pop()
+        """Yield what an earlier run wrote of each point, read line after line."""
+        known, self._known = self._known, 0
+        if known:
+            with self.path.open("rb") as file:
+                for line in itertools.islice(file, 1, known + 1):
+                    yield _content(line)
 
     def _read(self) -> None:
         with self.path.open("rb") as file:
@@ -85,9 +91,8 @@ class Journal:
                 if number == 0 and content != self._head:
                     raise self._refused("holds points of another study, or of another version of this one")
                 good += len(line)
-                if number > 0:
-                    self._kept.append(content)
-        self.count = len(self._kept)
+                self._known = number
+        self.count = self._known
         os.ftruncate(self._file, good)
         os.lseek(self._file, 0, os.SEEK_END)
         if not good:
@@ -163,7 +168,7 @@ def _content(line: bytes) -> Any:
 
 def _head(study: Study) -> dict[str, Any]:
     """Return what the first line says: equal heads mean equal points, expectations and numbers."""
-    asked = [plain(axis) for axis in study.axes] if study.design.draws else []
+    asked = [_drawn(axis) for axis in study.axes] if study.design.draws else []
     return {
         "journal of": "winkler",
         "version": version("winkler"),
@@ -171,6 +176,13 @@ def _head(study: Study) -> dict[str, Any]:
         "points": _hash(asked),
         "expect": _hash([plain(item) for item in study.expect]),
     }
+
+
+def _drawn(axis: Axis) -> Any:
+    """Return the values of an axis, or if there may be a million numbers, the hash of all their digits."""
+    if not axis.numeric:
+        return plain(axis)
+    return [axis.key, hashlib.sha256(np.array(axis.values, dtype="<f8").tobytes()).hexdigest()]
 
 
 def _hash(content: Any) -> str:

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.fields import restore
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Quantity
+from winkler.study.expected_fields import number_at
 from winkler.study.outcome import Solved, Verdict, answers_of
 from winkler.study.study import Expectation
 
-__all__ = ["judge"]
+__all__ = ["deviation", "judge"]
 
 
 def judge(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> Verdict:
@@ -37,17 +37,26 @@ def judge(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) 
     if shape and np.ndim(got) == 0 and expected.size == math.prod(shape) and expected.ndim:
         expected = expected.reshape(shape)[point.index]
         expectation = dataclasses.replace(expectation, expected=float(expected))
-    if np.shape(got) != expected.shape:
-        if expected.ndim:
-            raise InvalidInput(
-                f"expect: {expectation.quantity} has {np.size(got)} values, but {expected.size} are expected; "
-                "give one for each load."
-            )
-        got, expected = np.broadcast_arrays(got, expected)
+    return Verdict(point.index, expectation, got, deviation(got, expectation))
+
+
+def deviation(got: Quantity, expectation: Expectation) -> float:
+    """Return by how much an answer deviates, relative to the scale of what was expected; infinite if it is not finite.
+
+    Raises
+    ------
+    InvalidInput
+        If there are more or fewer numbers than were expected.
+    """
+    expected = np.asarray(expectation.expected, dtype=float)
+    if np.shape(got) != expected.shape and expected.ndim:
+        raise InvalidInput(
+            f"expect: {expectation.quantity} has {np.size(got)} values, but {expected.size} are expected; "
+            "give one for each load."
+        )
     scale = expectation.scale or np.abs(expected)
     difference = np.abs(np.asarray(got, dtype=float) - expected) / scale
-    deviation = float(np.max(difference)) if np.all(np.isfinite(difference)) else np.inf
-    return Verdict(point.index, expectation, got, deviation)
+    return float(np.max(difference)) if np.all(np.isfinite(difference)) else np.inf
 
 
 def _found(solution: Any, expectation: Expectation) -> Quantity:
@@ -59,20 +68,7 @@ def _found(solution: Any, expectation: Expectation) -> Quantity:
         if name not in known:
             raise InvalidInput(_unknown(name, list(known), f"an answer of {type(solution).__name__}"))
         return known[name]
-    if "x" in place:
-        function = getattr(solution, name, None)
-        if not callable(function):
-            raise InvalidInput(f"expect: {name} is no function of x of {type(solution).__name__}; leave x out.")
-        return _only(function(np.array([place["x"]])))
-    r = np.array([place["r"]])
-    fields = restore(solution, r, np.array([place["z"]])) if "z" in place else restore(solution, r)
-    content = getattr(fields, name, None)
-    if not isinstance(content, np.ndarray) or name.startswith("_"):
-        known_fields = [key for key in dir(fields) if not key.startswith("_") and key not in ("r", "z")]
-        raise InvalidInput(_unknown(name, known_fields, f"one of {type(fields).__name__}"))
-    if content.ndim != 1:
-        raise InvalidInput(f"expect: {name} is no single number; expect one of its components' invariants instead.")
-    return _only(content)
+    return number_at(solution, name, place)
 
 
 def _along(solution: Any, path: str) -> Quantity:
@@ -93,10 +89,6 @@ def _along(solution: Any, path: str) -> Quantity:
     if isinstance(content, np.ndarray) and content.dtype.kind == "f":
         return content
     raise InvalidInput(f"expect: quantity '{path}' is no number but a {type(content).__name__}; name a number.")
-
-
-def _only(content: Array) -> float:
-    return float(np.ravel(content)[0])
 
 
 def _unknown(name: str, known: list[str], what: str) -> str:

@@ -7,8 +7,9 @@ from winkler.laws.crack import RateDependentWork, SaturatingWork
 from winkler.materials.at_temperature import AtTemperature
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
-from winkler.materials.viscoelastic import GeneralisedKelvin, KelvinVoigt, Maxwell, Prony, StandardSolid
+from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
 from winkler.media.proportional import RelaxingInProportion
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.problems.viscoelastic import ViscoelasticIndentation

@@ -1,19 +1,21 @@
 """The validation ledger: literature cases, run and judged.
 
 A case is a study with ``[[expect]]``, a ``source`` and a ``grade``; those of the package lie in ``winkler/cases``.  A
-case with ``[fit]`` fits a curve, and expects what the curve must tell.
+case with ``[fit]`` fits a curve, and expects what the curve must tell; one with ``[function]`` asks a function of a
+closed list.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.study import keys
-from winkler.study.fit_case import fit_verdicts, is_fit, read_fit_case
+from winkler.study.fit_case import FitCase, fit_verdicts, is_fit, read_fit_case
+from winkler.study.function_case import FunctionCase, function_verdicts, is_function, read_function_case
 from winkler.study.outcome import Outcome, Verdict
 from winkler.study.physics import FITS, physics_of
 from winkler.study.reading import read_study
@@ -107,6 +109,8 @@ def examined(path: Path) -> Entry:
     """
     if is_fit(path):
         return _fitted(path)
+    if is_function(path):
+        return _asked(path)
     study = read_study(path)
     _complete(path, study.source, study.grade, study.expect)
     entry = Entry(path.stem, study.title, study.source, study.grade, physics_of(study), (), ())
@@ -120,15 +124,27 @@ def examined(path: Path) -> Entry:
 
 def _fitted(path: Path) -> Entry:
     case = read_fit_case(path)
+    return _judged(path, case.study.title, case, FITS, lambda: fit_verdicts(case))
+
+
+def _asked(path: Path) -> Entry:
+    case = read_function_case(path)
+    return _judged(path, case.title, case, case.function.physics, lambda: function_verdicts(case))
+
+
+def _judged(
+    path: Path, title: str, case: FitCase | FunctionCase, physics: str, verdicts: Callable[[], tuple[Verdict, ...]]
+) -> Entry:
+    """Return the entry of a case that is no study."""
     _complete(path, case.source, case.grade, case.expect)
     if case.grade not in GRADES:
         raise InvalidInput(f"{path.name}: grade: '{case.grade}' is not known; give one of {', '.join(GRADES)}.")
-    entry = Entry(path.stem, case.study.title, case.source, case.grade, FITS, (), ())
+    entry = Entry(path.stem, title, case.source, case.grade, physics, (), ())
     try:
-        verdicts = fit_verdicts(case)
+        found = verdicts()
     except WinklerError as error:
         return dataclasses.replace(entry, failure=str(error))
-    return dataclasses.replace(entry, verdicts=verdicts, points=("",) * len(verdicts))
+    return dataclasses.replace(entry, verdicts=found, points=("",) * len(found))
 
 
 def _complete(path: Path, source: str, grade: str, expect: tuple[object, ...]) -> None:

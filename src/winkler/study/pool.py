@@ -12,7 +12,7 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any, TypeVar
@@ -53,7 +53,7 @@ def checked_workers(workers: Workers) -> Workers:
     return workers
 
 
-def pooled(answer: Callable[[T], R], todo: list[T], workers: Workers) -> Iterator[R]:
+def pooled(answer: Callable[[T], R], todo: Sequence[T], workers: Workers) -> Iterator[R]:
     """Yield ``answer(item)`` of every item, in their order; see `completed`."""
     early: dict[int, R] = {}
     due = 0
@@ -64,7 +64,7 @@ def pooled(answer: Callable[[T], R], todo: list[T], workers: Workers) -> Iterato
             due += 1
 
 
-def completed(answer: Callable[[T], R], todo: list[T], workers: Workers) -> Iterator[tuple[int, R]]:
+def completed(answer: Callable[[T], R], todo: Sequence[T], workers: Workers) -> Iterator[tuple[int, R]]:
     """Yield the place of every item and ``answer(item)``, as they are ready.
 
     Parameters
@@ -92,13 +92,13 @@ def completed(answer: Callable[[T], R], todo: list[T], workers: Workers) -> Iter
 
 
 def _shared(
-    answer: Callable[[T], R], todo: list[T], submit: Callable[..., Future[Any]], workers: int
+    answer: Callable[[T], R], todo: Sequence[T], submit: Callable[..., Future[Any]], workers: int
 ) -> Iterator[tuple[int, R]]:
     waiting: dict[Future[Any], int] = {}
     sent, size = 0, 1
     while sent < len(todo) or waiting:
         while sent < len(todo) and len(waiting) < AHEAD * workers:
-            batch = todo[sent : sent + size]
+            batch = list(todo[sent : sent + size])
             waiting[submit(_answered, answer, batch)] = sent
             sent += len(batch)
         ready, _ = wait(waiting, return_when=FIRST_COMPLETED)

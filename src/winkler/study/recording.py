@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, WinklerError
 from winkler.fields import SubsurfaceFields, SurfaceFields
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.problems.torsion_fields import TwistedFields
@@ -19,10 +19,11 @@ from winkler.study.events import EVENTS, Event
 from winkler.study.judging import judge
 from winkler.study.points import Failed, Recalled, Solved, Verdict
 from winkler.study.study import Expectation
+from winkler.study.tasks import Task
 from winkler.validity import Note, Standing
 from winkler.vocabulary import Word
 
-__all__ = ["light", "read", "written"]
+__all__ = ["light", "recalled", "written"]
 
 RESTORED = {cls.__name__: cls for cls in (SurfaceFields, SubsurfaceFields, ShearedFields, TwistedFields)}
 
@@ -102,21 +103,23 @@ def _number(content: Any) -> Any:
     return content
 
 
-def read(
-    content: dict[str, Any], settings: tuple[Any, ...], problem: Any, expect: tuple[Expectation, ...]
-) -> Recalled | Failed:
+def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...]) -> Recalled | Failed:
     """Return the point that a line tells of.
 
     Parameters
     ----------
     content
         The line, taken apart by ``json.loads``.
-    settings, problem
-        Of the point at its index.
+    task
+        The point at its index.
     expect
         What the study expects.
     """
-    index = tuple(content["at"])
+    index, settings = task.index, task.settings
+    try:
+        problem = task.problem
+    except WinklerError:  # which is why it failed
+        problem = task.base
     if "reason" in content:
         return Failed(index, settings, problem, content["reason"], content["code"])
     verdicts = [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import functools
 import platform
 import time
 from collections.abc import Iterable
@@ -90,5 +91,11 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
 def provenance(question: str, seconds: float, source: str) -> Provenance:
     """Return what made numbers now; `question` is the hash of what was asked."""
     created = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
-    packages = (("python", platform.python_version()), *((name, version(name)) for name in ("numpy", "scipy")))
-    return Provenance(version("winkler"), question, created, seconds, packages, source)
+    packages = (("python", platform.python_version()), *((name, _version(name)) for name in ("numpy", "scipy")))
+    return Provenance(_version("winkler"), question, created, seconds, packages, source)
+
+
+@functools.cache
+def _version(package: str) -> str:
+    """Return the version of an installed package; its files are read once."""
+    return version(package)

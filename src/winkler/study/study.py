@@ -7,10 +7,8 @@ runs to the same numbers.  ``[sweep]`` varies keys of the problem, ``[fields]`` 
 
 from __future__ import annotations
 
-import itertools
 import math
 import re
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -106,14 +104,14 @@ class Output:
 
 
 def named(quantity: str) -> str:
-    """Return the word of the glossary at the end of a path; a number behind it is a place among many answers.
+    """Return the word of the glossary at the end of a path; numbers behind it are places among many answers.
 
     Examples
     --------
     >>> named("problem.bed.medium.modulus"), named("shear_force.-1")
     ('modulus', 'shear_force')
     """
-    return re.sub(r"\.-?\d+$", "", quantity).rpartition(".")[2]
+    return re.sub(r"(\.-?\d+)+$", "", quantity).rpartition(".")[2]
 
 
 @value
@@ -131,7 +129,7 @@ class Expectation:
         Largest allowed deviation, relative to `scale`.
     place
         ``()`` for an answer; ``(("r", r),)`` for the surface, ``(("r", r), ("z", z))`` below it, ``(("x", x),)`` along
-        the line of springs [m].
+        the line of springs, ``(("x", x), ("y", y), ("z", z))`` in the axes of the bodies [m].
     scale
         What deviations are relative to, in the unit of the quantity; zero (the default) for the expected number itself.
     """
@@ -224,10 +222,18 @@ class Study:
         """Number of points along each dimension; ``()`` without a sweep."""
         return tuple(len(axis.values) for axis in self.axes)[: len(self.dims)]
 
-    def settings(self) -> Iterator[tuple[tuple[int, ...], tuple[Any, ...]]]:
-        """Yield ``(index, values)`` of every point of the sweep; the values in the order of its keys."""
+    @property
+    def size(self) -> int:
+        """Number of points; one without a sweep."""
+        return math.prod(self.shape)
+
+    def setting(self, place: int) -> tuple[tuple[int, ...], tuple[Any, ...]]:
+        """Return index and values of the point at a place in the order of the sweep; the values in that of its keys."""
+        index: list[int] = []
+        left = place
+        for count in reversed(self.shape):
+            left, along = divmod(left, count)
+            index.insert(0, along)
         axes = self.axes
-        crossed = isinstance(self.design, Crossed)
-        for index in itertools.product(*(range(count) for count in self.shape)):
-            places = index if crossed else index * len(axes)
-            yield index, tuple(axis.values[place] for axis, place in zip(axes, places, strict=True))
+        places = index if isinstance(self.design, Crossed) else index * len(axes)
+        return tuple(index), tuple(axis.values[at] for axis, at in zip(axes, places, strict=True))

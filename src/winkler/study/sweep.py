@@ -7,64 +7,32 @@ that an earlier run has written are not solved again.
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
 from winkler.fields import restore
-from winkler.study import keys
 from winkler.study.journal import Journal
 from winkler.study.keeping import Keep
 from winkler.study.marching import ANEW, INTERRUPTED, MARCHES, March, Watch, marched, unwatched
 from winkler.study.outcome import Failed, Point, Solved, answers_of
 from winkler.study.pool import Workers, checked_workers, completed
-from winkler.study.recording import light, read, written
-from winkler.study.study import Expectation, Fields, Study
-from winkler.values import value
+from winkler.study.recording import light, recalled, written
+from winkler.study.study import Expectation, Study
+from winkler.study.tasks import Task, Tasks, tasks
 
-__all__ = ["Task", "journaled", "solve_points", "tasks"]
+__all__ = ["journaled", "solve_points", "solved"]
 
 WHOLE = 256
 """Of sweeps with more points the solutions are not kept, only what tables and archives tell of them."""
 
 
-@value
-class Task:
-    """One point of a sweep, ready to be solved."""
-
-    index: tuple[int, ...]
-    settings: tuple[Any, ...]
-    problem: Any
-    fields: Fields
-
-
-def tasks(study: Study) -> list[Task]:
-    """Return every point of a study, in the order of its sweep.
-
-    Raises
-    ------
-    InvalidInput
-        If a point cannot be asked: the key, the value, and why.
-    """
-    points = []
-    for index, settings in study.settings():
-        problem = study.problem
-        for axis, content in zip(study.axes, settings, strict=True):
-            try:
-                problem = keys.replaced(problem, axis.key.partition(".")[2], content)
-            except WinklerError as error:
-                raise type(error)(f"sweep: at {axis.key} = {keys.label(content)}: {error}") from None
-        points.append(Task(index, settings, problem, study.fields))
-    return points
-
-
 def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | Failed:
     """Solve one point; an error of the physics becomes a `Failed`, any other one is a mistake of ours and is raised."""
-    index, settings, problem, fields = task.index, task.settings, task.problem, task.fields
+    index, settings, problem, fields = task.index, task.settings, task.base, task.fields
     try:
+        problem = task.problem
         march = marched(problem, watch, keep) if type(problem) in MARCHES else March(problem.solve())
         solution = march.solution
         found = tuple(answers_of(solution).items())
@@ -135,14 +103,15 @@ def journaled(
         Before the first point, if one of them cannot be asked, or the journal is of another study.
     """
     checked_workers(workers)
-    todo = {task.index: task for task in tasks(study)}
-    useful = False
+    todo = tasks(study)
+    done, useful = np.zeros(len(todo), dtype=bool), False
     for content in journal.recalled():
-        task = todo.pop(tuple(content["at"]))
-        known = read(content, task.settings, task.problem, study.expect)
+        place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
+        done[place] = True
+        known = recalled(content, todo[place], study.expect)
         useful = useful or not isinstance(known, Failed)
         yield known
-    for _, point in _answered(study, list(todo.values()), workers, watch, keep):
+    for _, point in _answered(study, todo.without(done), workers, watch, keep):
         if isinstance(point, Failed) or point.code != INTERRUPTED:
             slim = light(point, study.expect, study.shape) if isinstance(point, Solved) else point
             journal.write(written(slim))
@@ -152,11 +121,9 @@ def journaled(
         journal.remove()
 
 
-def _answered(
-    study: Study, todo: list[Task], workers: Workers, watch: Watch, keep: Keep
-) -> Iterator[tuple[int, Point]]:
+def _answered(study: Study, todo: Tasks, workers: Workers, watch: Watch, keep: Keep) -> Iterator[tuple[int, Point]]:
     """Yield the places and the points of tasks, as they are ready."""
-    whole = math.prod(study.shape) <= WHOLE
+    whole = study.size <= WHOLE
     if workers == 1 or (len(todo) <= 1 and isinstance(workers, int)):
         for place, task in enumerate(todo):
             point = _slimmed(task, study.expect, study.shape, keep, watch, whole=whole)

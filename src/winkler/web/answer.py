@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
+import orjson
 
 from winkler.errors import WinklerError
 from winkler.problems.adhesive import AdhesiveSolution
@@ -26,7 +27,19 @@ from winkler.web.springs import draw_row, row_of
 from winkler.web.view import NOTHING, View, fitting
 from winkler.web.worn import draw_worn_pressure, draw_worn_profile
 
-__all__ = ["Frame", "Picture", "Shown", "Told", "method_pictures", "packed", "pictures", "sheets", "told"]
+__all__ = [
+    "Frame",
+    "Picture",
+    "Scene",
+    "Shown",
+    "Told",
+    "method_pictures",
+    "packed",
+    "pictures",
+    "scene",
+    "sheets",
+    "told",
+]
 
 
 class Told(NamedTuple):
@@ -57,19 +70,65 @@ class Told(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """One interactive picture, or why there is none."""
+    """One interactive picture, or why there is none.
+
+    Parameters
+    ----------
+    name, title, sentence
+        What is seen.
+    chart
+        The figure for plotly.js as JSON; empty where there is none.
+    missing
+        Why there is none.
+    """
 
     name: str
     title: str
     sentence: str
-    chart: Chart | None
+    chart: str
     missing: str = ""
 
 
 class Frame(NamedTuple):
-    """All interactive pictures of one moment, and what must be said about them all."""
+    """Says that all interactive pictures of one moment have been sent.
 
-    pictures: tuple[Picture, ...]
+    Parameters
+    ----------
+    total
+        How many they were.
+    remark
+        What must be said about them all.
+    """
+
+    total: int
+    remark: str
+
+
+class Scene(NamedTuple):
+    """What the pictures of one moment show.
+
+    Parameters
+    ----------
+    outcome, point
+        What a study came to, and the point of it that is shown.
+    contact
+        At that moment; None where none is shown.
+    view
+        The frame that the pictures share.
+    states
+        Of all moments, where the answer has them.
+    moment
+        Which of the moments is shown, -1 without a history.
+    remark
+        What must be said about them all.
+    """
+
+    outcome: Outcome
+    point: Any
+    contact: Any
+    view: View
+    states: tuple[Any, ...]
+    moment: int
     remark: str
 
 
@@ -97,8 +156,8 @@ def told(outcome: Outcome, text: str, moments: int, moment: int) -> Told:
     )
 
 
-def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, still: bool) -> tuple[Frame, View]:
-    """Return the interactive pictures, and the frame that they share.
+def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still: bool) -> Scene:
+    """Return what the pictures of a moment show.
 
     Parameters
     ----------
@@ -112,35 +171,40 @@ def pictures(outcome: Outcome, moments: Moments, moment: int, held: View, *, sti
         Whether that frame is kept, because another moment of the same history is looked at.
     """
     point = shown_point(outcome)
-    found: list[Picture] = []
     contact, here = contact_at(point, moments, moment)
     view, remark = NOTHING, ""
     if contact is not None and hasattr(contact, "recess"):
         view = held if still and held != NOTHING else _recovering(contact)
-        row = row_of(contact, view.extent)
-        found.append(_made("springs", lambda: draw_row(point.problem.bed, row, float(contact.depth), view)))
     elif contact is not None:
         view = held if still and held != NOTHING else fitting(contact.pressed, held)
-        found += method_pictures(contact, view)
         if not here and type(point.solution) in OF_MANY:
             remark = f"The pictures of the method show {OF_MANY[type(point.solution)]}."
         elif here and not moments.states:
             remark = (
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
-    if moments.states and isinstance(moments.states[moment], WearState):
-        found += _worn(moments, moment)
-    if outcome.study.sweep and found:
+    if outcome.study.sweep and contact is not None:
         shown = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
         remark = f"{shown} {remark}".rstrip()
-    for pair in histories.curves_of(outcome, point):
-        drawn = histories.draw_curves(outcome, point, pair, moment if moments.total else -1)
-        found.append(Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn)))
-    return Frame(tuple(found), remark), view
+    return Scene(outcome, point, contact, view, moments.states, moment if moments.total else -1, remark)
 
 
-def _worn(moments: Moments, moment: int) -> Iterator[Picture]:
-    states = moments.states
+def pictures(seen: Scene) -> Iterator[Picture]:
+    """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
+    contact, view = seen.contact, seen.view
+    if contact is not None and hasattr(contact, "recess"):
+        row = row_of(contact, view.extent)
+        yield _made("springs", lambda: draw_row(seen.point.problem.bed, row, float(contact.depth), view))
+    elif contact is not None:
+        yield from method_pictures(contact, view)
+    if seen.states and isinstance(seen.states[seen.moment], WearState):
+        yield from _worn(seen.states, seen.moment)
+    for pair in histories.curves_of(seen.outcome, seen.point):
+        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment)
+        yield Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
+
+
+def _worn(states: tuple[Any, ...], moment: int) -> Iterator[Picture]:
     told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
     yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
     told = "p(r) at this moment, at first and in the end."
@@ -173,15 +237,19 @@ def _made(name: str, make: Callable[[], Chart], other: dict[str, tuple[str, str]
     try:
         return Picture(name, title, sentence, packed(make()))
     except WinklerError as error:
-        return Picture(name, title, sentence, None, re.sub(r"^\w+: ", "", str(error)))
+        return Picture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
 
 
-def packed(content: Any) -> Any:
-    """Return a figure with its numbers as they travel: single precision, in one piece."""
+def packed(chart: Chart) -> str:
+    """Return a figure as JSON, its numbers in single precision."""
+    return orjson.dumps(_single(chart), option=orjson.OPT_SERIALIZE_NUMPY).decode()
+
+
+def _single(content: Any) -> Any:
     if isinstance(content, dict):
-        return {name: packed(item) for name, item in content.items()}
+        return {name: _single(item) for name, item in content.items()}
     if isinstance(content, list | tuple):
-        return [packed(item) for item in content]
+        return [_single(item) for item in content]
     if isinstance(content, np.ndarray) and content.dtype.kind == "i":
         return np.ascontiguousarray(content)
     if isinstance(content, np.ndarray):

@@ -17,10 +17,9 @@ Chart = dict[str, Any]
 FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif'
 CONFIG = {
     "displaylogo": False,
-    "responsive": True,
+    "responsive": False,
     "displayModeBar": False,
     "scrollZoom": False,
-    "plotGlPixelRatio": 1,  # without a graphics card every pixel of the body in three dimensions costs time
 }
 """No button leads out of this machine."""
 

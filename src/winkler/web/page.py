@@ -15,7 +15,7 @@ from winkler.study.explain import summary
 from winkler.study.fit_reading import FITTED
 from winkler.study.reading import parsed
 from winkler.web import fit_form, form
-from winkler.web.answer import Frame, Shown, Told
+from winkler.web.answer import Frame, Picture, Shown, Told
 from winkler.web.asking import TASKS, Asking
 from winkler.web.astext import AsText
 from winkler.web.export import File
@@ -33,10 +33,6 @@ __all__ = ["Page", "page"]
 KNOWN = ("title", "problem", "fit", "sweep", "source", "grade")
 """Sections of a study that the form shows, or that need no showing."""
 HERE = Path(__file__).parent
-QUIET = """addEventListener('unhandledrejection', event => {
-  if (String(event.reason).includes('Resize must be passed a displayed plot div element')) event.preventDefault();
-});"""
-"""A picture that is taken away is told, once more, to fit its place; it has none, which is no mistake."""
 
 
 def page(limit: float, spare: list[Worker]) -> Callable[[], None]:
@@ -89,7 +85,6 @@ class Page:
 
     def build(self) -> None:
         """Lay the page out."""
-        ui.add_head_html(f"<script>{QUIET}</script>")
         ui.add_css((HERE / "app.css").read_text(encoding="utf-8"))
         report = (HERE.parent / "study" / "report.css").read_text(encoding="utf-8")
         ui.add_css(f".paper {{ {report} }}")
@@ -243,9 +238,11 @@ class Page:
                     self.result.sheet(reply)
                 case File():
                     ui.download.content(reply.content, reply.name)
+                case Picture():
+                    self.result.picture(reply)
                 case Frame():
                     self.result.show(reply)
-            going = isinstance(reply, Told) or (isinstance(reply, Progress) and self.waiting is None)
+            going = isinstance(reply, Told | Picture) or (isinstance(reply, Progress) and self.waiting is None)
             if not going:  # a sweep, and what follows the pictures, give way to a new question
                 self.answering = False
                 if self.waiting is not None:

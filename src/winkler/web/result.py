@@ -8,7 +8,8 @@ from typing import Any
 from nicegui import ui
 
 from winkler.study.markup import safe
-from winkler.web.answer import Frame, Shown, Told
+from winkler.web.answer import Frame, Picture, Shown, Told
+from winkler.web.picture import Card, caption
 
 __all__ = ["Result"]
 
@@ -34,8 +35,8 @@ class Result:
     def __init__(self, look: Callable[[int], None], stop: Callable[[], None], place: Any) -> None:
         self.look, self.place = look, place
         self.told: Told | None = None
-        self.plots: dict[str, Any] = {}
-        self.shape: tuple[tuple[str, bool], ...] = ()
+        self.cards: list[Card] = []
+        self.come = 0
         self.sheets = 0
         self.points = ""
         with ui.element("div").classes("status") as self.status:
@@ -107,40 +108,40 @@ class Result:
             self._count()
             self.quiet = False
 
-    def show(self, frame: Frame) -> None:
-        """Show the interactive pictures: those that stay are only moved."""
-        self.remark.text = frame.remark
-        pictures = frame.pictures
-        shape = tuple((one.name, one.chart is not None) for one in pictures)
-        if shape == self.shape:
-            for one in pictures:
-                if one.chart is not None:
-                    self.plots[one.name].update_figure(one.chart)
+    def picture(self, one: Picture) -> None:
+        """Show the next interactive picture: one that stays is only told to draw itself again."""
+        place, self.come = self.come, self.come + 1
+        if place < len(self.cards) and self.cards[place].shows(one):
+            self.cards[place].draw(one)
             return
-        self.shape, self.plots = shape, {}
-        self.grid.clear()
+        self.keep(place)
         with self.grid:
-            for one in pictures:
-                with ui.element("figure").classes("card"):
-                    ui.html(_caption(one.title, one.sentence), sanitize=False)
-                    if one.chart is None:
-                        ui.label(f"Not shown: {one.missing}").classes("missing")
-                    else:
-                        self.plots[one.name] = ui.plotly(one.chart).classes("plot")
-                        self.plots[one.name].props["data-picture"] = one.name
+            self.cards.append(Card(one))
+
+    def show(self, frame: Frame) -> None:
+        """All pictures of a moment have come: those of another answer go."""
+        self.keep(frame.total)
+        self.come = 0
+        self.remark.text = frame.remark
+
+    def keep(self, count: int) -> None:
+        """Keep the first pictures, and take the others away."""
+        for card in self.cards[count:]:
+            card.place.delete()
+        del self.cards[count:]
 
     def sheet(self, one: Shown) -> None:
         """Show a sheet that was drawn as a whole."""
         self.sheets += 1
         with self.drawn:
             body = one.svg or f'<p class="missing">Not shown: {safe(one.missing)}</p>'
-            ui.html(f"<figure>{_caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
+            ui.html(f"<figure>{caption(one.title, one.sentence)}{body}</figure>", sanitize=False)
 
     def forget(self) -> None:
         """Take away what is shown: it is no answer to what is asked now."""
-        self.told, self.shape, self.plots = None, (), {}
+        self.told, self.come = None, 0
         self.remark.text = ""
-        self.grid.clear()
+        self.keep(0)
         self.drawn.clear()
         for part in (self.head, *self.tail):
             part.set_content("")
@@ -148,7 +149,7 @@ class Result:
 
     def refuse(self, sentences: list[str], *, beside: bool) -> None:
         """Say why there is no answer; the last one stays, pale."""
-        self.told = None
+        self.told, self.come = None, 0
         for part in (self.head, self.grid, self.drawn, *self.tail):
             part.classes(add="stale")
         self.film.set_visibility(False)
@@ -188,8 +189,3 @@ class Result:
         self.status.set_visibility(False)
         if self.told is not None:
             self.state("done")
-
-
-def _caption(title: str, sentence: str) -> str:
-    text = f"<p>{safe(sentence)}</p>" if sentence else ""
-    return f"<figcaption><h3>{safe(title)}</h3>{text}</figcaption>"

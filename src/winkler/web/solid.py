@@ -1,12 +1,12 @@
-"""The body in three dimensions, cut open, in the dent that it makes; to be turned with the mouse.
+"""The body in three dimensions, cut open, in the dent that it makes: the curves that the browser turns about the axis.
 
-Triangles, not surfaces: browsers without a graphics card draw them twenty times faster.
+Both are bodies of revolution, so that two curves are all that travels; ``solid.js`` draws them and lets them be turned.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -14,34 +14,29 @@ from winkler.fields import restore
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import solid_until, sunk
-from winkler.plot.series import scale_of, told
-from winkler.web.chart import CONFIG, FONT, Chart
+from winkler.plot.series import told
+from winkler.web.chart import Chart
 from winkler.web.view import View
 
 __all__ = ["draw_solid"]
 
-RINGS, SECTORS = 18, 36
+RINGS, SECTORS = 18, 24
+"""Steps outwards; and around, in what is cut out as in what is left."""
 CUT = math.radians(80.0)
 """Half of the sector that is cut out of the body, towards the reader."""
 TALL = 0.55
 """Height of the picture in its widths."""
-SKIN = [[0.0, "#a50f15"], [0.49, "#fcae91"], [0.495, style.SOLID], [0.505, style.SOLID], [0.51, "#e2e418"],
-        [0.7, "#5ec962"], [0.85, "#21918c"], [1.0, "#3b528b"]]  # fmt: skip
+SKIN = ((0.0, "#a50f15"), (0.49, "#fcae91"), (0.495, style.SOLID), (0.505, style.SOLID), (0.51, "#e2e418"),
+        (0.7, "#5ec962"), (0.85, "#21918c"), (1.0, "#3b528b"))  # fmt: skip
 """From tension over nothing to pressure."""
-STEEL = [[0.0, "#66788c"], [1.0, "#cdd8e3"]]
-LIGHT = np.array([-0.45, -0.55, 0.70])
-"""Direction to the light, the same from wherever one looks."""
-
-
-class Mesh(NamedTuple):
-    """Corners (n, 3), and triangles (m, 3) of their places."""
-
-    corners: Array
-    triangles: Array
+STEEL = ("#66788c", "#cdd8e3")
+"""Of the body: turned away from the light, and towards it."""
 
 
 def draw_solid(contact: Any, view: View) -> Chart:
     """Return the body of a contact in the deformed surface; the pressure is painted on the surface.
+
+    Lengths are in halves of the picture's width; heights are stretched so that it is `TALL` times as high.
 
     Parameters
     ----------
@@ -50,45 +45,29 @@ def draw_solid(contact: Any, view: View) -> Chart:
     view
         The frame.
     """
-    pressed, units = contact.pressed, _Units(view)
-    a = float(pressed.radius)
-    ground = np.unique(np.append(np.linspace(0.0, view.extent, RINGS + 1), [0.985 * a, a, min(1.02 * a, view.extent)]))
-    level = -sunk(pressed, ground)
-    pressure = np.asarray(restore(contact, np.maximum(ground, 1e-6 * view.extent)).pressure, dtype=float)
-    inside = np.abs(pressure[(ground < a) & np.isfinite(pressure)])
-    usual = 2.0 * float(np.median(inside)) if inside.size else 0.0
-    tint = np.clip(np.nan_to_num(pressure / usual, posinf=1.0, neginf=-1.0), -1.0, 1.0) if usual else 0.0 * ground
-    floor = _turned(units.across(ground), units.up(level), np.linspace(0.0, 2.0 * np.pi, SECTORS + 1))
-    painted = np.tile(np.where(ground <= a, tint, 0.0), SECTORS + 1)
+    pressed = contact.pressed
+    a, wide = float(pressed.radius), view.extent
     lid = max(1.7 * view.sunk, float(pressed.bed.height(np.zeros(1))[0]) - float(pressed.depth))
-    look = {"colorscale": SKIN, "cmin": -1.0, "cmax": 1.0, "intensity": painted, "showscale": False}
-    body = _body(pressed, view, units, lid)
-    wide, tall = units.across(view.extent), units.up(lid)
-    steel = {"colorscale": STEEL, "cmin": 0.0, "cmax": 1.0, "showscale": False, "intensitymode": "cell"}
-    data = [_drawn(floor, **look), _drawn(body, intensity=_brightness(body, wide, tall), **steel)]
-    if a > 0.0:
-        data.append(_ring(units.across(a), units.up(float(np.interp(a, ground, level)))))
+    ground = np.unique(np.append(np.linspace(0.0, wide, RINGS + 1), [0.985 * a, a, min(1.02 * a, wide)]))
+    level = -sunk(pressed, ground)
     low = min(float(np.min(level)), -1.2 * view.sunk)
-    stretch = TALL * 2.0 * view.extent / (lid - low)
-    note = f"{told(2.0 * view.extent, 'm', 3)} across, heights × {float(f'{stretch:.2g}'):g}"
-    return {"data": data, "layout": _layout(view, units, (low, lid), note), "config": CONFIG}
+    stretch = 2.0 * TALL / (lid - low)
+    r, f = _outline(pressed, view, lid)
+    edge = stretch * (float(np.interp(a, ground, level)) - low)
+    note = f"{told(2.0 * wide, 'm', 3)} across, heights × {float(f'{stretch * wide:.2g}'):g}"
+    data = {
+        "ground": {"r": ground / wide, "z": stretch * (level - low), "colours": _painted(contact, ground, wide)},
+        "body": {"r": r / wide, "z": stretch * (f - low), "lid": 2.0 * TALL, "colours": list(STEEL), "cut": CUT},
+        "edge": {"radius": a / wide, "level": edge, "colour": style.RED},
+        "sectors": SECTORS,
+        "tall": 2.0 * TALL,
+        "note": note,
+    }
+    return {"data": data}
 
 
-class _Units:
-    """What lengths are shown in, across and up."""
-
-    def __init__(self, view: View) -> None:
-        self.wide, self.tall = scale_of("m", [view.extent]), scale_of("m", [view.sunk])
-
-    def across(self, length: Any) -> Any:
-        return length / self.wide.factor
-
-    def up(self, length: Any) -> Any:
-        return length / self.tall.factor
-
-
-def _body(pressed: Any, view: View, units: _Units, lid: float) -> Mesh:
-    """Return the body up to a lid, with a sector cut out: its shell, both faces of the cut, and its top."""
+def _outline(pressed: Any, view: View, lid: float) -> tuple[Array, Array]:
+    """Return the outline of the body up to a lid."""
     end = min(view.extent, solid_until(pressed.bed))
     r = np.unique(np.append(np.linspace(0.0, end, RINGS + 1), [b for b, _ in pressed.bed.kinks if b < end]))
     f = np.asarray(pressed.bed.height(r), dtype=float) - float(pressed.depth)
@@ -96,100 +75,24 @@ def _body(pressed: Any, view: View, units: _Units, lid: float) -> Mesh:
     if above.size and above[0] > 0:  # it leaves the picture through the lid
         last = above[0]
         out = float(np.interp(lid, f[last - 1 : last + 1], r[last - 1 : last + 1]))
-        r, f = np.append(r[:last], out), np.append(f[:last], lid)
-    else:
-        r, f = np.append(r, r[-1]), np.append(f, lid)
-    turns = np.linspace(CUT, 2.0 * np.pi - CUT, SECTORS + 1) - 0.5 * np.pi
-    x, z, top = units.across(r), units.up(f), units.up(np.full(r.shape, lid))
-    parts = [_turned(x, z, turns), _turned(x, top, turns)]
-    for turn in (turns[0], turns[-1]):
-        face = np.concatenate([np.stack([x * np.cos(turn), x * np.sin(turn), side], axis=-1) for side in (z, top)])
-        parts.append(Mesh(face, _quads(2, x.size)))
-    return _joined(parts)
+        return np.append(r[:last], out), np.append(f[:last], lid)
+    return np.append(r, r[-1]), np.append(f, lid)
 
 
-def _turned(r: Array, z: Array, turns: Array) -> Mesh:
-    """Return the surface of a curve (r, z) turned about the axis."""
-    corners = [np.stack([r * np.cos(turn), r * np.sin(turn), z], axis=-1) for turn in turns]
-    return Mesh(np.concatenate(corners), _quads(turns.size, r.size))
+def _painted(contact: Any, ground: Array, wide: float) -> list[str]:
+    """Return the colour of every ring of the ground: the darker, the higher the pressure on it."""
+    a, middle = float(contact.pressed.radius), 0.5 * (ground[1:] + ground[:-1])
+    pressure = np.asarray(restore(contact, np.maximum(middle, 1e-6 * wide)).pressure, dtype=float)
+    inside = np.abs(pressure[(middle < a) & np.isfinite(pressure)])
+    usual = 2.0 * float(np.median(inside)) if inside.size else 0.0
+    if usual == 0.0:
+        return [style.SOLID] * middle.size
+    tint = np.where(middle < a, np.clip(np.nan_to_num(pressure / usual, posinf=1.0, neginf=-1.0), -1.0, 1.0), 0.0)
+    places, stops = np.array([place for place, _ in SKIN]), np.array([_channels(colour) for _, colour in SKIN])
+    mixed = np.stack([np.interp(0.5 * (1.0 + tint), places, channel) for channel in stops.T], axis=-1)
+    return [f"rgb({red:.0f},{green:.0f},{blue:.0f})" for red, green, blue in mixed]
 
 
-def _quads(rows: int, columns: int) -> Array:
-    """Return two triangles for every field of a grid whose corners are counted row by row."""
-    first = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    second = [first, first + 1, first + columns], [first + 1, first + columns + 1, first + columns]
-    return np.concatenate([np.stack(corners, axis=-1) for corners in second])
-
-
-def _joined(parts: list[Mesh]) -> Mesh:
-    before = np.cumsum([0, *(len(part.corners) for part in parts[:-1])])
-    triangles = [part.triangles + count for part, count in zip(parts, before, strict=True)]
-    return Mesh(np.concatenate([part.corners for part in parts]), np.concatenate(triangles))
-
-
-def _drawn(mesh: Mesh, **look: Any) -> dict[str, Any]:
-    return {
-        "type": "mesh3d",
-        **dict(zip("xyz", mesh.corners.T, strict=True)),
-        **dict(zip("ijk", mesh.triangles.T, strict=True)),
-        "hoverinfo": "skip",
-        "lighting": {"ambient": 1.0, "diffuse": 0.0, "specular": 0.0, "fresnel": 0.0},
-        **look,
-    }
-
-
-def _brightness(mesh: Mesh, wide: float, tall: float) -> Array:
-    """Return how bright the side of every triangle is that is turned to the light, from zero to one."""
-    corners = (mesh.corners / np.array([wide, wide, tall]))[mesh.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    lengths = np.linalg.norm(normals, axis=1)
-    return np.asarray(np.abs(normals @ LIGHT) / np.where(lengths > 0.0, lengths, 1.0))
-
-
-def _ring(radius: float, level: float) -> dict[str, Any]:
-    """Return the edge of the contact."""
-    turn = np.linspace(0.0, 2.0 * np.pi, 73)
-    return {
-        "type": "scatter3d",
-        "mode": "lines",
-        "x": radius * np.cos(turn),
-        "y": radius * np.sin(turn),
-        "z": np.full(turn.shape, level),
-        "line": {"color": style.RED, "width": 5},
-        "hoverinfo": "skip",
-    }
-
-
-def _layout(view: View, units: _Units, heights: tuple[float, float], note: str) -> dict[str, Any]:
-    wide, unseen = units.across(view.extent), {"visible": False}  # letters in space cost more than the body
-    low, high = (units.up(height) for height in heights)
-    return {
-        "scene": {
-            "xaxis": {**unseen, "range": [-wide, wide]},
-            "yaxis": {**unseen, "range": [-wide, wide]},
-            "zaxis": {**unseen, "range": [low, high + 0.01 * (high - low)]},
-            "aspectmode": "manual",
-            "aspectratio": {"x": 1.75, "y": 1.75, "z": 1.75 * TALL},
-            "camera": {
-                "eye": {"x": 0.3, "y": -1.9, "z": 1.25},
-                "center": {"x": 0.0, "y": 0.0, "z": -0.08},
-                "projection": {"type": "orthographic"},
-            },
-        },
-        "margin": {"l": 0, "r": 0, "t": 0, "b": 0},
-        "font": {"family": FONT, "color": style.INK, "size": 11},
-        "paper_bgcolor": "white",
-        "uirevision": "kept",
-        "showlegend": False,
-        "annotations": [
-            {
-                "text": note,
-                "xref": "paper",
-                "yref": "paper",
-                "x": 0.99,
-                "y": 0.01,
-                "xanchor": "right",
-                "showarrow": False,
-            }
-        ],
-    }
+def _channels(colour: str) -> list[int]:
+    """Return red, green and blue of ``#rrggbb``."""
+    return [int(colour[place : place + 2], 16) for place in (1, 3, 5)]

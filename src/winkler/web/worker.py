@@ -81,8 +81,7 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     bench = _Bench()
-    from winkler.web.answer import Frame, Told
-
+    rest = {bench.answer.Frame: PAUSE, bench.answer.Shown: 0.0, Progress: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         while True:
@@ -90,8 +89,7 @@ def work(pipe: Connection) -> None:
             for reply in bench.replies(asked):
                 pipe.send((asked.number, reply))
                 # points, and sheets that follow words and pictures, are left out when there is something newer to do
-                rest = PAUSE if isinstance(reply, Frame) else 0.0
-                if isinstance(asked, Solve) and not isinstance(reply, Told) and pipe.poll(rest):
+                if type(reply) in rest and pipe.poll(rest[type(reply)] if isinstance(asked, Solve) else 0.0):
                     break
             pipe.send((asked.number, Done()))
 
@@ -123,7 +121,7 @@ class _Bench:
                 case Solve():
                     yield from self._solved(asked)
                 case Look():
-                    yield self._pictures(asked.moment, still=True)
+                    yield from self._pictures(asked.moment, still=True)
                 case Export():
                     yield self._file(asked.what)
         except WinklerError as error:
@@ -156,7 +154,7 @@ class _Bench:
         self.moments = moments_of(point)
         moment = telling(point, self.moments)
         yield self.answer.told(outcome, study_text(study), self.moments.total, moment)
-        yield self._pictures(moment, still=False)
+        yield from self._pictures(moment, still=False)
         yield from self.answer.sheets(outcome)
 
     def _run(self, study: Study) -> Generator[Progress, None, Outcome]:
@@ -191,18 +189,24 @@ class _Bench:
         except WinklerError as error:
             raise type(error)(beside_the_curve(str(error))) from None
         yield fitted.told_fits(self.outcome, asked.text)
-        yield self._pictures(0, still=False)
+        yield from self._pictures(0, still=False)
         yield from fitted.fit_sheets(self.outcome)
 
-    def _pictures(self, moment: int, *, still: bool) -> Any:
+    def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
         from winkler.study.fit_outcome import FitOutcome
         from winkler.web.fitted import fit_pictures
 
         assert self.outcome is not None
         if isinstance(self.outcome, FitOutcome):
-            return fit_pictures(self.outcome, moment)
-        frame, self.view = self.answer.pictures(self.outcome, self.moments, moment, self.view, still=still)
-        return frame
+            pictures, remark = fit_pictures(self.outcome, moment)
+        else:
+            scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
+            pictures, remark, self.view = self.answer.pictures(scene), scene.remark, scene.view
+        count = 0
+        for picture in pictures:
+            count += 1
+            yield picture
+        yield self.answer.Frame(count, remark)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput

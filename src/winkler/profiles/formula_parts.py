@@ -1,0 +1,124 @@
+"""What the formula of a profile consists of: powers that have transforms in closed form, a rest, and its corners."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.expression import Expression
+from winkler.numerics.taylor import Terms
+from winkler.numerics.types import Array
+from winkler.profiles.power import PowerLaw
+
+__all__ = [
+    "BESIDE",
+    "ROUNDING",
+    "last_finite",
+    "law_of",
+    "powers_of",
+    "pure",
+    "rest_of",
+    "sides_of",
+    "start_of",
+    "stretched",
+]
+
+ROUNDING = 1e-12
+"""What counts as zero, against the sum of the moduli of the parts of a height."""
+BESIDE = np.array([1e-5, 1e-6, 1e-7])
+"""Relative distances from a corner at which the slope beside it is read."""
+
+
+@functools.lru_cache(maxsize=256)
+def law_of(expression: str, constants: tuple[tuple[str, float], ...]) -> Expression:
+    """Return the law that a text stands for; the same one for the same text and constants."""
+    return Expression(expression, "r", constants)
+
+
+@functools.lru_cache(maxsize=256)
+def pure(law: Expression) -> bool:
+    """Whether the formula is nothing but a sum of powers."""
+    return law.remainder(np.zeros(0)) is None
+
+
+@functools.lru_cache(maxsize=256)
+def powers_of(law: Expression) -> Terms:
+    """Return the powers that are transformed in closed form.
+
+    The first power stays with the rest, where there is one: in (r - b) + sqrt((r - b)**2) their slopes cancel exactly.
+    """
+    return tuple((c, p) for c, p in law.powers if p != 0.0 and (p != 1.0 or pure(law)))
+
+
+@functools.lru_cache(maxsize=256)
+def stretched(law: Expression) -> Terms:
+    """Return (kappa_p c, p), their transform."""
+    return tuple((c * PowerLaw(1.0, p).stretch, p) for c, p in powers_of(law))
+
+
+@functools.lru_cache(maxsize=256)
+def _linear(law: Expression) -> float:
+    return sum(c for c, p in law.powers if p == 1.0)
+
+
+def rest_of(law: Expression, r: Array) -> tuple[Array, Array, Array]:
+    """Return value, slope and curvature of what is beside those powers."""
+    rest = law.remainder(r)
+    if rest is None:
+        return np.zeros(r.shape), np.zeros(r.shape), np.zeros(r.shape)
+    return rest[0], rest[1] + _linear(law), rest[2]
+
+
+@functools.lru_cache(maxsize=256)
+def start_of(law: Expression) -> float:
+    """Return the rounding error of the height at r = 0, after checking that it is one."""
+    axis = np.zeros(1)
+    height, slope, curvature = (float(part[0]) for part in law.taylor(axis))
+    if math.isnan(height) or math.isnan(slope) or math.isnan(curvature) or math.isinf(height):
+        raise InvalidInput(
+            f"Formula: '{law.text}' cannot be evaluated at r = 0, where it is undetermined or infinite; rewrite it, as "
+            "r*sqrt(1 + r) for sqrt(r**2 + r**3)."
+        )
+    if math.isinf(rest_of(law, axis)[1][0]):
+        raise InvalidInput(f"Formula: '{law.text}' is infinitely steep at r = 0; give one with a finite slope there.")
+    if abs(height) > ROUNDING * float(law.magnitude(axis)[0]):
+        raise InvalidInput(
+            f"Formula: the height of '{law.text}' is {height:.6g} m at r = 0; a profile starts at zero, so subtract it."
+        )
+    return height
+
+
+def last_finite(law: Expression, low: float, high: float) -> float:
+    """Return where the height ceases to be finite, between a place where it is and one where it is not."""
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if np.isfinite(law.taylor([middle])[0][0]) else (low, middle)
+    return low
+
+
+@functools.lru_cache(maxsize=256)
+def sides_of(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
+    """Return the slope just below every corner, and by how much it jumps there."""
+    found = []
+    for corner in corners:
+        r = corner * (1.0 + np.outer((-1.0, 1.0), BESIDE))
+        _, slope, curvature = rest_of(law, r)
+        size = float(np.max(np.abs(slope)))
+        below, above = (_limit(near, size) for near in slope + (corner - r) * curvature)
+        if not math.isfinite(below + above):
+            raise InvalidInput(
+                f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:g} m."
+            )
+        found.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
+    return tuple(found)
+
+
+def _limit(near: Array, size: float) -> float:
+    """Return the limit of slopes read ever closer to a corner, by Aitken's rule; NaN if they run away."""
+    first, second = np.diff(near)
+    if abs(second) <= 1e-12 * size + 1e-15:
+        return float(near[-1])
+    return float(near[-1] - second**2 / (second - first)) if abs(second) < 0.9 * abs(first) else math.nan

@@ -1,0 +1,176 @@
+"""What a unit is: a factor to SI and a dimension, read by a small grammar of names, ``* / ^`` and brackets.
+
+pint is asked about single names only.  Factors are exact fractions.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from winkler.errors import InvalidInput, suggest
+
+__all__ = ["COMMON", "POWERS", "Unit", "Unreadable", "unit_of"]
+
+STEEPEST = 12
+"""Largest exponent of a unit."""
+
+TOKEN = re.compile(
+    r"\s*(?:(?P<name>[A-Za-z][A-Za-z_]*)|(?P<power>(?<=[A-Za-z])-?\d+|(?:\^|\*\*)\s*\(?\s*-?\d+(?:\.\d+|/[1-9]\d*)?\s*\)?)|"
+    r"(?P<one>1(?![\d.]))|(?P<sign>[*/()]))"
+)
+SPELLINGS = [
+    (re.compile("[µμ](?=[A-Za-z])"), "u"),
+    (re.compile("[µμ]"), "micron"),
+    (re.compile("°(?=[CF])|℃"), "deg"),
+    (re.compile("°"), "deg"),
+    (re.compile("[ÅÅ]"), "angstrom"),
+    (re.compile("[ΩΩ]"), "ohm"),
+    (re.compile("%"), "percent"),
+    (re.compile("[·⋅×]"), "*"),
+    (re.compile("−"), "-"),
+    (re.compile(r"\b([kmunM]?N)m\b"), r"\1 m"),
+    (re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])"), "*"),
+]
+"""What people write, and how it is read."""
+POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+ZERO_INSIDE = "a temperature scale with its own zero cannot be part of another unit; write K"
+
+COMMON = (
+    *("mm", "um", "nm", "cm", "km", "kPa", "MPa", "GPa", "mN", "uN", "nN", "kN", "ms", "us", "deg", "degC", "percent"),
+    *(
+        prefix + name
+        for name in ("m", "N", "Pa", "J", "s", "g", "K", "rad", "Hz", "W", "V", "A")
+        for prefix in ("", *"kMGmunp")
+    ),
+    *("micron", "angstrom", "inch", "psi", "bar", "min", "hour", "eV", "dyn", "ohm", "mol"),
+    *("meter", "micrometer", "nanometer", "newton", "pascal", "joule", "second", "kelvin", "degree", "radian"),
+)
+"""What a misspelt unit may have meant."""
+
+
+class Unit(NamedTuple):
+    """A factor to the SI unit, powers of the base units, and where the zero lies."""
+
+    factor: Fraction
+    dimension: tuple[tuple[str, Fraction], ...]
+    offset: Fraction = Fraction(0)
+
+
+class Unreadable(InvalidInput):
+    """Why a unit cannot be read; the callers add which quantity."""
+
+
+@functools.lru_cache(maxsize=1)
+def _registry() -> Any:
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Fraction, cache_folder=None)  # exact factors, no files
+
+
+@functools.lru_cache(maxsize=512)
+def _named(name: str) -> Unit:
+    """Return the unit of one plain name, e.g. ``mm``: the only question that pint is asked."""
+    import pint
+
+    try:
+        ask = _registry().Quantity
+        zero, one = ask(Fraction(0), name).to_base_units(), ask(Fraction(1), name).to_base_units()
+        powers = pint.util.to_units_container(one.units)
+        dimension = tuple(sorted((str(base), Fraction(str(power))) for base, power in powers.items()))
+        offset = Fraction(zero.magnitude)
+        factor = Fraction(one.magnitude) - offset
+    except (pint.PintError, AttributeError, TypeError, AssertionError, ValueError):
+        if name.istitle() and len(name) > 4:
+            return _named(name.lower())  # Newton, Micrometer
+        same = [known for known in COMMON if known.lower() == name.lower()]
+        near = f" (did you mean '{same[0]}'?)" if same else suggest(name, COMMON)
+        raise Unreadable(f"the unit '{name}' is unknown{near}") from None
+    return Unit(factor, dimension, offset)
+
+
+def _power(unit: Unit, exponent: Fraction) -> Unit:
+    if abs(exponent) > STEEPEST:
+        raise Unreadable(f"the exponent {float(exponent):g} of a unit is too large")
+    if unit.offset:
+        raise Unreadable(ZERO_INSIDE)
+    whole = exponent.denominator == 1
+    factor = unit.factor ** int(exponent) if whole else Fraction(float(unit.factor) ** float(exponent))
+    return Unit(factor, tuple((base, power * exponent) for base, power in unit.dimension if power * exponent))
+
+
+def _product(left: Unit, right: Unit) -> Unit:
+    if left.offset or right.offset:
+        raise Unreadable(ZERO_INSIDE)
+    powers = dict(left.dimension)
+    for base, power in right.dimension:
+        powers[base] = powers.get(base, Fraction(0)) + power
+    return Unit(left.factor * right.factor, tuple(sorted((base, power) for base, power in powers.items() if power)))
+
+
+ONE = Unit(Fraction(1), ())
+
+
+def _tokens(text: str) -> list[tuple[str, str]]:
+    tokens, place = [], 0
+    while place < len(text):
+        match = TOKEN.match(text, place)
+        if match is None:
+            raise Unreadable(f"'{text[place:].strip()}' cannot be part of a unit")
+        tokens.append((str(match.lastgroup), match[str(match.lastgroup)]))
+        place = match.end()
+    return tokens[::-1]
+
+
+def _product_of(tokens: list[tuple[str, str]], depth: int = 0) -> Unit:
+    """Read factors joined by ``*``, ``/`` or a space from the end of `tokens`, up to a closing bracket."""
+    total, divided = ONE, False
+    first = bool(tokens) and tokens[-1] != ("sign", "/")
+    while tokens and tokens[-1] != ("sign", ")"):
+        sign = tokens.pop()[1] if not first and tokens[-1] in (("sign", "*"), ("sign", "/")) else ""
+        if divided and not sign:
+            raise Unreadable("it is not clear how far the / reaches; use brackets, as in mm^3/(N m)")
+        first, divided = False, divided or sign == "/"
+        factor = _factor(tokens, depth)
+        factor = _power(factor, Fraction(-1)) if sign == "/" else factor
+        total = factor if total is ONE else _product(total, factor)
+    return total
+
+
+def _factor(tokens: list[tuple[str, str]], depth: int) -> Unit:
+    kind, word = tokens.pop() if tokens else ("", "")
+    if kind == "name":
+        unit = _named(word)
+    elif kind == "one":
+        unit = ONE
+    elif word == "(" and depth < STEEPEST:
+        unit = _product_of(tokens, depth + 1)
+        if not tokens:
+            raise Unreadable("a bracket is not closed in the unit")
+        tokens.pop()
+    else:
+        raise Unreadable(f"'{word}' is out of place in the unit" if word else "the unit is not complete")
+    if tokens and tokens[-1][0] == "power":
+        return _power(unit, Fraction(tokens.pop()[1].strip("^*() ")))
+    return unit
+
+
+@functools.lru_cache(maxsize=512)
+def unit_of(text: str) -> Unit:
+    """Return the unit that a text stands for.
+
+    Raises
+    ------
+    Unreadable
+        With the reason, as the end of a sentence.
+    """
+    text = text.translate(POWERS)
+    for pattern, plain in SPELLINGS:
+        text = pattern.sub(plain, text)
+    tokens = _tokens(text.strip())
+    unit = _product_of(tokens)
+    if tokens:
+        raise Unreadable("a bracket is closed in the unit that was not opened")
+    return unit

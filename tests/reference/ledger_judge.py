@@ -1,0 +1,413 @@
+"""The numbers of the cases that came last, computed without winkler: one function a case, in the order of [[expect]].
+
+Point forces summed over a disc, closed forms and integrals by mpmath, equations solved by scipy.  Units are those in
+which E* = R = 1, unless a case says more.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+from scipy.optimize import brentq
+
+Numbers = list[Any]
+JUDGES: dict[str, Callable[[], Numbers]] = {}
+
+
+def judged(function: Callable[[], Numbers]) -> Callable[[], Numbers]:
+    """Take a function for the judge of the case of its name."""
+
+    @functools.cache
+    def judge() -> Numbers:
+        with mp.workdps(20):
+            return function()
+
+    JUDGES[function.__name__] = judge
+    return judge
+
+
+def frac(text: str) -> mp.mpf:
+    return mp.mpf(text)
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# stresses inside, of point forces
+
+
+def boussinesq(x: Any, y: Any, z: float, nu: float) -> np.ndarray:
+    """Stresses of a unit force into the body (Johnson 3.18), xx, yy, zz, xy, xz, yz."""
+    big = np.sqrt(x * x + y * y + z * z)
+    square, soft = x * x + y * y, 1.0 - 2.0 * nu
+    near = 1.0 / (big * (big + z))  # (1 - z/rho)/r^2
+    xx = soft * (near * (x * x - y * y) + z * y * y / big**3) / square - 3.0 * z * x * x / big**5
+    yy = soft * (near * (y * y - x * x) + z * x * x / big**3) / square - 3.0 * z * y * y / big**5
+    xy = soft * (2.0 * near - z / big**3) * x * y / square - 3.0 * x * y * z / big**5
+    rest = (-3.0 * z**3 / big**5, xy, -3.0 * x * z * z / big**5, -3.0 * y * z * z / big**5)
+    return np.array([xx, yy, *rest]) / (2.0 * np.pi)
+
+
+def cerruti(x: Any, y: Any, z: float, nu: float) -> np.ndarray:
+    """Stresses of a unit force along x on the body (Johnson 3.76)."""
+    big = np.sqrt(x * x + y * y + z * z)
+    soft, one = 1.0 - 2.0 * nu, 1.0 / (big + z)
+    both = one**2 / big**3 + 2.0 * one**3 / big**2
+    xx = soft * (x / big**3 - 3.0 * x * one**2 / big + x**3 * both) - 3.0 * x**3 / big**5
+    yy = soft * (x / big**3 - x * one**2 / big + x * y * y * both) - 3.0 * x * y * y / big**5
+    xy = soft * (-y * one**2 / big + x * x * y * both) - 3.0 * x * x * y / big**5
+    rest = (-3.0 * x * z * z / big**5, xy, -3.0 * x * x * z / big**5, -3.0 * x * y * z / big**5)
+    return np.array([xx, yy, *rest]) / (2.0 * np.pi)
+
+
+def over_the_disc(kernel: Callable[..., np.ndarray], x: float, y: float, z: float, nu: float) -> np.ndarray:
+    """A kernel times sqrt(1 - r^2), summed over the unit disc: r = sin t by Gauss, angles evenly."""
+    node, weight = np.polynomial.legendre.leggauss(160)
+    t, weight = 0.25 * np.pi * (node + 1.0), 0.25 * np.pi * weight
+    turn = 2.0 * np.pi * (np.arange(400) + 0.5) / 400
+    r = np.sin(t)
+    found = kernel(x - r[:, None] * np.cos(turn), y - r[:, None] * np.sin(turn), z, nu)
+    return np.einsum("kij,i->k", found, weight * np.cos(t) ** 2 * r) * 2.0 * np.pi / 400
+
+
+@judged
+def sliding_ball_inside() -> Numbers:
+    """p0 = mu = a = 1, nu = 0.3: pressure and traction sqrt(1 - r^2), seen from (0.5, 0.2, 0.4)."""
+    place = (0.5, 0.2, 0.4, 0.3)
+    return list(over_the_disc(boussinesq, *place) + over_the_disc(cerruti, *place))
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# shear in the plane: mu = 0.3, b = mu (1 - x^2), half of the shift of sliding is 0.15
+
+
+@judged
+def two_strokes_overshoot() -> Numbers:
+    """At r = 0.71 every spring has slid along x, then turns on its bound: b (sech(s/b), tanh(s/b))."""
+    stroke, mu, r = frac("0.15"), frac("0.3"), frac("0.71")
+
+    def along(x: mp.mpf) -> mp.mpf:
+        far = stroke / (mu * (1 - x * x))
+        return -2 * mu * x * mp.sech(far) * (1 + far * mp.tanh(far))
+
+    def across(x: mp.mpf) -> mp.mpf:
+        far = stroke / (mu * (1 - x * x))
+        return -2 * mu * x * (mp.tanh(far) - far * mp.sech(far) ** 2)
+
+    end = frac("0.9999999")  # the springs at the edge have long turned, with slopes that no longer count
+    whole = mp.acosh(end / r)
+    found = [-mp.quad(lambda w, f=f: f(r * mp.cosh(w)), mp.linspace(0, whole, 5)) / mp.pi for f in (along, across)]
+    rim = mp.quad(lambda w: 2 * mu * r * mp.cosh(w), [whole, mp.acosh(1 / r)]) / mp.pi
+    return [found[0], found[1] + rim]
+
+
+@judged
+def steady_circle_overshoot() -> Numbers:
+    """A spring of the bound b is displaced ahead of the motion by an angle with the cosine b/0.15; at r = 0.7."""
+    r, stick = frac("0.7"), mp.sqrt(frac("0.5"))
+
+    def ahead(v: mp.mpf) -> mp.mpf:
+        """u_y' dx/dv / sqrt(x^2 - r^2) at x = c + (1 - c) v^2, where u_y' is like 1/v."""
+        x = stick + (1 - stick) * v * v
+        part, less = 2 * (1 - x * x), 2 * (1 - stick) * v * v * (x + stick)
+        root = mp.sqrt(less * (1 + part))
+        return -frac("0.6") * x * (root - part**2 / root) * 2 * (1 - stick) * v / mp.sqrt(x * x - r * r)
+
+    along = mp.quad(
+        lambda x: frac("-2.4") * x * (1 - x * x) / mp.sqrt(x * x - r * r), [stick, frac("0.72"), frac("0.8"), 1]
+    )
+    return [-along / mp.pi, -mp.quad(ahead, [0, frac("0.1"), frac("0.3"), 1]) / mp.pi]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# an even pressure: springs under an ellipsoid, q = E* d sqrt(1 - x^2), p = E* d/2; steel, d = 1 um, a = 1 mm
+
+PRESSED = frac("210e9") / (2 * frac("0.91")) * frac("1e-6") / frac("2e-3")
+
+
+@judged
+def even_pressure() -> Numbers:
+    """F = pi p a^2, q = 2 p sqrt(a^2 - x^2); E* = d = a = 1, p = 1/2."""
+    return [mp.pi / 2, mp.mpf(1), frac("0.8")]
+
+
+def _even_heat(speed: str) -> mp.mpf:
+    """mu p v over lambda/a [K]."""
+    return frac("0.3") * PRESSED * frac(speed) * frac("1e-3") / 45
+
+
+@judged
+def even_heat_at_rest() -> Numbers:
+    """T = (2 q a/(pi lambda)) E(r^2/a^2): q a/lambda in the middle, 2/pi of it at the rim, 8/(3 pi) in the mean."""
+    unit = _even_heat("1e-9")
+    return [unit, 8 / (3 * mp.pi) * unit, 2 / mp.pi * mp.ellipe(frac("0.25")) * unit, 2 / mp.pi * unit]
+
+
+def even_moving(peclet: float, x: float) -> float:
+    """T over q a/lambda at x under an even flux: sources in polar coordinates, their lines in closed form."""
+    turn = 2.0 * np.pi * (np.arange(20000) + 0.5) / 20000
+    chord = x * np.cos(turn) + np.sqrt(1.0 - (x * np.sin(turn)) ** 2)
+    rate = peclet * (1.0 - np.cos(turn))
+    return float(np.mean(chord * np.where(rate * chord > 1e-12, -np.expm1(-rate * chord) / (rate * chord), 1.0)))
+
+
+@judged
+def even_heat_speeds() -> Numbers:
+    """The greatest temperature along the line of motion, and what the rule at rest says too much."""
+    tops = []
+    for peclet in (0.01, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0):
+        place, width = 0.5, 0.49
+        for _ in range(5):
+            x = place + width * np.linspace(-1.0, 1.0, 41)
+            height = [even_moving(peclet, each) for each in x]
+            best = int(np.argmax(height))
+            place, width = float(np.clip(x[best], 0.0, 0.999)), 0.1 * width
+        tops.append(max(height))
+    speeds = ("2.4e-4", "1.2e-3", "2.4e-3", "1.2e-2", "2.4e-2", "0.12", "0.24")
+    units = [float(_even_heat(speed)) for speed in speeds]
+    return [[top * unit for top, unit in zip(tops, units, strict=True)], [1.0 / top - 1.0 for top in tops]]
+
+
+@judged
+def even_heat_begins() -> Numbers:
+    """T/T_ss = 2 sqrt(tau) (1/sqrt(pi) - ierfc(1/(2 sqrt(tau)))) in the middle, tau = kappa t/a^2 = 1, 10, 31.8."""
+
+    def reached(tau: mp.mpf) -> mp.mpf:
+        part = 1 / (2 * mp.sqrt(tau))
+        lag = mp.exp(-part * part) / mp.sqrt(mp.pi) - part * mp.erfc(part)
+        return 2 * mp.sqrt(tau) * (1 / mp.sqrt(mp.pi) - lag)
+
+    return [[_even_heat("1e-6") * reached(frac(tau)) for tau in ("1", "10", "31.8")]]
+
+
+@judged
+def hertz_heat_edge() -> Numbers:
+    """Under Hertz' flux 3Q/(8 lambda a) in the middle and 3Q/(16 lambda a) at the edge; heating_at_rest's ball."""
+    modulus = frac("210e9") / (2 * frac("0.91"))
+    heat = frac("0.3") * 4 * modulus * frac("1e-12") / (3 * frac("1e-2")) * frac("1e-9")
+    return [3 * heat / (8 * 45 * frac("1e-4")), 3 * heat / (16 * 45 * frac("1e-4"))]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# losses of small motions, twist, particles
+
+
+@judged
+def damping_cone_cubic() -> Numbers:
+    """W = (4/3) G*^2 U^3/(mu E* g'), of a cone exact until it slides; g' = pi/2 tan, G* = 0.82352941 E*, mu = 0.3."""
+    ratio, slope = 2 * frac("0.7") / frac("1.7"), mp.pi / 2 / mp.tan(mp.radians(80))
+    return [[4 * ratio**2 * frac(u) ** 3 / (3 * frac("0.3") * slope) for u in ("0.01", "0.1", "0.3")]]
+
+
+@judged
+def damping_small_amplitude() -> Numbers:
+    """Q^3/(9 a G* mu F) of a ball; a = 1, F = 4/3, mu = 0.3, Q = 1e-3 mu F."""
+    ratio, limit = 2 * frac("0.7") / frac("1.7"), frac("0.3") * 4 / 3
+    return [(limit / 1000) ** 3 / (9 * ratio * limit)]
+
+
+@judged
+def deresiewicz_small_twist() -> Numbers:
+    """phi = mu F/(G a^2) (1 - s)(3 - s)/8, s = sqrt(1 - 3 M/(2 mu F a)); the ball of lubkin_table, mu F = 0.8."""
+    found = []
+    for text in ("0.002", "0.01", "0.05"):
+        s = mp.sqrt(1 - 3 * frac(text) / 2)
+        found.append(frac("0.8") * (1 - s) * (3 - s) / 8)
+    return [found]
+
+
+@judged
+def particle_small_press() -> Numbers:
+    """E_c (A B/4) [acos(1 - 2 d/A) - (1 - 2 d/A) sqrt(4 d/A - 4 d^2/A^2)] with A = 4 R, B = 2 R, d = R/100."""
+    ec, x = frac("5e6") / (1 - frac("0.16")), frac("0.01") / 4
+    return [ec * 2 * (mp.acos(1 - 2 * x) - (1 - 2 * x) * mp.sqrt(4 * x - 4 * x * x))]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# functions
+
+
+@judged
+def carter_creepages() -> Numbers:
+    """mu a/R (1 - sqrt(1 - Q/(mu P))); mu = 0.3, a = 1 mm, R = 0.1 m."""
+    return [[frac("3e-3") * (1 - mp.sqrt(1 - frac(q))) for q in ("0.25", "0.5", "0.75", "1")]]
+
+
+@judged
+def carter_stick_zones() -> Numbers:
+    return [[frac("1e-3") * mp.sqrt(1 - frac(q)) for q in ("0.25", "0.5", "0.75")]]
+
+
+def _kuwabara(ratio: str) -> mp.mpf:
+    """v dv/dy = -(2/3) (4/3 y^(2/3) + 2 tau v), y = d^(3/2), by Taylor series in time after a change of variable.
+
+    With d = s^2: s' = v/(2 s).  Time t = u^2 makes both smooth at the start: s ~ u.
+    """
+    tau = float(ratio)
+
+    def motion(u: float, y: Any) -> list[float]:
+        s, v = y
+        # d(s)/du = 2 u v/(2 s), v' 2 u = -2 u (4/3 s^3 + 2 tau s v)
+        return [u * v / s if s > 0.0 else 1.0, -2.0 * u * (4.0 / 3.0 * s**3 + 2.0 * tau * s * v)]
+
+    from scipy.integrate import solve_ivp
+
+    def pulled(u: float, y: Any) -> float:
+        return float(y[0] ** 2 + 1.5 * tau * y[1])
+
+    pulled.terminal, pulled.direction = True, -1.0  # type: ignore[attr-defined]
+    start = 1e-4  # s = u - (2 tau/5) u^4 ..., v = 1 - (4 tau/3) u^3 ...
+    begin = [start - 4.0 * tau / 15.0 * start**4, 1.0 - 4.0 * tau / 3.0 * start**3]
+    found = solve_ivp(motion, (start, 10.0), begin, method="LSODA", rtol=1e-12, atol=1e-14, events=pulled)
+    return mp.mpf(-float(found.y[1, -1]))
+
+
+@judged
+def kuwabara_kono_weak() -> Numbers:
+    return [_kuwabara("0.1")]
+
+
+@judged
+def kuwabara_kono_strong() -> Numbers:
+    return [_kuwabara("0.5")]
+
+
+@judged
+def worn_punch_bulge() -> Numbers:
+    """(4 p a/(pi E*)) (pi/2 - 1) as the difference of 4 p a/(pi E*) E(r^2/a^2) between middle and rim."""
+    return [4 * frac("1e8") * frac("1e-3") / (mp.pi * frac("1e11")) * (mp.ellipe(0) - mp.ellipe(1))]
+
+
+@judged
+def worn_cap() -> Numbers:
+    """The cap of a paraboloid: Int (a^2 - r^2)/(2R) 2 pi r dr = pi a^4/(4R); a = 0.2 mm, R = 5 mm."""
+    return [frac("2e-4")]
+
+
+@judged
+def persson_small_pressure() -> Numbers:
+    """erf(sqrt(2) p/(E* h')), about sqrt(8/pi) p/(E* h')."""
+    return [[mp.erf(mp.sqrt(2) * frac(p)) for p in ("1e-4", "0.01", "0.5")]]
+
+
+@judged
+def maugis_parameter_unit() -> Numbers:
+    """lambda = 2 sigma_0 (R/(pi w K^2))^(1/3), K = 4 E*/3; E* = 0.75, R = pi w = 1, sigma_0 = 1/2."""
+    return [mp.mpf(1)]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# bodies that are not round, E* = 1
+
+
+def ellipse(ratio: mp.mpf) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
+    """m, K and E of Hertz's ellipse for B/A."""
+    m = mp.findroot(
+        lambda m: (mp.ellipe(m) / (1 - m) - mp.ellipk(m)) / (mp.ellipk(m) - mp.ellipe(m)) - ratio,
+        (frac("0.2"), frac("0.9")),
+        solver="anderson",
+    )
+    return m, mp.ellipk(m), mp.ellipe(m)
+
+
+@judged
+def elliptic_hertz_one_to_three() -> Numbers:
+    """a^3 = 3F(K - E)/(2 pi E* m A), b = a sqrt(1 - m), d = 3 F K/(2 pi E* a); A = 0.25, B = 0.75."""
+    m, k, e = ellipse(mp.mpf(3))
+    a = mp.cbrt(3 * (k - e) / (2 * mp.pi * m * frac("0.25")))
+    b, depth = a * mp.sqrt(1 - m), 3 * k / (2 * mp.pi * a)
+    return [a, b, depth, (frac("0.75") / depth ** frac("1.5")) ** 2, 3 / (2 * mp.pi * a * b), mp.pi * a / k]
+
+
+def _oval(bend: str) -> Numbers:
+    """F, and the semi-axes, of A x^2 + (1 - A) y^2 at d = 0.01 after Hertz."""
+    small = frac(bend)
+    m, k, e = ellipse((1 - small) / small)
+    a = mp.sqrt(frac("0.01") * (k - e) / (k * m * small))
+    return [2 * mp.pi * a * frac("0.01") / (3 * k), a, a * mp.sqrt(1 - m)]
+
+
+@judged
+def nearly_round_ellipse_122() -> Numbers:
+    return _oval("0.45")
+
+
+@judged
+def nearly_round_ellipse_150() -> Numbers:
+    return _oval("0.4")
+
+
+@judged
+def nearly_round_ellipse_300() -> Numbers:
+    return _oval("0.25")[:1]
+
+
+def _pyramid(faces: int, per_face: int) -> mp.mpf:
+    """F/d^2 of I + a (d - g) = C, I = d a - s a^2/2, g = s a in every direction, F = 2 <a I>/<a> = 2 C."""
+    angle = ((np.arange(per_face) + 0.5) / per_face - 0.5) * 2.0 * np.pi / faces
+    s = 0.5 * np.pi * np.cos(angle)
+
+    def excess(c: float) -> float:
+        a = (2.0 + np.sqrt(4.0 - 6.0 * s * c)) / (3.0 * s)
+        return float(np.mean(a * (a - 0.5 * s * a * a)) / np.mean(a) - c)
+
+    return mp.mpf(2.0 * brentq(excess, 0.1, 4.0 / (6.0 * s.max()) * (1.0 - 1e-12), xtol=1e-15))
+
+
+@judged
+def nearly_round_pyramid_3() -> Numbers:
+    return [_pyramid(3, 32) * frac("1e-4")]
+
+
+@judged
+def nearly_round_pyramid_4() -> Numbers:
+    return [_pyramid(4, 24) * frac("1e-4")]
+
+
+@judged
+def nearly_round_pyramid_6() -> Numbers:
+    return [_pyramid(6, 12) * frac("1e-4")]
+
+
+# ---------------------------------------------------------------------------------------------------------------------
+# wear without a core, and rough lines
+
+
+@judged
+def limiting_profile_no_core() -> Numbers:
+    """With hardly any core the profile ends at sqrt(2) a0; c = 0.001 a0."""
+    c = frac("0.001")
+
+    def shape(r: mp.mpf) -> mp.mpf:
+        kept = (r * r * mp.asin(c / r) - c * mp.sqrt(r * r - c * c)) / 2
+        return 2 / mp.pi * (kept + mp.acos(c / r)) - r * r / 2
+
+    return [c * frac("1e-4"), mp.findroot(shape, (frac("1.40"), frac("1.42")), solver="anderson") * frac("1e-4")]
+
+
+@judged
+def rough_line_stiffness() -> Numbers:
+    """Medians of 8000 lines z = Sum 2 B cos(q x + phi), H = 0.7; B^2 is Int C_1D dq about q, C_1D ~ q^(-2 H - 1)."""
+    chance, count, modes = np.random.default_rng(20261121), 4096, np.arange(1, 33)
+    fall = np.arange(0.5, 33.0) ** -1.4
+    size = 2.0 * np.sqrt(0.5e-4 * -np.diff(fall) / (fall[0] - fall[-1]))  # 2 Sum B^2 = h_rms^2
+    forces = np.array([3e-4, 1e-3, 3e-3])
+    rows = []
+    for _ in range(8000):
+        raw = np.zeros(count // 2 + 1, dtype=complex)
+        raw[modes] = 0.5 * count * size * np.exp(2j * np.pi * chance.random(32))
+        heights = np.sort(np.fft.irfft(raw, count))[::-1]
+        gap = heights[0] - heights
+        come = np.concatenate(([0.0], np.cumsum(np.arange(1.0, count) * np.diff(gap)))) / count
+        rows.append(np.searchsorted(come, forces, side="right") / count)
+    return [list(np.median(rows, axis=0))]
+
+
+def lubkin(share: float) -> tuple[float, float]:
+    """Torque over mu F a and G a^2 phi/(mu F) of a ball whose disc of c = share a sticks, by Lubkin's integrals."""
+    c = mp.mpf(share)
+    angle = 3 / (4 * mp.pi) * (mp.ellipk(1 - c * c) - mp.ellipe(1 - c * c))
+    slid = mp.quad(lambda x: x * x * (mp.ellipk(1 - x * x) - mp.ellipe(1 - x * x)), [c, (1 + c) / 2, 1])
+    return float(2 * (8 * angle * c**3 / 3 + 4 * 3 / (2 * mp.pi) * slid)), float(angle)
