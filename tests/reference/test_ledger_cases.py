@@ -143,3 +143,14 @@ def test_coarse_elements_are_on_the_way_to_the_table():
     off = np.abs(found / [4.12, 3.67, 1.47] - 1.0)
     assert np.all(off[1] < off[0])
     assert np.all(off[1] < 0.04)
+
+
+def test_the_square_pyramid_of_another_code(shared_data):
+    """Section 1.3: .7376 by boundary elements; the contact is 1.48 d^2."""
+    file = shared_data / "reference" / "shapes_force_depth.csv"
+    lines = [line.rsplit(",", 7) for line in file.read_text(encoding="utf-8").splitlines() if "square_pyramid" in line]
+    (last,) = [line for line in lines if line[0].endswith(",1.0")]
+    force, stiffness, area = expected("square_pyramid_elements")
+    numbers = [float(last[7]) * 0.32**2, float(last[6]) * 0.32, float(last[5]) * 0.32**2]
+    assert [force, stiffness, area] == pytest.approx(numbers, rel=1e-12)
+    printed(".7376 1.48", [force / 0.32**2, area / 0.32**2])

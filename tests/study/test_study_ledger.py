@@ -255,7 +255,7 @@ def test_a_function_is_judged(tmp_path):
         (
             "creep_coefficients.spin",
             "creep_coefficients.spun",
-            "(did you mean 'creep_coefficients.spin'?); give one of",
+            "(did you mean 'creep_coefficients.spin'?); give",
         ),
         ("poisson = [0.25]", "", "function.poisson is missing; creep_coefficients.spin takes ratio, poisson."),
         ("poisson = [0.25]", "poisson = 0.25\nnu = 1", "function.nu is not known; creep_coefficients.spin takes"),
