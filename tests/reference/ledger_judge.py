@@ -229,13 +229,11 @@ def particle_small_press() -> Numbers:
 # functions
 
 
-@judged
 def carter_creepages() -> Numbers:
     """mu a/R (1 - sqrt(1 - Q/(mu P))); mu = 0.3, a = 1 mm, R = 0.1 m."""
     return [[frac("3e-3") * (1 - mp.sqrt(1 - frac(q))) for q in ("0.25", "0.5", "0.75", "1")]]
 
 
-@judged
 def carter_stick_zones() -> Numbers:
     return [[frac("1e-3") * mp.sqrt(1 - frac(q)) for q in ("0.25", "0.5", "0.75")]]
 
@@ -264,26 +262,17 @@ def _kuwabara(ratio: str) -> mp.mpf:
     return mp.mpf(-float(found.y[1, -1]))
 
 
-@judged
 def kuwabara_kono_weak() -> Numbers:
     return [_kuwabara("0.1")]
 
 
-@judged
 def kuwabara_kono_strong() -> Numbers:
     return [_kuwabara("0.5")]
 
 
-@judged
 def worn_punch_bulge() -> Numbers:
     """(4 p a/(pi E*)) (pi/2 - 1) as the difference of 4 p a/(pi E*) E(r^2/a^2) between middle and rim."""
     return [4 * frac("1e8") * frac("1e-3") / (mp.pi * frac("1e11")) * (mp.ellipe(0) - mp.ellipe(1))]
-
-
-@judged
-def worn_cap() -> Numbers:
-    """The cap of a paraboloid: Int (a^2 - r^2)/(2R) 2 pi r dr = pi a^4/(4R); a = 0.2 mm, R = 5 mm."""
-    return [frac("2e-4")]
 
 
 @judged

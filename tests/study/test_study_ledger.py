@@ -157,7 +157,7 @@ def test_no_case_says_the_same_as_another():
         ("shakedown_limit", "rolling"),
         ("limiting_profile_half_core", "wear"),
         ("fit_jkr", "fits"),
-        ("kuwabara_kono_weak", "bodies that relax"),
+        ("maugis_parameter_unit", "adhesion"),
     ],
 )
 def test_a_case_is_in_its_chapter(name, chapter):
