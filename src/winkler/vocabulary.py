@@ -378,7 +378,6 @@ GLOSSARY: dict[str, Word] = {
     "longitudinal_force": Word("F_x", "N", "creep force along the direction of rolling"),
     "lateral_force": Word("F_y", "N", "creep force across the direction of rolling"),
     "creep_coefficient": Word("c_{ij}", "", "small creep force over G times the creepage and the size of the contact"),
-    "stick_half_width": Word("c", "m", "half of the width over which a rolling cylinder sticks"),
     "area_fraction": Word("A/A_0", "", "true area of contact over the apparent one"),
     "maugis_parameter": Word(r"\lambda", "", "strength of the attraction over what soft bodies give way to"),
     "stick_share": Word("", "", "part of the line of springs that sticks"),

@@ -7,15 +7,17 @@ import tomllib
 from pathlib import Path
 
 import ledger_judge
+import mpmath as mp
 import numpy as np
 import pytest
 import rolling_elements
 from ledger_judge import JUDGES
 
 import winkler
+from winkler.reference import impact, rolling, wear
 
 CASES = Path(winkler.__file__).parent / "cases"
-CLOSE = {"even_heat_speeds": 1e-10, "kuwabara_kono_weak": 1e-9, "kuwabara_kono_strong": 1e-9}
+CLOSE = {"even_heat_speeds": 1e-10}
 """What quadratures and integrations repeat on another machine; closed forms are met to 1e-13."""
 
 
@@ -63,8 +65,29 @@ def test_how_far_traction_exceeds_friction_in_the_plane(name, r, over):
     assert math.hypot(*expected(name)) / (0.6 / math.pi * math.sqrt(1.0 - r * r)) == pytest.approx(over, abs=6e-4)
 
 
-def test_carter_in_the_middle():
-    assert expected("carter_creepages")[0][2] == pytest.approx(0.3 * 1e-3 / 0.1 * 0.5, rel=1e-14)
+def closed(judge):
+    with mp.workdps(20):
+        return np.array([float(number) for number in np.ravel(judge())])
+
+
+def test_carter():
+    ratio = np.array([0.25, 0.5, 0.75, 1.0])
+    np.testing.assert_allclose(
+        rolling.carter_creepage(0.3, 1e-3, 0.1, ratio), closed(ledger_judge.carter_creepages), rtol=1e-14
+    )
+    zones = closed(ledger_judge.carter_stick_zones)
+    np.testing.assert_allclose(rolling.carter_stick_half_width(1e-3, ratio[:3]), zones, rtol=1e-14)
+
+
+def test_a_worn_punch_bulges():
+    """Section 11: (4 p a/(pi E*)) (pi/2 - 1)."""
+    found = wear.punch_bulge(pressure=1e8, radius=1e-3, modulus=1e11)
+    assert found == pytest.approx(closed(ledger_judge.worn_punch_bulge)[0], rel=1e-14)
+
+
+def test_a_worn_cap():
+    """Section 11: V = pi a^4/(4R)."""
+    assert wear.cap_radius(math.pi * 0.2e-3**4 / (4.0 * 5e-3), 5e-3) == pytest.approx(0.2e-3, rel=1e-14)
 
 
 def test_the_even_flux():
@@ -80,8 +103,13 @@ def test_the_even_flux():
 
 def test_the_restitution_of_kuwabara_and_kono():
     """Section 7."""
-    printed(".828586", expected("kuwabara_kono_weak"))
-    printed(".444772", expected("kuwabara_kono_strong"))
+    for ratio, judge, shown in (
+        (0.1, ledger_judge.kuwabara_kono_weak, ".828586"),
+        (0.5, ledger_judge.kuwabara_kono_strong, ".444772"),
+    ):
+        found = impact.kuwabara_kono_restitution(ratio)
+        assert found == pytest.approx(closed(judge)[0], rel=1e-8)
+        printed(shown, found)
 
 
 def test_elliptic_one_to_three():
@@ -143,3 +171,14 @@ def test_coarse_elements_are_on_the_way_to_the_table():
     off = np.abs(found / [4.12, 3.67, 1.47] - 1.0)
     assert np.all(off[1] < off[0])
     assert np.all(off[1] < 0.04)
+
+
+def test_the_square_pyramid_of_another_code(shared_data):
+    """Section 1.3: .7376 by boundary elements; the contact is 1.48 d^2."""
+    file = shared_data / "reference" / "shapes_force_depth.csv"
+    lines = [line.rsplit(",", 7) for line in file.read_text(encoding="utf-8").splitlines() if "square_pyramid" in line]
+    (last,) = [line for line in lines if line[0].endswith(",1.0")]
+    force, stiffness, area = expected("square_pyramid_elements")
+    numbers = [float(last[7]) * 0.32**2, float(last[6]) * 0.32, float(last[5]) * 0.32**2]
+    assert [force, stiffness, area] == pytest.approx(numbers, rel=1e-12)
+    printed(".7376 1.48", [force / 0.32**2, area / 0.32**2])

@@ -80,7 +80,7 @@ def test_what_is_not_finite_is_missed():
         (Expectation("gap", 1.0, 0.1, place=(("r", 0.0), ("z", 1.0))), "'gap' is not one of SubsurfaceFields"),
         (
             Expectation("principal", 1.0, 0.1, place=(("r", 0.0), ("z", 1.0))),
-            "principal has 3 components; name one by a number",
+            "principal has 3 components; name",
         ),
         (Expectation("depth", 1.0, 0.1, place=(("x", 0.0),)), "depth is no function of x"),
         (Expectation("problem.bed.rim.force", 1.0, 0.1), "'force' is not a part of float"),

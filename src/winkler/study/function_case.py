@@ -1,6 +1,6 @@
 """Cases of the ledger that ask no problem but a function: ``[function]``, and ``[[expect]]`` for what it answers.
 
-Coefficients of a table and closed forms are no answer of a problem, and still have numbers that were published:
+Coefficients of a table are no answer of a problem, and still have numbers that were published:
 
 .. code-block:: toml
 
