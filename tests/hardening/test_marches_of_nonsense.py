@@ -19,7 +19,16 @@ from winkler.study.explain import completed
 MARCHES = [name for name, line in kinds().items() if hasattr(line.cls, "steps")]
 SIZES = (1e200, 1e59, 1e30, 1e-30, 1e-59, 1e-200, 1e-308)
 STATES = 5
-SLOW = ("impact", "viscoelastic_adhesion", "surface_contact", "reduction", "fretting_wear", "sliding_wear", "impacts")
+SLOW = (
+    "impact",
+    "adhesive_impact",
+    "viscoelastic_adhesion",
+    "surface_contact",
+    "reduction",
+    "fretting_wear",
+    "sliding_wear",
+    "impacts",
+)
 """They may take minutes to find that numbers do not fit together."""
 
 

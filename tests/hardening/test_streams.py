@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gc
+import os
 import tracemalloc
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -77,3 +79,65 @@ def test_some_hundred_steps():
 @pytest.mark.parametrize("name", MARCHES)
 def test_a_thousand_steps(name):
     assert grown(MARCHES[name](1200), 200, 1190) < ALLOWED
+
+
+GEL = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e6, 0.5)))
+CRACK = wk.RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
+LONG = {
+    "tangential": (MARCHES["tangential"], 3000, 10_000),
+    "viscoelastic": (MARCHES["viscoelastic"], 1000, 6000),
+    "start of rolling": (
+        lambda count: wk.RollingStart(
+            BED, FRICTION, wk.Creepage(longitudinal=1e-3), wk.Force(100.0), 1.0, points=count, count=20
+        ),
+        1000,
+        80_000,
+    ),
+    "adhesive cycle": (
+        lambda count: wk.AdhesiveCycle(GEL, wk.ShortRange(0.05), wk.Depth(0.05 * deep(count))),
+        3000,
+        15_000,
+    ),
+    "springs": (
+        lambda count: wk.SpringMarch(
+            BED, FRICTION, wk.Path(times(count), wk.Depth(np.full(count, 1e-6)), wk.Shift(wave(count, 5e-7))), count=50
+        ),
+        2000,
+        10_000,
+    ),
+    "fretting wear": (
+        lambda count: wk.FrettingWear(
+            BED, wk.Archard(1e-16), FRICTION, wk.Force(10.0), wk.Shift(1e-7), np.linspace(0.0, 1e3, count), count=20
+        ),
+        600,
+        1400,
+    ),
+    "viscoelastic adhesion": (
+        lambda count: wk.ViscoelasticAdhesion(GEL, CRACK, wk.Path(10.0 * times(count), wk.Depth(0.05 * deep(count)))),
+        400,
+        1000,
+    ),
+}
+"""March -> what makes it, and the steps between which it may not grow."""
+RESIDENT = 2_000_000
+"""Bytes of the whole process that are no growth: where a state were kept at every step, there would be many more."""
+
+
+def resident() -> int:
+    """Return how many bytes of memory the process has."""
+    gc.collect()
+    return int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="the system does not tell the size of a process")
+@pytest.mark.parametrize("name", LONG)
+def test_many_thousand_steps(name):
+    make, early, late = LONG[name]
+    steps = make(late + 10).steps()
+    for _ in range(early):
+        next(steps)
+    before = resident()
+    for _ in range(late - early):
+        next(steps)
+    assert resident() - before < RESIDENT
