@@ -6,11 +6,8 @@ without it.
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.fields import (
-    PeakStress,
-    PlacedStress,
     SubsurfaceFields,
     SurfaceFields,
-    peak_stress,
     restore,
     restore_body,
     restore_shift,
@@ -78,6 +75,7 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start
+from winkler.peaks import PeakStress, PlacedStress, peak_stress
 from winkler.problems.adhesion_model import maugis_parameter, tabor_parameter, which_model
 from winkler.problems.adhesive import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycle, AdhesiveCycleSolution

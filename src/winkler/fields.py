@@ -23,7 +23,6 @@ from winkler.foundation.sheared_fields import (
     sheared_surface,
     shift_of_surface,
 )
-from winkler.media.peak import greatest, greatest_around
 from winkler.media.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
@@ -31,19 +30,17 @@ from winkler.problems.torsion_states import TorsionState
 from winkler.values import value
 
 __all__ = [
-    "PeakStress",
-    "PlacedStress",
+    "Dragged",
+    "Restorable",
     "SubsurfaceFields",
     "SurfaceFields",
-    "peak_stress",
+    "below_surface",
+    "is_dragged",
     "restore",
     "restore_body",
     "restore_shift",
+    "springs_of",
 ]
-
-
-SKIN = 1e-3
-"""Stresses of a twist are looked for below this depth, in contact radii."""
 
 
 class Restorable(Protocol):
@@ -125,41 +122,6 @@ class SubsurfaceFields:
         return max_shear(self.radial_stress, self.hoop_stress, self.axial_stress, self.shear_stress)
 
 
-@value
-class PeakStress:
-    """The greatest equivalent stress below a contact, and its place.
-
-    Parameters
-    ----------
-    von_mises : float
-        [Pa].
-    r, z : float
-        Where [m].
-    """
-
-    von_mises: float
-    r: float
-    z: float
-
-
-@value
-class PlacedStress:
-    """The greatest equivalent stress in a body under a sheared contact, and its place.
-
-    Parameters
-    ----------
-    von_mises : float
-        [Pa].
-    x, y, z : float
-        Where [m].
-    """
-
-    von_mises: float
-    x: float
-    y: float
-    z: float
-
-
 @overload
 def restore(solution: Restorable, r: ArrayLike) -> SurfaceFields: ...
 @overload
@@ -198,7 +160,7 @@ def restore(
     radii = _checked("r", r)
     if np.any(radii < 0.0):
         raise InvalidInput(f"restore: r = {np.min(radii):.6g} m is negative; distances from the axis are positive.")
-    if _is_sheared(solution) or isinstance(solution, TorsionState):
+    if is_dragged(solution) or isinstance(solution, TorsionState):
         if z is not None:
             raise InvalidInput(
                 "restore: below a sheared or twisted contact the stress has all six components; ask "
@@ -207,8 +169,8 @@ def restore(
         if isinstance(solution, TorsionState):
             return twisted_surface(solution, radii)
         return sheared_surface(solution.sheared, radii)
-    pressed = _pressed(solution)
-    return _surface(pressed, radii) if z is None else _below(pressed, radii, _checked("z", z))
+    pressed = springs_of(solution)
+    return _surface(pressed, radii) if z is None else below_surface(pressed, radii, _checked("z", z))
 
 
 def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
@@ -246,9 +208,9 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     places = (_checked("x", x, "restore_body"), _checked("y", y, "restore_body"), _checked("z", z, "restore_body"))
     if isinstance(solution, TorsionState):
         return body_of_twisted(solution, *places)
-    if _is_sheared(solution):
+    if is_dragged(solution):
         return body_of_sheared(solution.sheared, *places)
-    return body_of_pressed(_pressed(solution), *places)
+    return body_of_pressed(springs_of(solution), *places)
 
 
 def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
@@ -278,87 +240,19 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     return shift_of_surface(solution.sheared, *places)
 
 
-@overload
-def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress: ...
-@overload
-def peak_stress(solution: Dragged | TorsionState, *, below: bool = True) -> PlacedStress: ...
-def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = True) -> PeakStress | PlacedStress:
-    """Return the greatest von Mises stress and its place.
-
-    Parameters
-    ----------
-    solution
-        The answer to a problem, for one load.
-    below
-        In the first body (z > 0) or, if False, in the second.
-
-    Returns
-    -------
-    PeakStress or PlacedStress
-        The latter of a sheared contact, or of a twisted one, there below the surface by a thousandth of the contact
-        radius or more. Infinite at a sharp kink, edge or apex.
-    """
-    if isinstance(solution, TorsionState):
-        return _twisted_peak(solution, 1.0 if below else -1.0)
-    if _is_sheared(solution):
-        return _sheared_peak(solution.sheared, 1.0 if below else -1.0)
-    pressed = _pressed(solution)
-    if pressed.radius == 0.0:
-        return PeakStress(0.0, 0.0, 0.0)
-    sharp = [b for b, strength in pressed.kinks if strength != 0.0]
-    if sharp:
-        return PeakStress(float("inf"), sharp[0], 0.0)
-    sign = 1.0 if below else -1.0
-    place = greatest(lambda r, z: _below(pressed, r, sign * z, below).von_mises, pressed.radius)
-    return PeakStress(place.value, place.r, sign * place.z)
-
-
-def _is_sheared(solution: Restorable | Dragged | TorsionState) -> TypeGuard[Dragged]:
+def is_dragged(solution: Restorable | Dragged | TorsionState) -> TypeGuard[Dragged]:
     """Tell without asking for the springs themselves, which costs."""
     return inspect.getattr_static(solution, "sheared", None) is not None
 
 
-def _pressed(solution: Restorable | Dragged | TorsionState) -> Pressed:
+def springs_of(solution: Restorable | Dragged | TorsionState) -> Pressed:
+    """Return the springs of a solution; refuse what holds none, or many loads."""
     if inspect.getattr_static(solution, "pressed", None) is None:
         raise InvalidInput(
             f"restore: a {type(solution).__name__} holds no springs; give a solution for one load, or one state of a "
             "path: solution.at(0)."
         )
     return solution.pressed  # type: ignore[union-attr]
-
-
-def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
-    pressed = sheared.pressed
-    if pressed.radius == 0.0:
-        return PlacedStress(0.0, 0.0, 0.0, 0.0)
-    sharp = [b for b, strength in pressed.kinks if strength != 0.0]
-    sharp += [part.radius for parts in sheared.components for part in parts if part.edge != 0.0]
-    if sharp:
-        return PlacedStress(float("inf"), sharp[0], 0.0, 0.0)
-    place = greatest_around(lambda x, y, z: _sided(sheared, x, y, z, sign).von_mises, pressed.radius)
-    return PlacedStress(place.value, place.x, place.y, sign * place.z)
-
-
-def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:
-    if state.radius == 0.0:
-        return PlacedStress(0.0, 0.0, 0.0, 0.0)
-    if any(strength != 0.0 for _, strength in state.springs.kinks) or state.springs.edge != 0.0:
-        return PlacedStress(float("inf"), state.radius, 0.0, 0.0)
-    place = greatest(
-        lambda r, z: body_of_twisted(state, r, np.zeros(r.shape), sign * _off(z, state.radius)).von_mises, state.radius
-    )
-    return PlacedStress(place.value, place.r, 0.0, sign * float(_off(np.array(place.z), state.radius)))
-
-
-def _off(z: Array, radius: float) -> Array:
-    """Return depths kept off the surface, where the field of a twist is not known."""
-    return np.maximum(z, SKIN * radius)
-
-
-def _sided(sheared: ShearedSprings, x: Array, y: Array, z: Array, sign: float) -> BodyFields:
-    """Return the fields in one body; z = 0 belongs to the second one if that is asked for."""
-    tiny = np.finfo(float).tiny
-    return body_of_sheared(sheared, x, y, z if sign > 0.0 else -np.maximum(z, tiny))
 
 
 def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
@@ -388,7 +282,8 @@ def _height(pressed: Pressed, r: Array) -> Array:
     return np.where(known, pressed.bed.height(np.where(known, r, 0.0)), np.inf)
 
 
-def _below(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
+def below_surface(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
+    """Return the fields at places of shapes that broadcast; the surface itself belongs to one of the bodies."""
     r, z = np.broadcast_arrays(r, z)
     first = (z >= 0.0) if surface_is_first else (z > 0.0)
     parts = np.zeros((6, *r.shape))

@@ -14,11 +14,11 @@ from winkler.vocabulary import GLOSSARY, OWNED, word
 
 SPOKEN = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
-    "fields", "fitting",
+    "fields", "peaks", "fitting",
 )  # fmt: skip
 """The floors whose values are met by users; the mathematics below and the doors above have words of their own."""
 
-ANSWERED = ("problems", "fields")
+ANSWERED = ("problems", "fields", "peaks")
 """The floors whose properties are answers."""
 
 

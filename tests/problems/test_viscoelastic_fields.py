@@ -7,11 +7,12 @@ import pytest
 
 import winkler as wk
 from winkler.errors import OutsideValidity
-from winkler.fields import peak_stress, restore, restore_body
+from winkler.fields import restore, restore_body
 from winkler.loading import Depth
 from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
+from winkler.peaks import peak_stress
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 
 SOFT = StandardSolid(1.0, 4.0, 0.3, poisson=0.3)

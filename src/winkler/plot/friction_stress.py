@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fields import peak_stress, restore_body
+from winkler.fields import restore_body
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Rigid
+from winkler.peaks import peak_stress
 from winkler.plot import style
 from winkler.plot.friction import Restored
 from winkler.plot.series import Scale, scale_of, series, told

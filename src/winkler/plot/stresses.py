@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fields import PeakStress, Restorable, SubsurfaceFields, peak_stress, restore
+from winkler.fields import Restorable, SubsurfaceFields, restore
 from winkler.materials.elastic import Rigid
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
+from winkler.peaks import PeakStress, peak_stress
 from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces

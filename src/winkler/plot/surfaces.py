@@ -16,7 +16,8 @@ from winkler.plot.springs import at_first_touch, draw_springs
 from winkler.plot.viscoelastic import refuse_extent
 from winkler.problems.reduce import ReductionSolution
 from winkler.problems.surface_conduction import SurfaceConductionSolution
-from winkler.problems.surface_contact import SurfaceContactSolution, SurfaceState
+from winkler.problems.surface_contact import SurfaceContactSolution
+from winkler.problems.surface_states import SurfaceState
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:

@@ -23,7 +23,8 @@ from winkler.media.medium import Medium
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.problems.contact_springs import Points, room, springs_of
-from winkler.problems.surface_contact import SurfaceContact, SurfaceState
+from winkler.problems.surface_contact import SurfaceContact
+from winkler.problems.surface_states import SurfaceState
 from winkler.profiles.topography import Topography
 from winkler.validity import Note, Standing
 from winkler.values import value

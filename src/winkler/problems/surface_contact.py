@@ -24,66 +24,20 @@ from winkler.numerics.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.punched_grid import punch
 from winkler.numerics.surface_grid import bytes_needed
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.surface_notes import surface_notes
+from winkler.problems.surface_states import SurfaceState
 from winkler.profiles.topography import Topography
-from winkler.validity import Note, Standing
+from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["SurfaceContact", "SurfaceContactSolution", "SurfaceState"]
+__all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
 EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
 """What counted pixels give too much, per length of the edge of the contact and pixel size."""
-YASTREBOV = "V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114 (2017) 161-171"
-STANLEY = "H. M. Stanley, T. Kato, J. Tribol. 119 (1997) 481-485, doi:10.1115/1.2833523"
-ALMQVIST = (
-    "A. Almqvist, F. Sahlin, R. Larsson, S. Glavatskih, Tribol. Int. 40 (2007) 574-579, "
-    "doi:10.1016/j.triboint.2005.11.008"
-)
-POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
-FEW = 300
-"""Pixels in contact below which a note says so."""
-STEEP = 0.1
 NEARBY = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 PUNCHED = 3e-3
 """Error of the depth under the flat punch that tells the stiffness: its own error is of the square, below 1e-6."""
-
-
-@value
-class SurfaceState:
-    """A height map under one load.
-
-    Parameters
-    ----------
-    depth : float
-        d [m] since the highest point touched; of a periodic map by how much the mean planes have approached since then.
-    force : float
-        F_N [N]; of a periodic map on one period.
-    stiffness : float
-        Of a flat punch of the shape of the contact [N/m]: of elastic bodies dF/dd, with a hardness that of unloading.
-        Infinite where a periodic map touches everywhere.
-    area : float
-        Of the contact [m^2], pixels counted and the excess along its edge taken off.
-    mean_gap : float
-        Mean distance of the surfaces over the map [m].
-    penetration : float
-        Greatest overlap that the solver left, over the depth.
-    misfit : float
-        Sum of pressure times gap that it left, over F d.
-    pressure : ndarray, (nx, ny)
-        p [Pa] in every pixel.
-    separation : ndarray, (nx, ny)
-        Distance of the surfaces [m].
-    """
-
-    depth: float
-    force: float
-    stiffness: float
-    area: float
-    mean_gap: float
-    penetration: float
-    misfit: float
-    pressure: Array
-    separation: Array
 
 
 @value
@@ -323,54 +277,4 @@ class SurfaceContactSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
-        rough = self.problem.topography
-        border = (
-            "The map is repeated for ever in both directions; depths are approaches of the mean planes."
-            if rough.periodic
-            else "The map stands alone: beyond its border nothing touches, and pressures rise there like under a stamp."
-        )
-        overlap, misfit = float(np.max(self.penetration)), float(np.max(self.misfit))
-        notes = [
-            Note(
-                Standing.EXACT,
-                "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
-                POLONSKY,
-            ),
-            Note(Standing.EXACT, border, STANLEY if rough.periodic else POLONSKY),
-            Note(
-                Standing.ASYMPTOTIC,
-                f"Solved until surfaces overlap by at most {overlap:.1g} of the depth, and pressures do {misfit:.1g} "
-                "of the work of the force on gaps; smooth contacts gain two digits of the force for ten times the "
-                "pixels along a side.",
-                POLONSKY,
-            ),
-        ]
-        pixels = float(np.max(self.area)) / (rough.pixel[0] * rough.pixel[1])
-        if pixels < FEW:
-            notes.append(
-                Note(
-                    Standing.APPROXIMATE,
-                    f"The contact covers about {max(pixels, 1.0):.0f} pixels; below {FEW} its area and stiffness are "
-                    "known to some per cent only.",
-                    YASTREBOV,
-                )
-            )
-        slope = rough.rms_slope
-        notes.append(
-            Note(
-                Standing.OUTSIDE if slope > 1.0 else Standing.APPROXIMATE if slope > STEEP else Standing.ASYMPTOTIC,
-                f"The heights have a root mean square slope of {slope:.2g}; half-space elasticity takes them as small"
-                f"{', this is none: are heights and lengths both in m?' if slope > 1.0 else '.'}",
-                "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731",
-            )
-        )
-        if math.isfinite(self.problem.hardness):
-            notes.append(
-                Note(
-                    Standing.APPROXIMATE,
-                    "Pressures are cut at the hardness, and what would overlap there is thought to flow; no strain is "
-                    "followed, and unloading is not described.",
-                    ALMQVIST,
-                )
-            )
-        return tuple(notes)
+        return surface_notes(self.problem.topography, self.problem.hardness, self.area, self.penetration, self.misfit)

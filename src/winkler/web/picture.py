@@ -34,9 +34,9 @@ class Card:
     """
 
     def __init__(self, one: Picture) -> None:
-        self.heads = one.name, one.title, one.sentence, one.missing
+        self.name, self.missing = one.name, one.missing
         with ui.element("figure").classes("card") as self.place:
-            ui.html(caption(one.title, one.sentence), sanitize=False)
+            self.caption = ui.html(caption(one.title, one.sentence), sanitize=False)
             if one.chart:
                 self.drawing = (Solid if one.name == SOLID else Figure)().classes("plot")
                 self.drawing.props.update({"first": one.chart, "data-picture": one.name})
@@ -44,11 +44,14 @@ class Card:
                 ui.label(f"Not shown: {one.missing}").classes("missing")
 
     def shows(self, one: Picture) -> bool:
-        """Return whether another picture stands under the same words."""
-        return self.heads == (one.name, one.title, one.sentence, one.missing)
+        """Return whether another picture can take the place of this one."""
+        return (self.name, self.missing) == (one.name, one.missing)
 
     def draw(self, one: Picture) -> None:
         """Draw its figure again; the page around it is not laid out anew."""
+        words = caption(one.title, one.sentence)
+        if words != self.caption.content:
+            self.caption.set_content(words)
         if one.chart:
             self.drawing.run_method("draw", one.chart)
 

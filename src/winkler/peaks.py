@@ -1,0 +1,125 @@
+"""Where a body under a contact is stressed most: the greatest equivalent stress, and its place."""
+
+from __future__ import annotations
+
+from typing import overload
+
+import numpy as np
+
+from winkler.fields import Dragged, Restorable, below_surface, is_dragged, springs_of
+from winkler.foundation.sheared import ShearedSprings
+from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
+from winkler.media.peak import greatest, greatest_around
+from winkler.numerics.types import Array
+from winkler.problems.torsion_fields import body_of_twisted
+from winkler.problems.torsion_states import TorsionState
+from winkler.values import value
+
+__all__ = ["PeakStress", "PlacedStress", "peak_stress"]
+
+SKIN = 1e-3
+"""Stresses of a twist are looked for below this depth, in contact radii."""
+
+
+@value
+class PeakStress:
+    """The greatest equivalent stress below a contact, and its place.
+
+    Parameters
+    ----------
+    von_mises : float
+        [Pa].
+    r, z : float
+        Where [m].
+    """
+
+    von_mises: float
+    r: float
+    z: float
+
+
+@value
+class PlacedStress:
+    """The greatest equivalent stress in a body under a sheared contact, and its place.
+
+    Parameters
+    ----------
+    von_mises : float
+        [Pa].
+    x, y, z : float
+        Where [m].
+    """
+
+    von_mises: float
+    x: float
+    y: float
+    z: float
+
+
+@overload
+def peak_stress(solution: Restorable, *, below: bool = True) -> PeakStress: ...
+@overload
+def peak_stress(solution: Dragged | TorsionState, *, below: bool = True) -> PlacedStress: ...
+def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = True) -> PeakStress | PlacedStress:
+    """Return the greatest von Mises stress and its place.
+
+    Parameters
+    ----------
+    solution
+        The answer to a problem, for one load.
+    below
+        In the first body (z > 0) or, if False, in the second.
+
+    Returns
+    -------
+    PeakStress or PlacedStress
+        The latter of a sheared contact, or of a twisted one, there below the surface by a thousandth of the contact
+        radius or more. Infinite at a sharp kink, edge or apex.
+    """
+    if isinstance(solution, TorsionState):
+        return _twisted_peak(solution, 1.0 if below else -1.0)
+    if is_dragged(solution):
+        return _sheared_peak(solution.sheared, 1.0 if below else -1.0)
+    pressed = springs_of(solution)
+    if pressed.radius == 0.0:
+        return PeakStress(0.0, 0.0, 0.0)
+    sharp = [b for b, strength in pressed.kinks if strength != 0.0]
+    if sharp:
+        return PeakStress(float("inf"), sharp[0], 0.0)
+    sign = 1.0 if below else -1.0
+    place = greatest(lambda r, z: below_surface(pressed, r, sign * z, below).von_mises, pressed.radius)
+    return PeakStress(place.value, place.r, sign * place.z)
+
+
+def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
+    pressed = sheared.pressed
+    if pressed.radius == 0.0:
+        return PlacedStress(0.0, 0.0, 0.0, 0.0)
+    sharp = [b for b, strength in pressed.kinks if strength != 0.0]
+    sharp += [part.radius for parts in sheared.components for part in parts if part.edge != 0.0]
+    if sharp:
+        return PlacedStress(float("inf"), sharp[0], 0.0, 0.0)
+    place = greatest_around(lambda x, y, z: _sided(sheared, x, y, z, sign).von_mises, pressed.radius)
+    return PlacedStress(place.value, place.x, place.y, sign * place.z)
+
+
+def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:
+    if state.radius == 0.0:
+        return PlacedStress(0.0, 0.0, 0.0, 0.0)
+    if any(strength != 0.0 for _, strength in state.springs.kinks) or state.springs.edge != 0.0:
+        return PlacedStress(float("inf"), state.radius, 0.0, 0.0)
+    place = greatest(
+        lambda r, z: body_of_twisted(state, r, np.zeros(r.shape), sign * _off(z, state.radius)).von_mises, state.radius
+    )
+    return PlacedStress(place.value, place.r, 0.0, sign * float(_off(np.array(place.z), state.radius)))
+
+
+def _off(z: Array, radius: float) -> Array:
+    """Return depths kept off the surface, where the field of a twist is not known."""
+    return np.maximum(z, SKIN * radius)
+
+
+def _sided(sheared: ShearedSprings, x: Array, y: Array, z: Array, sign: float) -> BodyFields:
+    """Return the fields in one body; z = 0 belongs to the second one if that is asked for."""
+    tiny = np.finfo(float).tiny
+    return body_of_sheared(sheared, x, y, z if sign > 0.0 else -np.maximum(z, tiny))

@@ -1,0 +1,46 @@
+"""A height map that is pressed, under one load."""
+
+from __future__ import annotations
+
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["SurfaceState"]
+
+
+@value
+class SurfaceState:
+    """A height map under one load.
+
+    Parameters
+    ----------
+    depth : float
+        d [m] since the highest point touched; of a periodic map by how much the mean planes have approached since then.
+    force : float
+        F_N [N]; of a periodic map on one period.
+    stiffness : float
+        Of a flat punch of the shape of the contact [N/m]: of elastic bodies dF/dd, with a hardness that of unloading.
+        Infinite where a periodic map touches everywhere.
+    area : float
+        Of the contact [m^2], pixels counted and the excess along its edge taken off.
+    mean_gap : float
+        Mean distance of the surfaces over the map [m].
+    penetration : float
+        Greatest overlap that the solver left, over the depth.
+    misfit : float
+        Sum of pressure times gap that it left, over F d.
+    pressure : ndarray, (nx, ny)
+        p [Pa] in every pixel.
+    separation : ndarray, (nx, ny)
+        Distance of the surfaces [m].
+    """
+
+    depth: float
+    force: float
+    stiffness: float
+    area: float
+    mean_gap: float
+    penetration: float
+    misfit: float
+    pressure: Array
+    separation: Array
