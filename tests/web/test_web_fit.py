@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import shutil
 from pathlib import Path
@@ -53,17 +51,11 @@ def solved(bench, table, folder):
 def test_the_app_and_the_command_line_fit_equal_numbers(bench, room, tmp_path):
     told, *pictures, frame = solved(bench, gel_table(), room)
     (file,) = bench.replies(Export(2, "csv"))
+    plain = {**gel_table(), "output": {"report": False, "figures": []}}
+    (room / "study.toml").write_text(tomli_w.dumps(plain), encoding="utf-8")
     folder = tmp_path / "by_command"
-    assert main(["fit", str(EXAMPLES / "studies" / "fit_gel.toml"), "--output", str(folder), "--quiet"]) == 0
-    rows = [
-        next(csv.DictReader(io.StringIO(text)))
-        for text in (file.content.decode("utf-8"), (folder / "fit.csv").read_text(encoding="utf-8"))
-    ]
-    for row in rows:
-        row["curve [-]"] = row["curve [-]"].rpartition("/")[2] if "curve [-]" in row else ""
-    assert {k: v.rpartition("/")[2] for k, v in rows[0].items()} == {
-        k: v.rpartition("/")[2] for k, v in rows[1].items()
-    }
+    assert main(["fit", str(room / "study.toml"), "--output", str(folder), "--quiet"]) == 0
+    assert file.content == (folder / "fit.csv").read_bytes()
     assert isinstance(told, Told)
     assert "3.99 kPa" in told.answers
     assert told.standing == "approximate"

@@ -75,3 +75,16 @@ def test_the_pressure_bears_the_load(history):
     scale = 10.0 ** round(float(np.log10(np.max(now["y"]) / min(np.max(state.pressure), ceiling))))
     r, p = numbers(now, "x") * 1e-6, numbers(now, "y") / scale
     assert 2.0 * np.pi * np.trapezoid(r * p, r) == pytest.approx(state.force, rel=0.02)
+
+
+def test_the_last_state_is_shown_first_and_what_was_lost_is_told(history):
+    bench, told, first = history
+    states = bench.moments.states
+    assert told.moment == len(states) - 1
+    end, now = first["worn_depth"]["data"]
+    assert now["y"] == end["y"]
+    early = charts(bench.replies(Look(2, 2)))["worn_depth"]["data"][1]
+    scale = 10.0 ** round(float(np.log10(max(end["y"]) / np.max(states[-1].worn))))
+    assert np.interp(states[2].radii * 1e6, numbers(early, "x"), numbers(early, "y")) == pytest.approx(
+        states[2].worn * scale, rel=1e-4, abs=1e-6 * max(end["y"])
+    )

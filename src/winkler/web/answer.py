@@ -25,7 +25,7 @@ from winkler.web.moments import Moments, contact_at
 from winkler.web.solid import draw_solid
 from winkler.web.springs import draw_row, row_of
 from winkler.web.view import NOTHING, View, fitting
-from winkler.web.worn import draw_worn_pressure, draw_worn_profile
+from winkler.web.worn import draw_worn_depth, draw_worn_pressure, draw_worn_profile
 
 __all__ = [
     "Frame",
@@ -207,6 +207,8 @@ def pictures(seen: Scene) -> Iterator[Picture]:
 def _worn(states: tuple[Any, ...], moment: int) -> Iterator[Picture]:
     told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
     yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
+    told = "What both bodies have lost by this moment, and in the end."
+    yield Picture("worn_depth", "Worn depth", told, packed(draw_worn_depth(states, moment)))
     told = "p(r) at this moment, at first and in the end."
     yield Picture("worn_pressure", "Pressure", told, packed(draw_worn_pressure(states, moment)))
 

@@ -64,7 +64,7 @@ def draw_curves(outcome: Outcome, point: Answered, pair: tuple[str, str], moment
                 "hoverinfo": "x+y",
             }
         )
-    return chart(data, axis(label(along, across)), axis(label(of, scale)))
+    return chart(data, axis(label(along, across)), axis(label(of, scale), automargin=True))
 
 
 def title_of(pair: tuple[str, str]) -> str:

@@ -10,6 +10,7 @@ from winkler.loading import Depth
 from winkler.problems.adhesive import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.indentation import Indentation
 from winkler.problems.viscoelastic import ViscoelasticIndentation
+from winkler.problems.wear_states import WearState
 from winkler.study.figures import shown_contact
 from winkler.study.loops import STICKING, WITHOUT_CONTACT
 from winkler.study.points import Answered
@@ -45,7 +46,12 @@ def moments_of(point: Answered) -> Moments:
 
 
 def telling(point: Answered, moments: Moments) -> int:
-    """Return the moment that tells most: that of the greatest load along the surface, depth or force; else the last."""
+    """Return the moment that tells most: that of the greatest load along the surface, depth or force; else the last.
+
+    Of wear it is the last.
+    """
+    if moments.states and isinstance(moments.states[-1], WearState):
+        return moments.total - 1
     for name in ("shear_force", "torque", "depth", "force"):
         content = np.abs(np.nan_to_num(point.answers.get(name, np.zeros(0))))
         if moments.total and content.size == moments.total and np.max(content) > 0.0:

@@ -1,4 +1,4 @@
-"""Interactive pictures of wear: the worn profile and its pressure at a moment, before the first and the last state."""
+"""Interactive pictures of wear: worn profile, worn depth and pressure at a moment, beside the first and last state."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from winkler.plot.series import Series, series
 from winkler.problems.wear_states import WearState
 from winkler.web.chart import LEGENDED, Chart, axis, chart, label, line
 
-__all__ = ["draw_worn_pressure", "draw_worn_profile"]
+__all__ = ["draw_worn_depth", "draw_worn_pressure", "draw_worn_profile"]
 
 AROUND = 1.35
 """Pictures go to so many of the greatest contact radii."""
@@ -55,6 +55,25 @@ def draw_worn_profile(states: Sequence[WearState], moment: int) -> Chart:
     )
 
 
+def draw_worn_depth(states: Sequence[WearState], moment: int) -> Chart:
+    """Return what has been worn off at a moment and in the end; parameters as for `draw_worn_profile`."""
+    _, shown = _along(states)
+    now, last = states[moment], states[-1]
+    rows = [series("WearState", "worn", one.worn) for one in (last, now)]
+    across, upright = shown.scale, rows[0].scale
+    data = [
+        line(one.radii / across.factor, row.shown(upright), colour, width=width, name=name, showlegend=True)
+        for one, row, name, (colour, _, width) in zip((last, now), rows, ("in the end", "now"), THREE[1:], strict=True)
+    ]
+    top = float(np.max(last.worn)) / upright.factor
+    return chart(
+        data,
+        axis(label(shown, across), range=[0.0, float(shown.content[-1]) / across.factor]),
+        axis(label(rows[0], upright), range=[0.0, 1.08 * top if top > 0.0 else 1.0]),
+        **LEGENDED,
+    )
+
+
 def draw_worn_pressure(states: Sequence[WearState], moment: int) -> Chart:
     """Return the pressure at a moment, in the first state and in the end; parameters as for `draw_worn_profile`."""
     first, now, last = states[0], states[moment], states[-1]
@@ -83,4 +102,4 @@ def _along(states: Sequence[WearState]) -> tuple[Array, Series]:
     reach = min(AROUND * max(one.radius for one in states), states[0].bed.reach, float(states[-1].radii[-1]))
     inside = np.unique(np.concatenate([one.radii[one.radii <= reach] for one in (states[0], states[-1])]))
     r = np.union1d(inside, [0.0, reach])
-    return r, series("WearState", "radii", r)
+    return r, series("SurfaceFields", "r", r)
