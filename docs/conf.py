@@ -17,7 +17,7 @@ from sphinx.util import logging
 from sphinx_gallery.scrapers import figure_rst
 
 import winkler
-from winkler.study.ledger import case_files, ledger
+from winkler.study.ledger import case_files, ledger, remarks
 from winkler.study.ledger_page import markdown
 
 pyplot.switch_backend("Agg")
@@ -144,7 +144,7 @@ def _fill(app: Any, docname: str, source: list[str]) -> None:
         missed = [entry.name for entry in entries if not entry.passed]
         if missed:
             logging.getLogger(__name__).warning("validation: these cases miss their numbers: %s", ", ".join(missed))
-        source[0] = markdown(entries)
+        source[0] = markdown(entries, remarks())
 
 
 def _keep_initials(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:

@@ -73,7 +73,7 @@ def _has_size(cls: Any, field: str) -> bool:
 def careful(cls: type) -> bool:
     """Return whether numbers that overflow in the checks of a class end them: those of values that are given."""
     parts = cls.__module__.split(".")
-    return len(parts) > 1 and parts[1] in (*GIVEN, "path_steps")
+    return len(parts) > 1 and parts[1] in (*GIVEN, "path", "path_steps", "program")
 
 
 def _sort(written: str) -> str:
@@ -178,7 +178,8 @@ def _far(content: Any) -> Iterator[str]:
         for part in inside if isinstance(inside, tuple) else (inside,):
             yield from _far(part)
         if isinstance(inside, float | int | np.ndarray) and not _sized(inside):
-            yield f"{field.name} of {type(content).__name__} is {_shown(inside)}"
+            size = f"up to {np.nanmax(np.abs(inside)):g} in size" if isinstance(inside, np.ndarray) else _shown(inside)
+            yield f"{field.name} of {type(content).__name__} is {size}"
 
 
 def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
@@ -191,7 +192,7 @@ def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
     @functools.wraps(solve)
     def answered(self: Any, *given: Any, **named: Any) -> Any:
         with _told(self):
-            return solve(self, *given, **named)
+            return _known(solve(self, *given, **named))
 
     return answered
 
@@ -205,12 +206,25 @@ def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterato
         while True:
             with _told(self):
                 try:
-                    state = next(states)
+                    state = _known(next(states))
                 except StopIteration:
                     return
             yield state
 
     return streamed
+
+
+def _known(answer: Any) -> Any:
+    """Return an answer none of whose numbers is undefined; compiled kernels do not tell of those they meet."""
+    for field in dataclasses.fields(answer) if dataclasses.is_dataclass(answer) else ():
+        inside = getattr(answer, field.name)
+        if isinstance(inside, np.ndarray):
+            undefined = inside.dtype == float and bool(np.isnan(inside).any())
+        else:
+            undefined = isinstance(inside, float) and math.isnan(inside)
+        if undefined:
+            raise FloatingPointError(f"the {field.name} comes out undefined")
+    return answer
 
 
 @contextlib.contextmanager

@@ -147,7 +147,7 @@ def even_heat_at_rest() -> Numbers:
 
 def even_moving(peclet: float, x: float) -> float:
     """T over q a/lambda at x under an even flux: sources in polar coordinates, their lines in closed form."""
-    turn = 2.0 * np.pi * (np.arange(20000) + 0.5) / 20000
+    turn = 2.0 * np.pi * (np.arange(4000) + 0.5) / 4000
     chord = x * np.cos(turn) + np.sqrt(1.0 - (x * np.sin(turn)) ** 2)
     rate = peclet * (1.0 - np.cos(turn))
     return float(np.mean(chord * np.where(rate * chord > 1e-12, -np.expm1(-rate * chord) / (rate * chord), 1.0)))
@@ -389,13 +389,13 @@ def limiting_profile_no_core() -> Numbers:
 
 @judged
 def rough_line_stiffness() -> Numbers:
-    """Medians of 8000 lines z = Sum 2 B cos(q x + phi), H = 0.7; B^2 is Int C_1D dq about q, C_1D ~ q^(-2 H - 1)."""
+    """Medians of 4000 lines z = Sum 2 B cos(q x + phi), H = 0.7; B^2 is Int C_1D dq about q, C_1D ~ q^(-2 H - 1)."""
     chance, count, modes = np.random.default_rng(20261121), 4096, np.arange(1, 33)
     fall = np.arange(0.5, 33.0) ** -1.4
     size = 2.0 * np.sqrt(0.5e-4 * -np.diff(fall) / (fall[0] - fall[-1]))  # 2 Sum B^2 = h_rms^2
     forces = np.array([3e-4, 1e-3, 3e-3])
     rows = []
-    for _ in range(8000):
+    for _ in range(4000):
         raw = np.zeros(count // 2 + 1, dtype=complex)
         raw[modes] = 0.5 * count * size * np.exp(2j * np.pi * chance.random(32))
         heights = np.sort(np.fft.irfft(raw, count))[::-1]

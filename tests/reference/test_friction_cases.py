@@ -8,6 +8,7 @@ from pathlib import Path
 
 import mpmath as mp
 import pytest
+from ledger_judge import JUDGES as LAST
 from theory_judge import JUDGES
 
 import winkler
@@ -162,11 +163,11 @@ def test_every_friction_case_is_recomputed_or_told_from_where():
     kinds = {"tangential", "torsion", "friction_damping", "bimodal_damping", "relaxation_damper"}
     kinds |= {"impact", "adhesive_impact"}
     cases = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in CASES.glob("*.toml")}
-    rubbed = {name for name, case in cases.items() if case["problem"]["kind"] in kinds}
+    rubbed = {name for name, case in cases.items() if case.get("problem", {}).get("kind") in kinds}
     analytical = {name for name in rubbed if cases[name]["grade"] == "analytical"}
-    assert analytical - set(JUDGES) == {judge.__name__ for judge in RECOMPUTED}
+    assert analytical - set(JUDGES) - set(LAST) == {judge.__name__ for judge in RECOMPUTED}
     told = {"maw_barber_fawcett", "maw_barber_fawcett_table", "cattaneo_shift_contact"}
-    assert rubbed - analytical - set(JUDGES) == told
+    assert rubbed - analytical - set(JUDGES) - set(LAST) == told
 
 
 def test_the_oblique_impact_is_that_of_its_table():

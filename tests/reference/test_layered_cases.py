@@ -25,7 +25,7 @@ CASES = {
 CASES = {
     name: case
     for name, case in CASES.items()
-    if case["problem"]["kind"] == "indentation"
+    if case.get("problem", {}).get("kind") == "indentation"
     and not any(one["quantity"].startswith("problem.") for one in case["expect"])
 }
 GRADED = [name for name in CASES if name.startswith("graded_")]

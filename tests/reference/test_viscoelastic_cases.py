@@ -21,7 +21,7 @@ FOLDER = Path(winkler.__file__).parent / "cases"
 CASES = [
     path.stem
     for path in sorted(FOLDER.glob("*.toml"))
-    if tomllib.loads(path.read_text(encoding="utf-8"))["problem"].get("bed", {}).get("medium", {}).get("kind")
+    if tomllib.loads(path.read_text(encoding="utf-8")).get("problem", {}).get("bed", {}).get("medium", {}).get("kind")
     == "viscoelastic_half_space"
 ]
 

@@ -78,7 +78,10 @@ def test_what_is_not_finite_is_missed():
     [
         (Expectation("amplitude", 1.0, 0.1), "'amplitude' is not an answer of IndentationSolution; there are depth"),
         (Expectation("gap", 1.0, 0.1, place=(("r", 0.0), ("z", 1.0))), "'gap' is not one of SubsurfaceFields"),
-        (Expectation("principal", 1.0, 0.1, place=(("r", 0.0), ("z", 1.0))), "principal has 3 components; name one by a number"),
+        (
+            Expectation("principal", 1.0, 0.1, place=(("r", 0.0), ("z", 1.0))),
+            "principal has 3 components; name one by a number",
+        ),
         (Expectation("depth", 1.0, 0.1, place=(("x", 0.0),)), "depth is no function of x"),
         (Expectation("problem.bed.rim.force", 1.0, 0.1), "'force' is not a part of float"),
         (Expectation("problem.load", 1.0, 0.1), "'problem.load' is no number but a Radius"),
@@ -195,3 +198,52 @@ def test_the_page_of_the_manual(tmp_path):
     assert "## Normal contact" in page
     assert "| normal contact | 1 | 1 | 1, 1" in page
     assert "| depth | 0.25 m | 0.25 m |" in page
+
+
+BALL = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(2.0, 0.0), wk.Elastic(2.0, 0.0)))
+
+
+def rubbed(shift):
+    path = wk.Path(np.arange(3.0), wk.Depth(1.0), wk.Shift(shift))
+    (point,) = run(Study("x", wk.Tangential(BALL, wk.Coulomb(0.3), path))).solved
+    return point
+
+
+def test_fields_at_a_point_of_a_path_and_inside_the_bodies():
+    """All slides: the traction is the coefficient times the pressure (2/pi) sqrt(1 - r^2), E* = R = d = a = 1."""
+    point = rubbed(np.array([0.0, 1.0, -1.0]))
+    for row, sign in ((1, 1.0), (-1, -1.0)):
+        there = Expectation(f"traction.{row}", sign * 0.6 / np.pi * 0.8, 1e-12, place=(("r", 0.6),))
+        assert judge(point, there).passed
+    # on the axis sigma_z is Hertz' and the traction adds none
+    inside = (("x", 0.0), ("y", 0.0), ("z", 0.5))
+    assert judge(point, Expectation("zz_stress.1", -2.0 / np.pi / 1.25, 1e-9, place=inside)).passed
+
+
+def test_components_of_a_direction_in_the_plane():
+    point = rubbed(np.array([[0.0, 0.0], [0.0, 1.0], [0.0, 2.0]]))
+    across = Expectation("traction.-1.1", 0.6 / np.pi * 0.8, 1e-3, place=(("r", 0.6),))
+    assert judge(point, across).passed
+
+
+@pytest.mark.parametrize(
+    ("quantity", "place", "sentence"),
+    [
+        ("traction", (("r", 0.6),), "traction is asked at a place of 3 contacts; name one, as traction.-1 the last"),
+        ("traction.3", (("r", 0.6),), "traction.3 asks for one of 3 contacts; count from 0"),
+        ("traction.1.0", (("r", 0.6),), "traction has 1 component; leave out the number behind it"),
+        ("slope.1", (("r", 0.6),), "'slope' is not one of ShearedFields"),
+        ("depth.1", (("x", 0.6),), "depth.1 is no function of x of TangentialSolution; leave x out"),
+    ],
+)
+def test_places_that_cannot_be_judged(quantity, place, sentence):
+    with pytest.raises(InvalidInput) as caught:
+        judge(rubbed(np.array([0.0, 1.0, -1.0])), Expectation(quantity, 1.0, 0.1, place=place))
+    assert sentence in str(caught.value)
+
+
+def test_one_load_of_many():
+    (point,) = run(Study("x", wk.Indentation(BALL, wk.Radius(np.array([0.5, 1.0]))))).solved
+    assert judge(point, Expectation("pressure.1", 2.0 / np.pi, 1e-9, place=(("r", 0.0),))).passed
+    with pytest.raises(InvalidInput, match="of 2 contacts"):
+        judge(point, Expectation("pressure", 1.0, 1e-9, place=(("r", 0.0),)))

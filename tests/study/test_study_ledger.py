@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import re
 import tomllib
 
 import pytest
@@ -9,11 +11,14 @@ import pytest
 from winkler.errors import InvalidInput
 from winkler.study.catalogue import CATALOGUE
 from winkler.study.fit_case import is_fit, read_fit_case
+from winkler.study.function_case import is_function, read_function_case
+from winkler.study.functions import FUNCTIONS
 from winkler.study.ledger import CASES, case_files, examined
 from winkler.study.ledger_page import chapters, markdown
 from winkler.study.physics import CHAPTERS, FITS, physics_of
 from winkler.study.reading import read_study
 from winkler.study.study import Study
+from winkler.vocabulary import GLOSSARY
 
 SWEPT = """\
 title = "Two balls"
@@ -75,16 +80,54 @@ tolerance = 1e-6
 """
 
 
+ASKED = """\
+title = "Spin of a circle"
+source = "J. J. Kalker"
+grade = "published table"
+
+[function]
+name = "creep_coefficients.spin"
+ratio = 1.0
+poisson = [0.25]
+
+[[expect]]
+quantity = "creep_coefficient"
+value = 1.47
+unit = ""
+tolerance = 1e-12
+"""
+
+
 def physics(path):
+    if is_function(path):
+        return read_function_case(path).function.physics
     return FITS if is_fit(path) else physics_of(read_study(path))
+
+
+def outside(source):
+    """Return the sources that are not our own: first author and year of what was published, and other codes."""
+    found = {code for code in ("CONTACT", "LAMMPS") if source.startswith(code)}
+    for part in source.split(";"):
+        told = re.search(r"(?:[A-Z]\.[ -]?)+ ?([A-Z][a-z][\w-]+).*?\b((?:18|19|20)\d\d)\b", part)
+        if told:
+            found.add(" ".join(told.groups()))
+    return found
+
+
+def test_what_an_outside_source_is():
+    assert outside("H. Hertz, J. reine angew. Math. 92 (1882) 156-171; K. L. Johnson, Cambridge (1985)") == {
+        "Hertz 1882",
+        "Johnson 1985",
+    }
+    assert outside("CONTACT (J. J. Kalker, E. A. H. Vollebregt), nu = 0") == {"CONTACT"}
+    assert outside("own lines of 32 waves with random phases") == set()
 
 
 @pytest.mark.slow
 def test_every_physics_has_two_outside_sources():
     sources = {chapter: set() for chapter in CHAPTERS}
     for path in case_files():
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-        sources[physics(path)].add(content["source"][:40])
+        sources[physics(path)] |= outside(tomllib.loads(path.read_text(encoding="utf-8"))["source"])
     few = {chapter: found for chapter, found in sources.items() if len(found) < 2 and chapter != "other contacts"}
     assert few == {}
 
@@ -94,7 +137,7 @@ def test_no_case_says_the_same_as_another():
     seen: dict[str, str] = {}
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
-        told = repr([content.get(key) for key in ("problem", "sweep", "fit", "expect")])
+        told = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
         assert told not in seen, (path.stem, seen[told])
         seen[told] = path.stem
 
@@ -114,6 +157,7 @@ def test_no_case_says_the_same_as_another():
         ("shakedown_limit", "rolling"),
         ("limiting_profile_half_core", "wear"),
         ("fit_jkr", "fits"),
+        ("kuwabara_kono_weak", "bodies that relax"),
     ],
 )
 def test_a_case_is_in_its_chapter(name, chapter):
@@ -122,8 +166,17 @@ def test_a_case_is_in_its_chapter(name, chapter):
 
 
 def test_cases_ask_for_problems_that_are_there():
-    asked = {tomllib.loads(path.read_text(encoding="utf-8"))["problem"]["kind"] for path in case_files()}
+    contents = [tomllib.loads(path.read_text(encoding="utf-8")) for path in case_files()]
+    asked = {content["problem"]["kind"] for content in contents if "problem" in content}
     assert asked <= set(CATALOGUE["problem"])
+    assert {content["function"]["name"] for content in contents if "function" in content} == set(FUNCTIONS)
+
+
+def test_the_functions_are_in_chapters_and_answer_with_words():
+    for name, function in FUNCTIONS.items():
+        assert function.physics in CHAPTERS, name
+        assert function.answer in GLOSSARY, name
+        assert set(function.units) == set(inspect.signature(function.call).parameters), name
 
 
 def test_what_no_table_knows_is_another_contact():
@@ -179,6 +232,46 @@ def test_wrong_fits_are_refused(tmp_path, old, new, sentence):
     assert old in FITTED
     with pytest.raises(InvalidInput) as caught:
         examined(written(tmp_path, FITTED.replace(old, new)))
+    assert sentence in str(caught.value)
+
+
+def test_a_function_is_judged(tmp_path):
+    path = tmp_path / "spin.toml"
+    path.write_text(ASKED.replace("[0.25]", "0.25"), encoding="utf-8")
+    entry = examined(path)
+    assert entry.passed
+    assert (entry.physics, entry.verdicts[0].got) == ("rolling", 1.47)
+    path.write_text(ASKED.replace("[0.25]", "0.25").replace("1.47", "1.48"), encoding="utf-8")
+    assert not examined(path).passed
+    path.write_text(ASKED.replace("[0.25]", "0.7"), encoding="utf-8")
+    assert "Poisson's ratio is 0.7; the table goes from 0 to 0.5" in examined(path).failure
+    with pytest.raises(InvalidInput, match=r"a section \[function\]: it is a case of the ledger; `winkler validate"):
+        read_study(path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        (
+            "creep_coefficients.spin",
+            "creep_coefficients.spun",
+            "(did you mean 'creep_coefficients.spin'?); give one of",
+        ),
+        ("poisson = [0.25]", "", "function.poisson is missing; creep_coefficients.spin takes ratio, poisson."),
+        ("poisson = [0.25]", "poisson = 0.25\nnu = 1", "function.nu is not known; creep_coefficients.spin takes"),
+        ("poisson = [0.25]", 'poisson = "1 mm"', "spin.toml: function.poisson: '1 mm'"),
+        ('"creep_coefficient"', '"restitution"', "expect asks for 'restitution'; creep_coefficients.spin answers with"),
+        ('unit = ""\n', 'unit = ""\nr = "0 m"\n', "answers with creep_coefficient, at no place"),
+        ("tolerance = 1e-12\n", "", "spin.toml: expect needs tolerance; add it."),
+        ("[[expect]]", "[expect]", "expect is no list of tables; write it with two brackets, as [[expect]]."),
+        ('grade = "published table"', "", "a case needs grade"),
+        ("title =", "titel =", "titel is not known (did you mean 'title'?); a case with [function] takes"),
+    ],
+)
+def test_wrong_functions_are_refused(tmp_path, old, new, sentence):
+    (tmp_path / "spin.toml").write_text(ASKED.replace(old, new).replace("[0.25]", "0.25"), encoding="utf-8")
+    with pytest.raises(InvalidInput) as caught:
+        examined(tmp_path / "spin.toml")
     assert sentence in str(caught.value)
 
 

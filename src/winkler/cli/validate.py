@@ -38,7 +38,7 @@ def validate(
 
     from winkler.cli import terminal
     from winkler.errors import InvalidInput
-    from winkler.study.ledger import case_files, ledger
+    from winkler.study.ledger import case_files, ledger, remarks
     from winkler.study.ledger_page import markdown
 
     files = case_files(cases or ())
@@ -49,7 +49,7 @@ def validate(
     if as_json:
         print(json.dumps([_json(entry) for entry in entries], indent=2, ensure_ascii=False))
     elif as_markdown:
-        print(markdown(entries), end="")
+        print(markdown(entries, "" if cases else remarks()), end="")
     else:
         _print([entry for entry in entries if not (quiet and entry.passed)], entries, quiet)
     return 0 if all(entry.passed for entry in entries) else MISSED

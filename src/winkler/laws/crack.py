@@ -23,16 +23,17 @@ from winkler.values import value
 
 __all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
 
+SMALLEST = 1e-3
+"""Of the exponents: below it the speed is nothing or more than all numbers tell, at works that hardly differ."""
+
 
 def _check(law: object, **units: str) -> None:
     for word, unit in units.items():
         number = getattr(law, word)
         wrong = isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf
-        if wrong or (word == "exponent" and number > 1.0):
-            most = " and not above 1" if word == "exponent" else ""
-            raise InvalidInput(
-                f"{type(law).__name__}: {word} is {number!r}; it must be a positive, finite number{most} in {unit}."
-            )
+        if wrong or (word == "exponent" and not SMALLEST <= number <= 1.0):
+            some = f"number from {SMALLEST:g} to 1" if word == "exponent" else f"positive, finite number in {unit}"
+            raise InvalidInput(f"{type(law).__name__}: {word} is {number!r}; it must be a {some}.")
 
 
 @value
@@ -46,7 +47,7 @@ class RateDependentWork:
     reference_speed : float
         v_0 [m/s], at which opening takes twice as much; positive.
     exponent : float
-        n [-], positive, not above 1.
+        n [-], from 0.001 to 1.
 
     Raises
     ------
@@ -99,7 +100,7 @@ class SaturatingWork:
     reference_speed : float
         v_0 [m/s], at which opening takes the mean of both; positive.
     exponent : float
-        n [-], positive, not above 1.
+        n [-], from 0.001 to 1.
 
     Raises
     ------

@@ -13,6 +13,9 @@ from winkler.values import value
 
 __all__ = ["Coulomb", "Friction", "StaticKinetic"]
 
+SMALLEST = 1e-60
+"""Of the coefficients of which one is divided by the other."""
+
 
 @value
 class Coulomb:
@@ -49,12 +52,12 @@ class StaticKinetic:
     static_coefficient : float
         Friction coefficient of points that stick [-], not below the kinetic one, finite.
     kinetic_coefficient : float
-        Friction coefficient of points that slide [-], positive.
+        Friction coefficient of points that slide [-], from 1e-60 on.
 
     Raises
     ------
     InvalidInput
-        If a coefficient is not positive and finite, or the kinetic one is the greater.
+        If a coefficient is below 1e-60 or not finite, or the kinetic one is the greater.
     """
 
     static_coefficient: float
@@ -63,9 +66,10 @@ class StaticKinetic:
     def __post_init__(self) -> None:
         both = self.static_coefficient, self.kinetic_coefficient
         for mu in both:
-            if isinstance(mu, bool) or not isinstance(mu, int | float) or not 0.0 < mu < math.inf:
+            if isinstance(mu, bool) or not isinstance(mu, int | float) or not SMALLEST <= mu < math.inf:
                 raise InvalidInput(
-                    f"StaticKinetic: a friction coefficient is {mu!r}; give two positive, finite numbers."
+                    f"StaticKinetic: a friction coefficient is {mu!r}; give two positive, finite numbers, from "
+                    f"{SMALLEST:g} on."
                 )
         if both[0] < both[1]:
             raise InvalidInput(

@@ -150,6 +150,8 @@ def _first_passage(forces: list[Panels], energy: float) -> float:
         depths = np.append((piece.edges[:-1, None] + np.diff(piece.edges)[:, None] * part).ravel(), piece.edges[-1])
         spent = done + work(depths) - energy
         beyond = np.flatnonzero(spent >= 0.0)
+        if beyond.size and beyond[0] == 0:  # rounding: the last piece has reached it
+            return float(depths[0])
         if beyond.size:
             low, high = depths[beyond[0] - 1], depths[beyond[0]]
             return float(brentq(_missing, low, high, args=(work, energy - done), xtol=1e-300, rtol=1e-15))

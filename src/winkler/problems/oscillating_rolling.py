@@ -137,7 +137,7 @@ class OscillatingRolling:
                 f"OscillatingRolling: friction bears {line.most:.6g} N, no more than the shear force of "
                 f"{self.shear_force:.6g} N; give less."
             )
-        sampled, count = springs(line, self.amplitude, 1, self.count)
+        sampled, count = springs("OscillatingRolling", line, self.amplitude, 1, self.count)
         stiffness = self.calibration.stiffness(self.bed)[0]
         load, shift = np.zeros(sampled.x.size), 0.0
         ways = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.problems.rolling_line import RollingLine
 
@@ -32,11 +33,19 @@ class RollingSprings(NamedTuple):
     part: float
 
 
-def springs(line: RollingLine, way: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
+MOST = 1_000_000
+"""Springs on half of a contact; more would fill the memory."""
+LONGEST = 1e10
+"""Steps of all springs together; more would take minutes."""
+
+
+def springs(owner: str, line: RollingLine, way: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
     """Return springs for a contact that moves `way` in so many pieces, and the steps of one piece.
 
     Parameters
     ----------
+    owner : str
+        Who asks.
     line : RollingLine
     way : float
         [m], positive.
@@ -44,9 +53,25 @@ def springs(line: RollingLine, way: float, pieces: int, count: int) -> tuple[Rol
         After each of which the contact is looked at.
     count : int
         Springs on half of the contact, at least.
+
+    Raises
+    ------
+    OutsideValidity
+        If the way is too short or too long for that.
     """
     a = line.radius
-    steps = max(1, math.ceil(way / pieces * count / a))
+    steps = max(1.0, way / pieces * count / a)
+    if not a / (way / pieces / steps) <= MOST:
+        raise OutsideValidity(
+            f"{owner}: each of {pieces} parts of its way, {way:.6g} m, is so short beside the contact radius of "
+            f"{a:.6g} m that more than {MOST} springs are needed; give a longer way, or look at it less often."
+        )
+    if not pieces * steps * count <= LONGEST:
+        raise OutsideValidity(
+            f"{owner}: a way of {way:.6g} m is so long beside the contact radius of {a:.6g} m that {count} springs "
+            "cannot be followed along it; give a shorter way."
+        )
+    steps = math.ceil(steps)
     apart = way / pieces / steps
     half = math.floor(a / apart * (1.0 + 1e-12))
     x = apart * np.arange(-half, half + 1)

@@ -130,7 +130,7 @@ class RollingStart:
         along, across = self.calibration.stiffness(self.bed)
         drive = np.array([along * float(self.creepage.longitudinal), across * float(self.creepage.lateral)])
         rate = float(np.hypot(*drive))
-        sampled, count = springs(line, self.distance, self.points, self.count)
+        sampled, count = springs("RollingStart", line, self.distance, self.points, self.count)
         load = np.zeros(sampled.x.size)
         held = float(self.start.shear_force)
         borne = push(load, sampled.bound, sampled.weight, sampled.part, 0, held, 1)[1]

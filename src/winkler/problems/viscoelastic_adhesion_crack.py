@@ -34,7 +34,7 @@ SAMPLES = 401
 SETTLED = 1e-12
 """A place that moves by this part of the radius between two trials is found."""
 TRIALS = 200
-MOST = 200_000
+MOST = 50_000
 """Steps between two points of a path."""
 NO_TIME = 1e-12
 """Part of the machine's longest step that is none."""

@@ -25,7 +25,7 @@ from winkler.study.sweep import solve_points
 from winkler.study.varied import Axis
 from winkler.values import value
 
-__all__ = ["CASES", "Entry", "case_files", "examined", "ledger"]
+__all__ = ["CASES", "Entry", "case_files", "examined", "ledger", "remarks"]
 
 CASES = Path(__file__).parent.parent / "cases"
 """The folder of the cases that come with the package."""
@@ -175,3 +175,8 @@ def _told(outcome: Outcome, axis: Axis, content: object) -> str:
 def ledger(paths: Iterable[Path]) -> Iterator[Entry]:
     """Yield the entries of the ledger as the cases are run."""
     yield from map(examined, paths)
+
+
+def remarks() -> str:
+    """Return what is to be said of the ledger of the package as a whole, in Markdown."""
+    return (CASES / "remarks.md").read_text(encoding="utf-8")

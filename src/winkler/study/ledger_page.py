@@ -93,8 +93,8 @@ def digits(verdict: Verdict) -> str:
     return f"{math.floor(10.0 * verdict.digits) / 10.0:.1f}" + ("" if verdict.passed else " (missed)")
 
 
-def markdown(entries: Iterable[Entry]) -> str:
-    """Return the page of the manual that shows the ledger."""
+def markdown(entries: Iterable[Entry], remarks: str = "") -> str:
+    """Return the page of the manual that shows the ledger, with `remarks` at its end."""
     parts = chapters(entries)
     used = [grade for grade in GRADES if any(part.count(grade) for part in parts)]
     cases, numbers = sum(len(part.entries) for part in parts), sum(part.numbers for part in parts)
@@ -117,7 +117,7 @@ def markdown(entries: Iterable[Entry]) -> str:
         lines += ["", f"## {part.physics.capitalize()}"]
         for entry in part.entries:
             lines += _entry(entry)
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n" + remarks
 
 
 def _summary(parts: tuple[Chapter, ...], used: list[str]) -> list[str]:

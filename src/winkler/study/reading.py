@@ -89,9 +89,9 @@ def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
         told = f"winkler fit {file}" if file else "winkler fit"
         raise InvalidInput(f"{_at(file)}the study has a section [fit]; `{told}` fits it.")
     if "function" in raw:
+        told = f"winkler validate {file}" if file else "winkler validate"
         raise InvalidInput(
-            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `winkler validate"
-            f"{f' {file}' if file else ''}` judges it."
+            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{told}` judges it."
         )
     return _study(raw, file, folder)
 
