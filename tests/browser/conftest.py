@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import signal
@@ -19,13 +20,13 @@ SHOTS = os.environ.get("WINKLER_SCREENSHOTS", "")
 """Folder for screenshots, to be looked at; none are taken without it."""
 
 
-@pytest.fixture(scope="session")
-def app():
-    """Start the app, and return where it is."""
+@contextlib.contextmanager
+def served(*options):
+    """Start the app, and give where it is."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
-    words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser"]
+    words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser", *options]
     plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=plain)
     address = f"http://127.0.0.1:{port}"
@@ -42,6 +43,22 @@ def app():
     assert process.returncode in (0, 130), err
     assert address in out
     assert "Traceback" not in err, err
+
+
+@pytest.fixture(scope="session")
+def app():
+    """The app, and where it is."""
+    with served() as address:
+        yield address
+
+
+@pytest.fixture
+def impatient(browser):
+    """A page of an app that lets a study take five seconds."""
+    with served("--time-limit", "5") as address:
+        page = Seen(browser, address)
+        yield page
+        page.context.close()
 
 
 @pytest.fixture(scope="session")

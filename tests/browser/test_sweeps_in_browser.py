@@ -71,7 +71,7 @@ def test_which_number_matters(fresh):
     varied(seen, "load › force")
     varied(seen, "profile › curvature radius")
     seen.page.locator('[data-choice="sweep.design"]').click()
-    seen.page.get_by_role("option", name="which of them matters", exact=False).click()
+    seen.page.get_by_role("option", name="which matters: Sobol indices", exact=True).click()
     seen.page.locator('input[data-path="sweep.design.count"]').wait_for()
     seen.settled()
     seen.page.get_by_text("What makes depth scatter").first.wait_for(timeout=30_000)
@@ -104,3 +104,21 @@ def test_points_come_in_and_can_be_stopped(fresh):
     seen.type(count, "2")
     seen.settled()
     assert seen.page.locator(".sheets figure svg").count() >= 1
+
+
+def test_a_study_that_takes_too_long_is_stopped_and_says_so(impatient):
+    seen = impatient
+    seen.choose("problem", "viscoelastic_adhesion")
+    unfolded(seen)
+    seen.page.locator('[data-choice="sweep"]').click()
+    seen.page.get_by_role("option", name="law › work", exact=True).click()
+    count = "sweep.problem.law.work.count"
+    seen.page.locator(f'input[data-path="{count}"]').wait_for()
+    seen.type(count, "900")
+    seen.page.locator(".refused", has_text="took longer than 5 s and was stopped; ask for less").wait_for(
+        timeout=60_000
+    )
+    assert seen.page.locator('.answered[data-state="wrong"]').count() == 1
+    seen.choose("problem", "indentation")
+    seen.settled()
+    assert seen.card("depth").endswith("µm")

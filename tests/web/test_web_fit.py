@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 import tomli_w
-from web_replies import gathered
 
 from winkler.cli import main
 from winkler.errors import InvalidInput
@@ -18,7 +18,7 @@ from winkler.io.curves import read_curve
 from winkler.study.fit_reading import FITTED, parse_fit_study
 from winkler.study.reading import parsed
 from winkler.web import fit_form, form
-from winkler.web.answer import Told
+from winkler.web.answer import Frame, Told
 from winkler.web.asking import Asking
 from winkler.web.fit_chart import MOST, drawn_points
 from winkler.web.room import Room, files_in
@@ -47,11 +47,11 @@ def gel_table():
 
 
 def solved(bench, table, folder):
-    return gathered(bench.replies(Solve(1, tomli_w.dumps(table), folder, True)))
+    return list(bench.replies(Solve(1, tomli_w.dumps(table), folder, True)))
 
 
 def test_the_app_and_the_command_line_fit_equal_numbers(bench, room, tmp_path):
-    told, frame = solved(bench, gel_table(), room)
+    told, *pictures, frame = solved(bench, gel_table(), room)
     (file,) = bench.replies(Export(2, "csv"))
     folder = tmp_path / "by_command"
     assert main(["fit", str(EXAMPLES / "studies" / "fit_gel.toml"), "--output", str(folder), "--quiet"]) == 0
@@ -67,12 +67,14 @@ def test_the_app_and_the_command_line_fit_equal_numbers(bench, room, tmp_path):
     assert isinstance(told, Told)
     assert "3.99 kPa" in told.answers
     assert told.standing == "approximate"
-    assert [one.name for one in frame.pictures][:2] == ["fit", "shape"]
+    assert [one.name for one in pictures][:2] == ["fit", "shape"]
+    assert frame.total == len(pictures) == 7
+    assert frame.remark
 
 
 def test_the_picture_holds_the_curve_and_what_is_left_over(bench, room):
-    _, frame = solved(bench, gel_table(), room)
-    chart = frame.pictures[0].chart
+    _, first, *_ = solved(bench, gel_table(), room)
+    chart = json.loads(first.chart)
     fit = bench.outcome.fitted[0].fit
     curve = read_curve(room / "gel_bead.csv")
     dots, left, law = chart["data"][:3]
@@ -112,12 +114,12 @@ def test_many_curves_are_looked_at_one_by_one(bench, tmp_path):
         (tmp_path / f"c{place}.csv").write_text("\n".join(lines[: 4 + 100 * place]), encoding="utf-8")
     table = gel_table()
     form.put(table, "fit.curve", "c[23].csv")
-    told, frame, *sheets = solved(bench, table, tmp_path)
+    told, first, *_, last = solved(bench, table, tmp_path)
     assert told.moments == 2
-    assert frame.pictures[0].title.endswith("c2.csv")
-    (looked,) = gathered(bench.replies(Look(2, 1)))
-    assert looked.pictures[0].title.endswith("c3.csv")
-    assert sheets == []
+    assert first.title.endswith("c2.csv")
+    looked = next(bench.replies(Look(2, 1)))
+    assert looked.title.endswith("c3.csv")
+    assert isinstance(last, Frame)  # no sheets of two curves
 
 
 @pytest.mark.parametrize("kind", FITTED)

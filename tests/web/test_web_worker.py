@@ -5,13 +5,13 @@ from __future__ import annotations
 import asyncio
 import csv
 import io
+import json
 import time
 import zipfile
 
 import numpy as np
 import pytest
 import tomli_w
-from web_replies import charts_of, gathered
 
 from winkler.study.reading import parse_study
 from winkler.study.run import run
@@ -30,35 +30,40 @@ def bench():
 
 
 def answers_of(bench, text, folder):
-    """Return the first parts of an answer, without the sheets: words and pictures."""
-    return gathered(without_sheets(bench.replies(Solve(1, text, folder, True))))
+    """Return the first parts of an answer, without the sheets: the words, and the charts by their names."""
+    replies = bench.replies(Solve(1, text, folder, True))
+    told = next(replies)
+    assert isinstance(told, Told)
+    return told, charts_of(replies)
 
 
-def without_sheets(replies):
-    """Yield what comes up to the end of the pictures."""
+def charts_of(replies):
+    """Return the interactive pictures up to the end of their frame; an empty chart is one that is not shown."""
+    found = {}
     for reply in replies:
-        yield reply
         if isinstance(reply, Frame):
-            return
+            assert reply.total == len(found)
+            return found
+        found[reply.name] = json.loads(reply.chart) if reply.chart else {}
+    raise AssertionError("the frame has no end")
 
 
 @pytest.mark.parametrize("kind", ["indentation", "adhesive_indentation", "tangential", "equilibrium", "constriction"])
 def test_the_app_and_the_command_line_have_equal_numbers(bench, tmp_path, kind):
     """Every other kind is compared in the browser, through what a person takes along."""
-    told, frame = answers_of(bench, tomli_w.dumps(form.begun(kind)), tmp_path)
+    told, charts = answers_of(bench, tomli_w.dumps(form.begun(kind)), tmp_path)
     expected = run(parse_study(whole_text(kind))).points[0].answers
     (file,) = bench.replies(Export(2, "csv"))
     rows = list(csv.DictReader(io.StringIO(file.content.decode())))
     kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
     assert kept == {name: content.tolist() for name, content in expected.items()}
     assert run(parse_study(told.text)).points[0].answers.keys() == expected.keys()
-    assert [one.name for one in frame.pictures][:6] == METHOD
-    assert all(one.chart is not None for one in frame.pictures)
+    assert list(charts)[:6] == METHOD
+    assert all(charts.values())
 
 
 def test_pictures_are_plain_data(bench, tmp_path):
-    _, frame = answers_of(bench, tomli_w.dumps(form.begun("indentation")), tmp_path)
-    charts = charts_of(frame)
+    _, charts = answers_of(bench, tomli_w.dumps(form.begun("indentation")), tmp_path)
     springs, force = charts["springs"], charts["force"]
     depth = bench.outcome.points[0].solution.depth
     assert force["data"][-1]["x"] == pytest.approx([depth * 1e6])
@@ -76,20 +81,19 @@ def test_the_frame_stays_while_the_contact_grows(bench, tmp_path):
         replies = bench.replies(Solve(1, tomli_w.dumps(table), tmp_path, False))
         assert isinstance(next(replies), Told)
         if force != "1 MN":
-            list(without_sheets(replies))
+            charts_of(replies)
             assert (bench.view == first) is same
         else:  # the ball is not as large as that contact
             assert isinstance(next(replies), Picture | Wrong)
 
 
 def test_moments_of_a_history(bench, tmp_path):
-    told, frame = answers_of(bench, tomli_w.dumps(form.begun("tangential")), tmp_path)
+    told, charts = answers_of(bench, tomli_w.dumps(form.begun("tangential")), tmp_path)
     states = bench.outcome.points[0].solution.states
     assert told.moments == len(states)
-    loop = charts_of(frame)["shear_force_over_shift"]
-    (looked,) = gathered(bench.replies(Look(2, 30)))
-    moved = charts_of(looked)["shear_force_over_shift"]
-    assert moved["data"][0]["y"].tolist() == loop["data"][0]["y"].tolist()
+    loop = charts["shear_force_over_shift"]
+    moved = charts_of(bench.replies(Look(2, 30)))["shear_force_over_shift"]
+    assert moved["data"][0]["y"] == loop["data"][0]["y"]
     scale = np.max(np.abs(moved["data"][0]["y"])) / max(abs(state.shear_force) for state in states)
     assert float(moved["data"][-1]["y"][0]) == pytest.approx(states[30].shear_force * scale, rel=1e-6)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 import tomli_w
-from web_replies import charts_of, gathered
 
 from winkler.web import form
+from winkler.web.answer import Frame
 from winkler.web.worker import Look, Solve, _Bench
 
 
@@ -16,47 +18,60 @@ def history():
     """A worn contact of the catalogue, and who answers for it."""
     bench = _Bench()
     text = tomli_w.dumps(form.begun("fretting_wear"))
-    told, frame, *_ = gathered(bench.replies(Solve(1, text, "", True)))
-    return bench, told, frame
+    replies = bench.replies(Solve(1, text, "", True))
+    told = next(replies)
+    return bench, told, charts(replies)
+
+
+def charts(replies):
+    """Return the interactive pictures up to the end of their frame."""
+    found = {}
+    for reply in replies:
+        if isinstance(reply, Frame):
+            break
+        found[reply.name] = json.loads(reply.chart)
+    return found
+
+
+def numbers(line, name):
+    return np.array(line[name], dtype=float)
 
 
 def test_the_profile_is_that_of_the_moment(history):
     bench, told, _ = history
     states = bench.moments.states
     assert told.moments == len(states) > 2
-    (looked,) = gathered(bench.replies(Look(2, 2)))
-    chart = charts_of(looked)["worn_profile"]
+    chart = charts(bench.replies(Look(2, 2)))["worn_profile"]
     end, before, now = chart["data"]
     assert [one["name"] for one in chart["data"]] == ["in the end", "before wear", "now"]
     highest = np.max(states[-1].height[states[-1].radii <= end["x"][-1] * 1e-6])
     scale = 10.0 ** round(float(np.log10(np.max(end["y"]) / highest)))
     for line, state in ((now, states[2]), (end, states[-1])):
         inside = state.radii <= float(end["x"][-1]) * 1e-6
-        height = np.interp(state.radii[inside] * 1e6, line["x"], line["y"])
+        height = np.interp(state.radii[inside] * 1e6, numbers(line, "x"), numbers(line, "y"))
         assert height == pytest.approx(state.height[inside] * scale, rel=2e-3, abs=1e-3 * float(np.max(line["y"])))
-    assert np.all(now["y"] >= before["y"] - 1e-6)
+    assert np.all(numbers(now, "y") >= numbers(before, "y") - 1e-6)
     # what is filled has the volume that was worn off: 2 pi int r (now - before) dr
-    r, worn = now["x"].astype(float) * 1e-6, (now["y"] - before["y"]).astype(float) / scale
+    r, worn = numbers(now, "x") * 1e-6, (numbers(now, "y") - numbers(before, "y")) / scale
     volume = 2.0 * np.pi * np.trapezoid(r * worn, r)
     assert volume == pytest.approx(states[2].worn_volume, rel=0.02)
 
 
 def test_the_frame_stays_while_the_film_plays(history):
-    bench, _, frame = history
+    bench, _, first = history
     for moment in (0, 3):
-        (looked,) = gathered(bench.replies(Look(2, moment)))
+        looked = charts(bench.replies(Look(2, moment)))
         for name in ("worn_profile", "worn_pressure"):
             for way in ("xaxis", "yaxis"):
-                assert charts_of(looked)[name]["layout"][way]["range"] == charts_of(frame)[name]["layout"][way]["range"]
+                assert looked[name]["layout"][way]["range"] == first[name]["layout"][way]["range"]
 
 
 def test_the_pressure_bears_the_load(history):
     bench, _, _ = history
-    (looked,) = gathered(bench.replies(Look(2, 1)))
-    now = charts_of(looked)["worn_pressure"]["data"][-1]
+    now = charts(bench.replies(Look(2, 1)))["worn_pressure"]["data"][-1]
     state = bench.moments.states[1]
     assert now["name"] == "now"
     ceiling = 3.0 * max(one.force / (np.pi * one.radius**2) for one in bench.moments.states)
     scale = 10.0 ** round(float(np.log10(np.max(now["y"]) / min(np.max(state.pressure), ceiling))))
-    r, p = now["x"].astype(float) * 1e-6, now["y"].astype(float) / scale
+    r, p = numbers(now, "x") * 1e-6, numbers(now, "y") / scale
     assert 2.0 * np.pi * np.trapezoid(r * p, r) == pytest.approx(state.force, rel=0.02)

@@ -115,8 +115,10 @@ class Scene(NamedTuple):
         At that moment; None where none is shown.
     view
         The frame that the pictures share.
-    moments, moment
-        Those of the answer, and which of them is shown.
+    states
+        Of all moments, where the answer has them.
+    moment
+        Which of the moments is shown, -1 without a history.
     remark
         What must be said about them all.
     """
@@ -125,7 +127,7 @@ class Scene(NamedTuple):
     point: Any
     contact: Any
     view: View
-    moments: Moments
+    states: tuple[Any, ...]
     moment: int
     remark: str
 
@@ -182,36 +184,27 @@ def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still:
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
             )
     if outcome.study.sweep and contact is not None:
-        last = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
-        remark = f"{last} {remark}".rstrip()
-    return Scene(outcome, point, contact, view, moments, moment, remark)
+        shown = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
+        remark = f"{shown} {remark}".rstrip()
+    return Scene(outcome, point, contact, view, moments.states, moment if moments.total else -1, remark)
 
 
-def pictures(seen: Scene) -> Iterator[Picture | Frame]:
-    """Yield the interactive pictures, so that the first are drawn while the next are made; then say that all came."""
-    total = 0
-    for picture in _pictures(seen):
-        total += 1
-        yield picture
-    yield Frame(total, seen.remark)
-
-
-def _pictures(seen: Scene) -> Iterator[Picture]:
-    contact, view, moments = seen.contact, seen.view, seen.moments
+def pictures(seen: Scene) -> Iterator[Picture]:
+    """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
+    contact, view = seen.contact, seen.view
     if contact is not None and hasattr(contact, "recess"):
         row = row_of(contact, view.extent)
         yield _made("springs", lambda: draw_row(seen.point.problem.bed, row, float(contact.depth), view))
     elif contact is not None:
         yield from method_pictures(contact, view)
-    if moments.states and isinstance(moments.states[seen.moment], WearState):
-        yield from _worn(moments, seen.moment)
+    if seen.states and isinstance(seen.states[seen.moment], WearState):
+        yield from _worn(seen.states, seen.moment)
     for pair in histories.curves_of(seen.outcome, seen.point):
-        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment if moments.total else -1)
+        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment)
         yield Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
 
 
-def _worn(moments: Moments, moment: int) -> Iterator[Picture]:
-    states = moments.states
+def _worn(states: tuple[Any, ...], moment: int) -> Iterator[Picture]:
     told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
     yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
     told = "p(r) at this moment, at first and in the end."

@@ -18,7 +18,7 @@ __all__ = ["draw_curve", "draw_free", "draw_measurement"]
 
 CURVE = "fit.curve"
 READ = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of a force microscope."
-BOUNDS = "Give both bounds, or only the first box as a start, or neither: then the start is found from the curve."
+BOUNDS = "Numbers are free between two bounds, or from a start in the first box, or without either."
 
 
 def draw_curve(fields: Fields, asking: Asking) -> None:

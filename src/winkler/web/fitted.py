@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from winkler.errors import WinklerError
 from winkler.fitting.outcome import Fit
 from winkler.plot.series import told as spoken_number
 from winkler.study import fit_tables
 from winkler.study.figures import svg_element
-from winkler.study.fit_outcome import FitOutcome
+from winkler.study.fit_outcome import FitOutcome, Fitted
 from winkler.study.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.markup import kept, safe
 from winkler.study.mathml import symbol
 from winkler.study.report import papers, trust
 from winkler.validity import worst
-from winkler.web.answer import Frame, Picture, Shown, Told, method_pictures, packed
+from winkler.web.answer import Picture, Shown, Told, method_pictures, packed
 from winkler.web.fit_chart import MOST, draw_fit, draw_loop
 from winkler.web.fit_form import spoken_key
 from winkler.web.view import fitting
@@ -56,8 +57,8 @@ def _cards(outcome: FitOutcome) -> str:
     return f'<div class="cards">{"".join(cards)}</div>'
 
 
-def fit_pictures(outcome: FitOutcome, moment: int) -> Iterator[Picture | Frame]:
-    """Yield the interactive pictures of one of the curves, then their end.
+def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[Picture], str]:
+    """Return the interactive pictures of one of the curves, and what must be said about them all.
 
     Parameters
     ----------
@@ -67,23 +68,30 @@ def fit_pictures(outcome: FitOutcome, moment: int) -> Iterator[Picture | Frame]:
         Which of the fitted curves.
     """
     result = outcome.fitted[moment]
-    fit = result.fit
-    some = f" Of {fit.curve.count} points {MOST} are drawn." if fit.curve.count > MOST else ""
-    found = [Picture("fit", f"Curve and fit: {result.name}", f"{CURVE}{some}", packed(draw_fit(fit)))]
-    remark = ""
-    if isinstance(fit, Fit):
-        try:
-            contact = fit.model.solve()
-        except WinklerError as error:
-            remark = f"There are no pictures of the method: {error}"
-        else:
-            found += method_pictures(contact, fitting(contact.pressed))
-            remark = METHOD
-    else:
-        sentence = "As the body answered; in and out differ because it relaxes."
-        found.append(Picture("loop", "Force over depth", sentence, packed(draw_loop(fit))))
-    yield from found
-    yield Frame(len(found), remark)
+    if not isinstance(result.fit, Fit):
+        return _relaxing(result), ""
+    try:
+        contact = result.fit.model.solve()
+    except WinklerError as error:
+        return iter((_curve(result),)), f"There are no pictures of the method: {error}"
+    return _elastic(result, contact), METHOD
+
+
+def _curve(result: Fitted) -> Picture:
+    count = result.fit.curve.count
+    some = f" Of {count} points {MOST} are drawn." if count > MOST else ""
+    return Picture("fit", f"Curve and fit: {result.name}", f"{CURVE}{some}", packed(draw_fit(result.fit)))
+
+
+def _elastic(result: Fitted, contact: Any) -> Iterator[Picture]:
+    yield _curve(result)
+    yield from method_pictures(contact, fitting(contact.pressed))
+
+
+def _relaxing(result: Fitted) -> Iterator[Picture]:
+    yield _curve(result)
+    told = "As the body answered; in and out differ because it relaxes."
+    yield Picture("loop", "Force over depth", told, packed(draw_loop(result.fit)))
 
 
 def fit_sheets(outcome: FitOutcome) -> Iterator[Shown]:

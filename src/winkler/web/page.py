@@ -116,6 +116,7 @@ class Page:
         """Make the form anew."""
         asking = self.asking
         fits = asking.task == "fit"
+        known = "What is known stays as it stands here; what is free begins here."
         problem = fit_form.model(asking.table) if fits else form.part_of(asking.table)
         self.task.set_value(asking.task)
         names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
@@ -128,7 +129,7 @@ class Page:
             if fits:
                 draw_curve(self.fields, asking)
                 draw_free(self.fields, asking)
-                self.fields.heading("problem", "The model", "Numbers that are free begin here, if they have no start.")
+                self.fields.heading("problem", "The model", known)
             self.fields.draw(problem)
             if fits:
                 draw_measurement(self.fields, asking)

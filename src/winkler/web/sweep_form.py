@@ -21,7 +21,7 @@ PLANS = {
     "zipped": "together, one after the other",
     "latin_hypercube": "drawn: Latin hypercube",
     "sobol": "drawn: Sobol sequence",
-    "sensitivity": "which of them matters (Sobol indices)",
+    "sensitivity": "which matters: Sobol indices",
 }
 """Which points are solved, in words."""
 COUNT, DRAWN = 5, 64

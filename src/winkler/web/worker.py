@@ -81,9 +81,7 @@ def work(pipe: Connection) -> None:
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process of the page
     bench = _Bench()
-    from winkler.web.answer import Frame, Picture, Told
-
-    needed = Told, Picture
+    rest = {bench.answer.Frame: PAUSE, bench.answer.Shown: 0.0, Progress: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
         while True:
@@ -91,8 +89,7 @@ def work(pipe: Connection) -> None:
             for reply in bench.replies(asked):
                 pipe.send((asked.number, reply))
                 # points, and sheets that follow words and pictures, are left out when there is something newer to do
-                rest = PAUSE if isinstance(reply, Frame) else 0.0
-                if isinstance(asked, Solve) and not isinstance(reply, needed) and pipe.poll(rest):
+                if type(reply) in rest and pipe.poll(rest[type(reply)] if isinstance(asked, Solve) else 0.0):
                     break
             pipe.send((asked.number, Done()))
 
@@ -201,11 +198,15 @@ class _Bench:
 
         assert self.outcome is not None
         if isinstance(self.outcome, FitOutcome):
-            yield from fit_pictures(self.outcome, moment)
-            return
-        scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
-        self.view = scene.view
-        yield from self.answer.pictures(scene)
+            pictures, remark = fit_pictures(self.outcome, moment)
+        else:
+            scene = self.answer.scene(self.outcome, self.moments, moment, self.view, still=still)
+            pictures, remark, self.view = self.answer.pictures(scene), scene.remark, scene.view
+        count = 0
+        for picture in pictures:
+            count += 1
+            yield picture
+        yield self.answer.Frame(count, remark)
 
     def _file(self, what: str) -> File:
         from winkler.errors import InvalidInput
