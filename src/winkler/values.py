@@ -126,7 +126,7 @@ def value(cls: type[T]) -> type[T]:
     ):
         setattr(cls, name, method)
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
-        if name in vars(cls):
+        if callable(vars(cls).get(name)):  # a field may have the same name
             setattr(cls, name, guard(vars(cls)[name]))
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
     expected = expected_of(made)

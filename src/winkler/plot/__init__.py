@@ -6,6 +6,7 @@ from winkler.plot import (  # noqa: F401
     conduction_fields,
     conduction_spots,
     heating,
+    restored,
     rolling,
     rough_lines,
     roughness,

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fields import SubsurfaceFields, SurfaceFields
 from winkler.fitting.outcome import Fit
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
@@ -31,8 +30,6 @@ from winkler.plot.curves import (
     draw_curve,
     draw_line_load,
     draw_pressure,
-    draw_surface,
-    draw_surface_pressure,
     force_depth,
     load_curves,
 )
@@ -54,7 +51,7 @@ from winkler.plot.outline import draw_profile
 from winkler.plot.punches import draw_pressures, draw_steps
 from winkler.plot.sheets import SHEETS, contact_sheet
 from winkler.plot.springs import at_first_touch, draw_springs
-from winkler.plot.stresses import draw_along, draw_field, draw_stress
+from winkler.plot.stresses import draw_stress
 from winkler.problems.adhesive import AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
@@ -328,50 +325,6 @@ def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Picture:
         right.set_title("force over depth")
         figure.suptitle(f"onset of yield:   {headline(item)}")
     return figure
-
-
-@draw.register(SurfaceFields)
-def _surface(item: SurfaceFields, *, extent: float | None = None) -> Picture:
-    shown = _cropped(item, extent)
-    with style.styled():
-        figure, (left, right) = _sheet(2)
-        draw_surface_pressure(left, shown)
-        draw_surface(right, shown)
-        left.set_title("pressure")
-        right.set_title("surface")
-    return figure
-
-
-def _cropped(item: SurfaceFields, extent: float | None) -> SurfaceFields:
-    r = np.ravel(item.r)
-    kept = r <= (np.inf if checked_extent(extent) is None else extent)
-    if not kept.any():
-        raise InvalidInput(f"draw: there is nothing within the extent of {extent} m; give a greater one.")
-    return SurfaceFields(*(np.ravel(part)[kept] for part in (item.r, item.pressure, item.displacement, item.gap)))
-
-
-@draw.register(SubsurfaceFields)
-def _subsurface(item: SubsurfaceFields, *, extent: float | None = None) -> Picture:
-    end = checked_extent(extent)
-    with style.styled():
-        figure, (axes,) = _sheet(1, width=5.2, height=3.2)
-        if _is_grid(item):
-            draw_field(axes, item)
-            if end is not None:
-                across = float(np.max(axes.get_xlim())) / float(np.max(item.r))
-                axes.set_xlim(-end * across, end * across)
-            axes.set_title("stress below the surface")
-        else:
-            draw_along(axes, item)
-            axes.set_title("stresses along a line")
-    return figure
-
-
-def _is_grid(item: SubsurfaceFields) -> bool:
-    if item.r.ndim != 2 or min(item.r.shape) < 2:
-        return False
-    spread = [(float(np.ptp(part, axis=0).max()), float(np.ptp(part, axis=1).max())) for part in (item.r, item.z)]
-    return spread[0].count(0.0) == 1 and spread[1].count(0.0) == 1 and spread[0][0] * spread[1][0] == 0.0
 
 
 @draw.register(Staircase)
