@@ -45,7 +45,7 @@ def test_from_opening_to_a_result(kind, seen):
     assert study.problem == parse_study(whole_text(kind)).problem
     for name, numbers in answers.items():
         assert [float(item) if item else np.nan for item in told[name]] == pytest.approx(
-            numbers.tolist(), rel=0, nan_ok=True
+            numbers.tolist(), rel=0, abs=0, nan_ok=True
         )
 
 

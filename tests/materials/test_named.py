@@ -63,7 +63,7 @@ def test_silicon_is_hills_mean_of_its_crystal():
 def test_other_names_and_capitals():
     assert wk.material("Fused Quartz") == wk.material("fused silica")
     assert wk.material("AL").name == "aluminium"
-    assert wk.material(" steel ").name == "bearing steel"
+    assert wk.material(" 100CR6 ").name == "bearing steel"
 
 
 @pytest.mark.parametrize("given", ["stel", "", "unobtainium", 3.0, None, b"steel"])

@@ -15,7 +15,7 @@ import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.study.designs import Zipped
 from winkler.study.outcome import Failed, Solved
-from winkler.study.pool import ONE_THREAD
+from winkler.study.pool import ONE_THREAD, Machine
 from winkler.study.run import run
 from winkler.study.study import Axis, Fields, Places, Study
 from winkler.study.sweep import solve_points
@@ -220,3 +220,13 @@ def test_workers_have_one_thread_and_are_deaf_to_interrupts_from_the_start(tmp_p
     (tmp_path / "script.py").write_text(WORKER)
     answer = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert json.loads(answer.stdout) == ["1"] * len(ONE_THREAD) + [True]
+
+
+def test_the_machine_takes_over_when_a_sweep_lasts():
+    """The numbers are those of one process, in the same order, wherever the others come in."""
+    study = Study("x", PROBLEM, sweep=(Axis("problem.load.force", (1.0, 2.0, 3.0, 4.0, 5.0)),))
+    alone = run(study)
+    assert run(study, workers=Machine(patience=0.0)).points == alone.points
+    assert run(study, workers=Machine(patience=60.0)).points == alone.points
+    with pytest.raises(InvalidInput, match="patience is -1"):
+        Machine(patience=-1.0)

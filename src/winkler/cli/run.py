@@ -23,7 +23,12 @@ def run(
     study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
     output: Output = None,
     overwrite: Overwrite = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that solve a sweep.")] = 1,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            "--workers", "-w", help="Processes that solve a sweep; all processors, if it takes a while, unless given."
+        ),
+    ] = None,
     cluster: Annotated[
         str, typer.Option("--cluster", help="Address of a dask scheduler whose workers solve a sweep.")
     ] = "",
@@ -44,13 +49,14 @@ def run(
     from winkler.study.cluster import Cluster
     from winkler.study.journal import Journal
     from winkler.study.keeping import Keep
+    from winkler.study.pool import Machine
     from winkler.study.reading import read_study
     from winkler.study.run import gather
     from winkler.study.sweep import journaled, solve_points
     from winkler.study.writing import clear_partial, holds_results, placed, write_outcome
 
     started = time.perf_counter()
-    if cluster and workers != 1:
+    if cluster and workers is not None:
         raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
     asked = read_study(study)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
@@ -66,7 +72,7 @@ def run(
         if before:  # it was killed, and nobody else can be at it
             clear_partial(folder)
         with placed(folder, overwrite=overwrite) as partial:
-            who = Cluster(cluster) if cluster else workers
+            who = Cluster(cluster) if cluster else Machine() if workers is None else workers
             watch = terminal.marching(hidden=hidden or many > 1)
             try:
                 if many > 1:

@@ -19,13 +19,38 @@ from typing import Any, TypeVar
 
 from winkler.errors import InvalidInput, NotConverged
 from winkler.study.cluster import Cluster, connected
+from winkler.values import value
 
-__all__ = ["Workers", "checked_workers", "completed", "pooled"]
+__all__ = ["Machine", "Workers", "checked_workers", "completed", "pooled"]
 
 T = TypeVar("T")
 R = TypeVar("R")
-Workers = int | Cluster
-"""Who answers: so many processes of this machine, or a cluster."""
+
+
+@value
+class Machine:
+    """All processors of this machine, as soon as a task has lasted for a while.
+
+    Parameters
+    ----------
+    patience : float, optional
+        For how long one process is at it alone [s]; starting others takes about as long.
+    """
+
+    patience: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not self.patience >= 0.0:
+            raise InvalidInput(f"Machine: patience is {self.patience!r}; it must be zero or a positive time in s.")
+
+    @property
+    def processors(self) -> int:
+        """How many there are."""
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+Workers = int | Cluster | Machine
+"""Who answers: so many processes of this machine, a cluster, or as much of this machine as is worth it."""
 
 SPELL = 0.25
 """How long a batch is to last [s]."""
@@ -45,15 +70,15 @@ ONE_THREAD = (
 
 
 def checked_workers(workers: Workers) -> Workers:
-    """Return `workers`, or refuse what is no whole number from 1 on and no cluster."""
-    if isinstance(workers, Cluster):
+    """Return `workers`, or refuse what is no whole number from 1 on, no cluster and not the machine."""
+    if isinstance(workers, Cluster | Machine):
         return workers
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
         raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
     return workers
 
 
-def pooled(answer: Callable[[T], R], todo: Sequence[T], workers: Workers) -> Iterator[R]:
+def pooled(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[R]:
     """Yield ``answer(item)`` of every item, in their order; see `completed`."""
     early: dict[int, R] = {}
     due = 0
@@ -64,7 +89,7 @@ def pooled(answer: Callable[[T], R], todo: Sequence[T], workers: Workers) -> Ite
             due += 1
 
 
-def completed(answer: Callable[[T], R], todo: Sequence[T], workers: Workers) -> Iterator[tuple[int, R]]:
+def completed(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[tuple[int, R]]:
     """Yield the place of every item and ``answer(item)``, as they are ready.
 
     Parameters

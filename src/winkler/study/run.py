@@ -32,7 +32,8 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
     study
         What to solve, from `winkler.study.reading.read_study` or made in Python.
     workers
-        Number of processes for a sweep, or a `winkler.study.cluster.Cluster`; the numbers do not depend on it.
+        Number of processes for a sweep, a `winkler.study.cluster.Cluster`, or `winkler.study.pool.Machine()` for all
+        processors of this machine; the numbers do not depend on it.
     journal
         File in which points are kept while it runs: the same call goes on from there if it was stopped. It is removed
         at the end.

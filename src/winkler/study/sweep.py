@@ -7,17 +7,19 @@ that an earlier run has written are not solved again.
 from __future__ import annotations
 
 import functools
+import time
 from collections.abc import Iterator
 
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
 from winkler.fields import restore
+from winkler.study.cluster import Cluster
 from winkler.study.journal import Journal
 from winkler.study.keeping import Keep
 from winkler.study.marching import ANEW, INTERRUPTED, MARCHES, March, Watch, marched, unwatched
 from winkler.study.outcome import Failed, Point, Solved, answers_of
-from winkler.study.pool import Workers, checked_workers, completed
+from winkler.study.pool import Machine, Workers, checked_workers, completed
 from winkler.study.recording import light, recalled, written
 from winkler.study.study import Expectation, Study
 from winkler.study.tasks import Task, Tasks, tasks
@@ -63,7 +65,7 @@ def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched
     study
         What to solve.
     workers
-        Number of processes, or a cluster; 1 solves in this one.
+        Number of processes, a cluster, or the `Machine`; 1 solves in this one.
     watch
         Sees the states of a march along a path, if this process solves it; what was reached when it is interrupted is
         the last point.
@@ -124,15 +126,21 @@ def journaled(
 def _answered(study: Study, todo: Tasks, workers: Workers, watch: Watch, keep: Keep) -> Iterator[tuple[int, Point]]:
     """Yield the places and the points of tasks, as they are ready."""
     whole = study.size <= WHOLE
-    if workers == 1 or (len(todo) <= 1 and isinstance(workers, int)):
-        for place, task in enumerate(todo):
-            point = _slimmed(task, study.expect, study.shape, keep, watch, whole=whole)
-            yield place, point
-            if point.code == INTERRUPTED:
-                return
-        return
     answer = functools.partial(_slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole)
-    yield from completed(answer, todo, workers)
+    if isinstance(workers, Cluster) or (isinstance(workers, int) and workers > 1 < len(todo)):
+        yield from completed(answer, todo, workers)
+        return
+    others, patience = (workers.processors, workers.patience) if isinstance(workers, Machine) else (1, 0.0)
+    started = time.monotonic()
+    for place, task in enumerate(todo):
+        point = answer(task, watch=watch)
+        yield place, point
+        if point.code == INTERRUPTED:
+            return
+        rest = place + 1
+        if others > 1 < len(todo) - rest and time.monotonic() - started > patience:
+            yield from ((rest + later, other) for later, other in completed(answer, todo[rest:], others))
+            return
 
 
 def _slimmed(

@@ -48,7 +48,8 @@ def fitting(pressed: Any, held: View = NOTHING) -> View:
     wide, deep = around(pressed, None), _moved(pressed)
     extent = held.extent if held.extent / ROOM <= wide <= 1.02 * held.extent else 1.15 * wide
     sunk = held.sunk if held.sunk / (2.0 * ROOM) <= deep <= 1.02 * held.sunk else 1.2 * deep
-    return View(min(extent, pressed.bed.reach) if math.isfinite(pressed.bed.reach) else extent, sunk)
+    known = pressed.bed.reach if pressed.bed.reach < pressed.bed.rim else math.inf  # beyond a wall all is known
+    return View(min(extent, known), sunk)
 
 
 def _moved(pressed: Any) -> float:
