@@ -139,7 +139,7 @@ def test_a_long_run_is_stopped_and_the_next_is_answered(tmp_path):
 
     async def use():
         heard = []
-        solver = Solver(heard.append)
+        solver = Solver(lambda reply, newest: heard.append(reply))
 
         async def until(kind):
             for _ in range(1200):

@@ -22,6 +22,7 @@ from winkler.web.export import File
 from winkler.web.fields import Fields
 from winkler.web.files import Files
 from winkler.web.fit_fields import draw_curve, draw_free, draw_measurement
+from winkler.web.questions import Questions
 from winkler.web.result import Result
 from winkler.web.room import Room
 from winkler.web.solver import Solver, Worker, started
@@ -71,8 +72,7 @@ class Page:
         self.asking = Asking(self.changed, self.solve)
         self.room = Room()
         self.solver = Solver(self.heard, worker)
-        self.waiting: Callable[[int], Any] | None = None
-        self.answering = False
+        self.questions = Questions(self.solver.ask)
         self.anew = True
         self.shown_task = self.asking.task
 
@@ -184,7 +184,8 @@ class Page:
         elif what == "study":
             self.files.take_study(self.result.told.text)
         else:
-            self.ask(lambda number: Export(number, what))
+            self.questions.export(lambda number: Export(number, what))
+            self.result.state("busy")
 
     # --------------------------------------------------------------------------------- questions and answers
 
@@ -207,24 +208,22 @@ class Page:
         except WinklerError as error:
             self.wrong(str(error).splitlines())
             return
-        anew, self.anew = self.anew, False
-        self.ask(lambda number: Solve(number, text, self.room.folder, anew))
+
+        def question(number: int) -> Solve:
+            anew, self.anew = self.anew, False
+            return Solve(number, text, self.room.folder, anew)
+
+        self.result.pause()
+        self.questions.study(question)
+        self.result.state("busy")
 
     def look(self, moment: int) -> None:
         """Ask for the pictures of another moment."""
-        self.ask(lambda number: Look(number, moment))
-
-    def ask(self, make: Callable[[int], Any]) -> None:
-        """Ask now, or as soon as what is being answered has been."""
+        self.questions.look(lambda number: Look(number, moment))
         self.result.state("busy")
-        if self.answering:
-            self.waiting = make
-        else:
-            self.answering = True
-            self.solver.ask(make)
 
-    def heard(self, reply: Any) -> None:
-        """Show a part of an answer."""
+    def heard(self, reply: Any, *, newest: bool) -> None:
+        """Show a part of an answer: to the newest question, or a sheet that still comes for the study."""
         with self.client:
             match reply:
                 case Progress():
@@ -242,13 +241,9 @@ class Page:
                     self.result.picture(reply)
                 case Frame():
                     self.result.show(reply)
-            going = isinstance(reply, Told | Picture) or (isinstance(reply, Progress) and self.waiting is None)
-            if not going:  # a sweep, and what follows the pictures, give way to a new question
-                self.answering = False
-                if self.waiting is not None:
-                    make, self.waiting = self.waiting, None
-                    self.ask(make)
-            if isinstance(reply, Done):
+            if newest:
+                self.questions.heard(reply)
+            if isinstance(reply, Done) and self.questions.quiet and not self.solver.working:
                 self.result.rest()
 
     def wrong(self, sentences: list[str]) -> None:
@@ -271,6 +266,6 @@ class Page:
 
     def stop(self, why: str = "Stopped.") -> None:
         """End what is going on."""
-        self.waiting, self.answering = None, False
+        self.questions.forget()
         self.solver.stop()
         self.result.refuse([why], beside=False)

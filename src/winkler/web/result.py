@@ -71,6 +71,11 @@ class Result:
         last = int(self.moment.props["max"])
         self.counter.text = f"{int(self.moment.value) + 1} of {last + 1}"
 
+    def pause(self) -> None:
+        """Stop the film."""
+        if self.timer.active:
+            self.toggle()
+
     def toggle(self) -> None:
         """Play, or pause."""
         self.timer.active = not self.timer.active
@@ -98,8 +103,7 @@ class Result:
         self.sheets = 0
         self.place.classes(**{"add" if told.points > 1 else "remove": "swept"})
         self.film.set_visibility(told.moments > 1)
-        if self.timer.active:
-            self.toggle()
+        self.pause()
         if told.moments > 1:
             self.quiet = True
             self.moment.props["max"] = told.moments - 1
@@ -153,8 +157,7 @@ class Result:
         for part in (self.head, self.grid, self.drawn, *self.tail):
             part.classes(add="stale")
         self.film.set_visibility(False)
-        if self.timer.active:
-            self.toggle()
+        self.pause()
         self.wrong.clear()
         with self.wrong:
             for one in sentences:

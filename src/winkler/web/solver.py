@@ -8,9 +8,9 @@ import multiprocessing
 import threading
 import time
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
-from winkler.web.worker import Done, work
+from winkler.web.worker import Done, Solve, work
 
 __all__ = ["Solver", "Worker", "started"]
 
@@ -32,23 +32,29 @@ def started() -> Worker:
     return Worker(process, mine)
 
 
+class Heard(Protocol):
+    """Takes a part of an answer, and whether it is one to the newest question."""
+
+    def __call__(self, reply: Any, *, newest: bool) -> None: ...
+
+
 class Solver:
-    """Asks one worker, one question at a time.
+    """Asks one worker.
 
     Parameters
     ----------
     heard
-        Called, in the loop of the page, with every part of the answer to the newest question.
+        Called, in the loop of the page, with every part of the answers to the newest question and the newest study.
     worker
         One that was started before; a new one if left out.
     """
 
-    def __init__(self, heard: Callable[[Any], None], worker: Worker | None = None) -> None:
+    def __init__(self, heard: Heard, worker: Worker | None = None) -> None:
         self.heard = heard
         self.loop = asyncio.get_running_loop()
-        self.number = 0
+        self.number = self.study = 0
         self.since = 0.0
-        self.working = False
+        self.open: set[int] = set()
         self._begin(worker or started())
 
     def _begin(self, worker: Worker) -> None:
@@ -68,16 +74,25 @@ class Solver:
         if number == 0:
             self.ready, self.since = True, time.monotonic()
             return
-        if number == self.number:
-            if isinstance(reply, Done):
-                self.working = False
-            self.heard(reply)
+        if isinstance(reply, Done):
+            self.open.discard(number)
+        if number in (self.number, self.study):
+            self.heard(reply, newest=number == self.number)
 
     def ask(self, make: Callable[[int], Any]) -> None:
         """Ask a question; `make` gets its number."""
         self.number += 1
-        self.working, self.since = True, time.monotonic()
-        self.pipe.send(make(self.number))
+        self.open.add(self.number)
+        self.since = time.monotonic()
+        question = make(self.number)
+        if isinstance(question, Solve):
+            self.study = self.number
+        self.pipe.send(question)
+
+    @property
+    def working(self) -> bool:
+        """Whether an answer is not complete."""
+        return bool(self.open)
 
     @property
     def seconds(self) -> float:
@@ -87,7 +102,7 @@ class Solver:
     def stop(self) -> None:
         """End what is going on, and begin anew."""
         self.close()
-        self.working = False
+        self.open.clear()
         self._begin(started())
 
     def close(self) -> None:

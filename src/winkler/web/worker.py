@@ -84,14 +84,29 @@ def work(pipe: Connection) -> None:
     rest = {bench.answer.Frame: PAUSE, bench.answer.Shown: 0.0, Progress: 0.0}
     with contextlib.suppress(EOFError, BrokenPipeError, OSError):
         pipe.send((0, Done()))
+        newer: Any = None
         while True:
-            asked = pipe.recv()
+            asked, newer = newer or pipe.recv(), None
             for reply in bench.replies(asked):
                 pipe.send((asked.number, reply))
-                # points, and sheets that follow words and pictures, are left out when there is something newer to do
-                if type(reply) in rest and pipe.poll(rest[type(reply)] if isinstance(asked, Solve) else 0.0):
-                    break
+                # points, and sheets that follow words and pictures, are left out when there is another study
+                if isinstance(asked, Solve) and type(reply) in rest:
+                    newer = _meanwhile(pipe, bench, rest[type(reply)])
+                    if newer is not None:
+                        break
             pipe.send((asked.number, Done()))
+
+
+def _meanwhile(pipe: Connection, bench: _Bench, wait: float) -> Solve | None:
+    """Answer what is asked about the answer while its sheets are drawn; return another study, which ends them."""
+    while pipe.poll(wait):
+        asked = pipe.recv()
+        if isinstance(asked, Solve):
+            return asked
+        for reply in bench.replies(asked):
+            pipe.send((asked.number, reply))
+        pipe.send((asked.number, Done()))
+    return None
 
 
 class _Bench:
@@ -193,10 +208,12 @@ class _Bench:
         yield from fitted.fit_sheets(self.outcome)
 
     def _pictures(self, moment: int, *, still: bool) -> Iterator[Any]:
+        from winkler.errors import InvalidInput
         from winkler.study.fit_outcome import FitOutcome
         from winkler.web.fitted import fit_pictures
 
-        assert self.outcome is not None
+        if self.outcome is None:
+            raise InvalidInput("there is no answer to look at; wait for it, or mend the study first.")
         if isinstance(self.outcome, FitOutcome):
             pictures, remark = fit_pictures(self.outcome, moment)
         else:
