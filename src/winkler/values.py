@@ -8,6 +8,7 @@ value can be a key of a cache, a point of a sweep, or one side of an assertion. 
 from __future__ import annotations
 
 import dataclasses
+import inspect
 from collections.abc import Callable
 from typing import Any, TypeVar, dataclass_transform
 
@@ -126,8 +127,8 @@ def value(cls: type[T]) -> type[T]:
     ):
         setattr(cls, name, method)
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
-        if name in vars(cls):
-            setattr(cls, name, guard(vars(cls)[name]))
+        if inspect.isfunction(method := vars(cls).get(name)):  # a field may be called steps, too
+            setattr(cls, name, guard(method))
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
     expected = expected_of(made)
     return made
