@@ -127,8 +127,8 @@ def value(cls: type[T]) -> type[T]:
     ):
         setattr(cls, name, method)
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
-        if inspect.isfunction(method := vars(cls).get(name)):  # a field may be called steps, too
-            setattr(cls, name, guard(method))
+        if inspect.isfunction(march := vars(cls).get(name)):  # a field may be called steps, too
+            setattr(cls, name, guard(march))
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
     expected = expected_of(made)
     return made
