@@ -110,7 +110,7 @@ export default {
         for (const rays of [open, solid])
           for (let k = 0; k < sectors; k++) {
             const ends = [at(edge.radius, edge.level, rays[k]), at(edge.radius, edge.level, rays[k + 1])];
-            faces.push({ points: ends, middle: ends[0], line: edge.colour, outward: null, ahead: 0.08 });
+            faces.push({ points: ends, middle: ends[0], line: edge.colour, outward: null, ahead: 0.12 });
           }
       const { r, z } = body;
       const last = r.length - 1;
