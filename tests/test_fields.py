@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.numerics.settling import LAST_TOLERANCE
 from winkler.reference.point_forces import displacement as superpose
 
 UNIT = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
@@ -258,3 +259,12 @@ def test_the_inside_of_a_transversely_isotropic_body_is_refused():
     assert wk.restore(contact, 0.0).pressure == pytest.approx(2.0 * 0.3 * medium.modulus / math.pi, rel=1e-12)
     with pytest.raises(wk.OutsideValidity, match="TransverselyIsotropicHalfSpace"):
         wk.restore(contact, 0.1, 0.1)
+
+
+def test_an_even_pressure_is_told_where_it_can_be():
+    """g' is infinite at its edge: half of the radius out it is exact, on the axis a sentence says why there is none."""
+    bed = wk.PlaneFoundation(wk.Ellipsoid(1.0, 1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
+    contact = wk.Indentation(bed, wk.Depth(1.0)).solve()
+    assert wk.restore(contact, np.array([0.5])).pressure == pytest.approx([0.5], rel=LAST_TOLERANCE)
+    with pytest.raises(wk.NotConverged, match="not smooth"):
+        wk.restore(contact, np.array([0.0]))

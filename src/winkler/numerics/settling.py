@@ -99,7 +99,8 @@ def settled(
             part = waiting[start : start + step]
             values = integrand(nodes, part)
             current, size = values @ weights, np.maximum(np.abs(values) @ weights, least[part])
-            change = np.abs(current - last[name][part]) / np.where(size > 0.0, size, 1.0)
+            with np.errstate(invalid="ignore"):  # two infinite sums have no difference, which settles nothing
+                change = np.abs(current - last[name][part]) / np.where(size > 0.0, size, 1.0)
             last[name][part] = current
             better = change <= moved[part]
             result[part] = np.where(better, current, result[part])
