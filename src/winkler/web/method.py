@@ -23,7 +23,7 @@ __all__ = ["draw_force", "draw_line_load", "draw_pressure", "draw_stress"]
 
 CEILING = 3.0
 """Where a pressure is infinite, its axis ends at so many typical pressures."""
-ACROSS, DOWN, DEEP = 41, 33, 2.0
+ACROSS, DOWN, DEEP = 31, 25, 2.0
 """Places of the map of the stress, and its depth in contact radii."""
 
 
@@ -134,7 +134,7 @@ def draw_stress(contact: Any, view: View) -> Chart:
         "z": np.minimum(stress.T, top) / scale.factor,
         "colorscale": "Viridis",
         "reversescale": True,
-        "ncontours": 14,
+        "ncontours": 11,
         "line": {"width": 0.4, "color": "white"},
         "colorbar": {
             "title": {"text": f"[{scale.unit}]", "side": "top"},

@@ -16,26 +16,19 @@ export default {
       Plotly.Plots.resize(this.$el).catch(() => {}); // it may have been taken away by the time
     });
     this.sized.observe(this.$el);
-    this.window = new IntersectionObserver(([{ isIntersecting }]) => (this.seen = isIntersecting));
-    this.window.observe(this.$el);
   },
   beforeUnmount() {
     this.sized?.disconnect();
-    this.window?.disconnect();
     this.Plotly?.purge(this.$el);
   },
   methods: {
-    // Pictures in the window that come before the next frame are drawn in it, so that the page is laid out once; the
-    // others follow.
+    // All pictures that come before the next frame are drawn in it, so that the page is laid out once.
     draw(text) {
       this.newest = text;
-      if (this.asked) return;
-      this.asked = true;
-      if (this.seen) requestAnimationFrame(() => this.redraw());
-      else requestAnimationFrame(() => setTimeout(() => this.redraw()));
+      this.asked ??= requestAnimationFrame(() => this.redraw());
     },
     redraw() {
-      this.asked = false;
+      this.asked = undefined;
       if (!this.Plotly || !this.$el?.isConnected) return;
       const { data, layout, config } = JSON.parse(this.newest);
       this.Plotly.react(this.$el, data, layout, config);

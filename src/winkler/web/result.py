@@ -96,9 +96,6 @@ class Result:
             part.classes(remove="stale")
         badge = f'<p class="standing-line"><span class="standing {told.standing}">{told.standing}</span></p>'
         self.head.set_content(badge + told.answers)
-        for part, content in zip(self.tail, (told.answers, told.notes, told.papers), strict=True):
-            if part.content != content:  # laying out a page again takes longer than solving
-                part.set_content(content)
         self.drawn.clear()
         self.sheets = 0
         self.place.classes(**{"add" if told.points > 1 else "remove": "swept"})
@@ -123,10 +120,15 @@ class Result:
             self.cards.append(Card(one))
 
     def show(self, frame: Frame) -> None:
-        """All pictures of a moment have come: those of another answer go."""
+        """All pictures of a moment have come: those of another answer go, and what stands below them follows."""
         self.keep(frame.total)
         self.come = 0
         self.remark.text = frame.remark
+        if self.told is None:
+            return
+        for part, content in zip(self.tail, (self.told.answers, self.told.notes, self.told.papers), strict=True):
+            if part.content != content:  # laying out a page again takes longer than solving
+                part.set_content(content)
 
     def keep(self, count: int) -> None:
         """Keep the first pictures, and take the others away."""

@@ -66,7 +66,7 @@ POINTS = 1000
 """A sweep in the app has so many points at most."""
 BEAT = 0.2
 """Seconds between two words about the progress of a sweep."""
-PAUSE = 0.35
+PAUSE = 0.8
 """Seconds of rest before sheets are drawn."""
 STUDY = "study.toml"
 """What the study is called in sentences and exports."""
