@@ -9,9 +9,12 @@ terminated.
 
 from __future__ import annotations
 
+import contextlib
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from threading import current_thread, main_thread
+from types import FrameType
 from typing import NoReturn
 
 __all__ = ["main"]
@@ -31,29 +34,30 @@ def main(arguments: Sequence[str] | None = None) -> int:
     traceback = "--traceback" in words
     words = [word for word in words if word != "--traceback"]
     _end_cleanly_when_terminated()
-    try:
-        from winkler.cli.app import app
+    with _interrupts() as interrupts:
+        try:
+            from winkler.cli.app import app
 
-        answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
-        if answer == INTERRUPTED:  # what typer makes of Ctrl-C
+            answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
+            if answer == INTERRUPTED:  # what typer makes of Ctrl-C
+                return _interrupted()
+            return answer if isinstance(answer, int) else 0
+        except KeyboardInterrupt:
             return _interrupted()
-        return answer if isinstance(answer, int) else 0
-    except KeyboardInterrupt:
-        return _interrupted()
-    except Exception as error:
-        if traceback:
-            raise
-        return _told(error)
+        except Exception as error:
+            if traceback:
+                raise
+            return _told(error, interrupts)
 
 
-def _told(error: Exception) -> int:
+def _told(error: Exception, interrupts: list[int]) -> int:
     """Say what went wrong in one sentence, and return the exit code."""
     from winkler.errors import WinklerError
 
     if isinstance(error, WinklerError):
         _say(str(error))
         return error.exit_code
-    if type(error).__name__ == "Abort":
+    if interrupts or type(error).__name__ == "Abort":
         return _interrupted()
     if hasattr(error, "format_message") and hasattr(error, "exit_code"):
         context = getattr(error, "ctx", None)
@@ -72,6 +76,25 @@ def _interrupted() -> int:
 
 def _say(sentence: str) -> None:
     print(f"winkler: {sentence}", file=sys.stderr)
+
+
+@contextlib.contextmanager
+def _interrupts() -> Iterator[list[int]]:
+    """Give the list of the times that Ctrl-C was pressed: some libraries turn the interrupt into an error of theirs."""
+    seen: list[int] = []
+
+    def remembered(number: int, frame: FrameType | None) -> None:
+        seen.append(number)
+        signal.default_int_handler(number, frame)
+
+    heard = signal.getsignal(signal.SIGINT) is signal.default_int_handler and current_thread() is main_thread()
+    if heard:  # else somebody else takes care of it
+        signal.signal(signal.SIGINT, remembered)
+    try:
+        yield seen
+    finally:
+        if heard and signal.getsignal(signal.SIGINT) is remembered:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def _end_cleanly_when_terminated() -> None:
