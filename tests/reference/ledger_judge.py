@@ -6,32 +6,17 @@ which E* = R = 1, unless a case says more.
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable
 from typing import Any
 
 import mpmath as mp
 import numpy as np
+from judges import Judges, frac
 from scipy.optimize import brentq
 
 Numbers = list[Any]
-JUDGES: dict[str, Callable[[], Numbers]] = {}
-
-
-def judged(function: Callable[[], Numbers]) -> Callable[[], Numbers]:
-    """Take a function for the judge of the case of its name."""
-
-    @functools.cache
-    def judge() -> Numbers:
-        with mp.workdps(20):
-            return function()
-
-    JUDGES[function.__name__] = judge
-    return judge
-
-
-def frac(text: str) -> mp.mpf:
-    return mp.mpf(text)
+JUDGES = Judges()
+judged = JUDGES.judged
 
 
 # ---------------------------------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from ledger_judge import JUDGES
 
 import winkler
 from winkler.reference import impact, rolling, wear
+from winkler.study.ledger import remarks
 
 CASES = Path(winkler.__file__).parent / "cases"
 CLOSE = {"even_heat_speeds": 1e-10}
@@ -182,3 +184,9 @@ def test_the_square_pyramid_of_another_code(shared_data):
     numbers = [float(last[7]) * 0.32**2, float(last[6]) * 0.32, float(last[5]) * 0.32**2]
     assert [force, stiffness, area] == pytest.approx(numbers, rel=1e-12)
     printed(".7376 1.48", [force / 0.32**2, area / 0.32**2])
+
+
+def test_the_remarks_name_cases_that_there_are():
+    told = set(re.findall(r"`([a-z0-9_]+)`", remarks()))
+    assert len(told) > 5
+    assert [name for name in sorted(told) if not (CASES / f"{name}.toml").is_file()] == []
