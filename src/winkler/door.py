@@ -156,13 +156,13 @@ from winkler.profiles.wavy import Wavy
 from winkler.program import Program
 from winkler.stairs import Staircase, staircase
 from winkler.study.exchange import to_pandas, to_xarray
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 # packed, a letter a paragraph: one name a line would not fit a page
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
-    "AtTemperature",
+    "Assumption", "AtTemperature",
     "BallImpacts", "BallImpactsSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields",
     "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds",
     "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse", "ContactLaw",

@@ -19,7 +19,7 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["HalfSpace", "HomogeneousMedium"]
@@ -176,6 +176,7 @@ class HalfSpace(HomogeneousMedium):
     def notes(self) -> tuple[Note, ...]:
         """The assumptions of the half-space, and whether friction would couple in."""
         exact = Note(
+            Assumption.RESPONSE,
             Standing.EXACT,
             "Frictionless contact of homogeneous, isotropic, linear elastic half-spaces: for one round contact the "
             "springs give the three-dimensional solution itself.",
@@ -186,6 +187,7 @@ class HalfSpace(HomogeneousMedium):
         return (
             exact,
             Note(
+                Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 f"The bodies are elastically dissimilar (Dundurs beta = {self.mismatch:.3g}): with friction at the "
                 "interface the pressure would change by terms of the order of beta times the friction coefficient.",

@@ -19,7 +19,7 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["RelaxingMedium", "Remembered"]
 
@@ -66,6 +66,7 @@ class RelaxingMedium:
             return ()
         return (
             Note(
+                Assumption.KNOWN_TIMES,
                 Standing.APPROXIMATE,
                 f"The solid is known between {shortest:.3g} s and {longest:.3g} s; what happens faster or slower than "
                 "that is answered by its series, not by the solid.",

@@ -25,7 +25,7 @@ from winkler.media.punch_field import BodyField
 from winkler.media.relaxing import LEE, RelaxingMedium
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, of_creep, of_relaxation
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticHalfSpace"]
@@ -122,6 +122,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     def notes(self) -> tuple[Note, ...]:
         """What is assumed."""
         exact = Note(
+            Assumption.RESPONSE,
             Standing.EXACT,
             "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
             "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",

@@ -24,7 +24,7 @@ from winkler.problems import griffith
 from winkler.problems.adhesive import AdhesiveIndentation
 from winkler.problems.indentation import Indentation
 from winkler.problems.pull_off import PullOff
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
@@ -283,16 +283,25 @@ def _reasons(
     }
     region = "JKR (above 5)" if tabor > 5.0 else "DMT (below 0.1)" if tabor < 0.1 else "the transition (0.1 to 5)"
     notes = [
-        Note(Standing.EXACT, verdicts[name], "pull-off and contact radius of all models, computed for this profile"),
         Note(
+            Assumption.ADHESION,
+            Standing.EXACT,
+            verdicts[name],
+            "pull-off and contact radius of all models, computed for this profile",
+        ),
+        Note(
+            Assumption.ADHESION,
             Standing.ASYMPTOTIC,
             f"At the pull-off attraction stretches the edge by {stretch:.3g} m, its range is {law.range:.3g} m: "
             f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS * tabor:.3g}, in the region of {region}.",
             f"{TABOR}; {GREENWOOD}",
         ),
-        Note(Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),
-        Note(Standing.EXACT, f"Contact radius under {float(load.force):.4g} N: {wide}.", EQUATIONS),
+        Note(Assumption.ADHESION, Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),
         Note(
+            Assumption.ADHESION, Standing.EXACT, f"Contact radius under {float(load.force):.4g} N: {wide}.", EQUATIONS
+        ),
+        Note(
+            Assumption.ADHESION,
             Standing.APPROXIMATE,
             "The true law of attraction is no constant stress; between the limits other laws of equal work and "
             "strength differ from Maugis by a few percent.",
@@ -300,5 +309,5 @@ def _reasons(
         ),
     ]
     if refused:
-        notes.append(Note(Standing.EXACT, f"DMT was left out. {refused}", "apex of the profile"))
+        notes.append(Note(Assumption.ADHESION, Standing.EXACT, f"DMT was left out. {refused}", "apex of the profile"))
     return tuple(notes)

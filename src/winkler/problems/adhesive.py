@@ -27,7 +27,7 @@ from winkler.problems.edge_states import EdgeStates, depth_under, end_of, force_
 from winkler.problems.picking import picked, single
 from winkler.problems.pull_off import PullOff, PullOffSolution
 from winkler.problems.widest import stable_counts, widest
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveIndentation", "AdhesiveSolution"]
@@ -256,6 +256,7 @@ class AdhesiveSolution:
         return (
             *notes,
             Note(
+                Assumption.EQUILIBRIUM,
                 Standing.EXACT,
                 f"Up to {int(np.max(count))} contact radii are stable under one load; the widest is meant, which is "
                 "left after pressing firmly. AdhesiveCycle follows a history.",

@@ -28,7 +28,7 @@ from winkler.problems.adhesive_edge import AdhesiveEdge, DeadLoad, Machine, adhe
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.ranged_edge import RangedEdge, ranged_edge
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
@@ -235,6 +235,7 @@ class AdhesiveCycleSolution:
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
             Note(
+                Assumption.EQUILIBRIUM,
                 Standing.EXACT,
                 f"The edge moves slowly, in {len(self.jumps)} jumps at once; in a jump all that the potential falls by "
                 "is lost, to vibrations and sound: it does not carry the edge beyond the next radius that holds it.",

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.problems import griffith
 from winkler.problems.edge_states import states_of
 from winkler.problems.trust import size_note, slope_note
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["adhesive_notes"]
 
@@ -39,13 +39,18 @@ def adhesive_notes(bed: Bed, law: AdhesionLaw, depth: Array, radius: Array) -> t
     notes = [*bed.notes, _law_note(bed, law, widest)]
     if widest == 0.0:
         touch = "The bodies touch in a point; beyond it they attract each other without contact, which is not followed."
-        return (*notes, Note(Standing.EXACT, touch, "no spring is compressed"))
+        return (*notes, Note(Assumption.EQUILIBRIUM, Standing.EXACT, touch, "no spring is compressed"))
     notes.append(slope_note(bed, widest))
     if math.isfinite(bed.size):
         notes.append(size_note(bed, widest))
     if widest >= bed.rim:
         notes.append(
-            Note(Standing.EXACT, "The edge of the contact is held by the rim of the body.", "Kendall's flat punch")
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                "The edge of the contact is held by the rim of the body.",
+                "Kendall's flat punch",
+            )
         )
     elif not bed.rising:
         notes.append(_overlap_note(bed, law, float(depth[last]), widest))
@@ -56,6 +61,7 @@ def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
     if isinstance(law, Dugdale):
         stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
         return Note(
+            Assumption.ADHESION,
             Standing.EXACT,
             f"Exact for a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of what attraction "
             "without range would stretch the edge; other laws of the same work and strength differ in the transition, "
@@ -67,12 +73,14 @@ def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
     if isinstance(law, ShortRange):
         stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
         return Note(
+            Assumption.ADHESION,
             Standing.ASYMPTOTIC,
             f"Exact for attraction without range (JKR). The edge is stretched by {stretch:.3g} m: the true range, some "
             "tenths of a nanometre for molecular forces, must be a small part of that (Tabor parameter above about 5).",
             f"{JKR}; {GREENWOOD}",
         )
     return Note(
+        Assumption.ADHESION,
         Standing.ASYMPTOTIC,
         "The attraction reaches farther than the surfaces deform (DMT, Tabor parameter below about 0.1): the profile "
         "is that of the contact without adhesion.",
@@ -89,12 +97,14 @@ def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> No
     touching = apart < -TINY * float(np.max(np.abs(bed.height(r))) + abs(depth))
     if touching.any():
         return Note(
+            Assumption.SINGLE_CONTACT,
             Standing.OUTSIDE,
             f"At r = {r[touching][0]:.4g} m the bodies would overlap outside the contact: there a ring has begun to "
             "touch, and the contact is no disc.",
             "separation of the restored surfaces",
         )
     return Note(
+        Assumption.SINGLE_CONTACT,
         Standing.EXACT,
         "The equivalent profile is not known to rise everywhere; that the bodies do not overlap around the contact was "
         "checked.",

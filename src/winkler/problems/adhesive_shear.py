@@ -30,7 +30,7 @@ from winkler.problems import griffith
 from winkler.problems.adhesive import AdhesiveIndentation
 from winkler.problems.adhesive_edge import DeadLoad, Machine
 from winkler.problems.adhesive_notes import adhesive_notes
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
@@ -206,6 +206,7 @@ class AdhesiveShearSolution:
         return (
             *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius)),
             Note(
+                Assumption.ADHESION,
                 Standing.APPROXIMATE,
                 "Normal and tangential parts of the energy that is released are added and averaged around the edge, "
                 "whatever the share of the modes; a real contact becomes oval, slips near its edge, and often parts at "

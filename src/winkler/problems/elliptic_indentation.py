@@ -24,7 +24,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["EllipticIndentation", "EllipticSolution"]
@@ -219,8 +219,9 @@ class EllipticSolution:
         verdict = "small, as the theory assumes" if small else "not small: deviations of the order of the slope"
         return (
             *self.problem.medium.notes,
-            Note(Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
+            Note(Assumption.RESPONSE, Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
             Note(
+                Assumption.SMALL_SLOPES,
                 Standing.ASYMPTOTIC if small else Standing.APPROXIMATE,
                 f"The steepest slope within the contact is {slope:.3g}: {verdict}.",
                 HERTZ,

@@ -29,7 +29,7 @@ from winkler.problems.damping import positive_frequency
 from winkler.problems.heating_input import thick_bodies
 from winkler.problems.heating_notes import UNCOUPLED
 from winkler.problems.tangential import Tangential, TangentialSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["FrettingHeat", "FrettingHeatSolution"]
@@ -239,23 +239,27 @@ class FrettingHeatSolution:
         return (
             *self.march.validity,
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT,
                 "Mean temperatures of half-spaces whose source of heat stays in its place: both bodies have the same "
                 "one everywhere, with shares in proportion to their conductivities.",
                 JAEGER,
             ),
             Note(
+                Assumption.STEADY,
                 Standing.ASYMPTOTIC,
                 f"The source moves by {stroke:.2g} of its radius to either side, which is left out.",
                 "the answer itself",
             ),
             Note(
+                Assumption.RESOLUTION,
                 Standing.APPROXIMATE if self.misfit > ERROR else Standing.ASYMPTOTIC,
                 f"Traction times slip, summed over the points of the path, misses the loss by {100 * self.misfit:.2g} "
                 "%; it was scaled to it. More points in every cycle bring both together.",
                 "the answer itself",
             ),
             Note(
+                Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
                 f"The swing about the mean, about {self.swing:.3g} K, is an estimate for a flux that varies as 1 + cos"
                 f": the mean, or that of a plane, whichever is less. Heat reaches {reach:.2g} m in a cycle.",

@@ -29,7 +29,7 @@ from winkler.problems.heating_input import all_finite, checked_heating, load_num
 from winkler.problems.heating_limits import shared
 from winkler.problems.heating_notes import STEADY_SOURCE, UNCOUPLED
 from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
@@ -233,11 +233,12 @@ class TransientHeatingSolution:
     def _rest(self) -> Note:
         radius, speed = float(self.contact.radius), self.problem.speed
         if radius == 0.0 or speed == 0.0:
-            return Note(Standing.EXACT, "Nothing rubs.", "the problem")
+            return Note(Assumption.CONDUCTION, Standing.EXACT, "Nothing rubs.", "the problem")
         waves = [speed / body.diffusivity for body in self.problem._bodies]
         source = heat_source(self.contact.pressed).source
         excess = 100.0 * (source.peak(0.0).height / source.peak(max(waves)).height - 1.0)
         return Note(
+            Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
             f"Both bodies are taken at rest against the contact; if one of them moves at the whole speed "
             f"(Pe = {0.5 * max(waves) * radius:.3g}), its last temperatures are up to {excess:.2g} % too high.",
@@ -248,9 +249,15 @@ class TransientHeatingSolution:
     def _sharing(self) -> Note:
         first, second = self.problem._bodies
         if isinstance(self.problem.partition, FixedShare) or first.diffusivity == second.diffusivity:
-            return Note(Standing.EXACT, "Both surfaces warm up in proportion, with one share at all times.", CARSLAW)
+            return Note(
+                Assumption.CONDUCTION,
+                Standing.EXACT,
+                "Both surfaces warm up in proportion, with one share at all times.",
+                CARSLAW,
+            )
         spread = float(np.ptp(self.first_share))
         return Note(
+            Assumption.CONDUCTION,
             Standing.APPROXIMATE,
             "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
             "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "

@@ -31,7 +31,7 @@ from winkler.problems.cycle_states import AdhesiveJump
 from winkler.problems.impact_notes import SLOW, checked_count, gravity_note
 from winkler.problems.impact_states import AdhesiveImpactState
 from winkler.problems.impact_swing import Swing, swing
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
@@ -233,6 +233,7 @@ class AdhesiveImpactSolution:
             SLOW,
             gravity_note(self.force),
             Note(
+                Assumption.EQUILIBRIUM,
                 Standing.ASYMPTOTIC,
                 f"The edge runs on in {len(self.jumps)} jumps at once, while the body hardly moves; all that its "
                 f"potential falls by is lost: {verdict}.",

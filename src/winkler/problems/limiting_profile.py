@@ -29,7 +29,7 @@ from winkler.path import numbers_of
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.wear_notes import debris_note, slip_note
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
@@ -311,6 +311,7 @@ class LimitingSolution:
         notes = [*self.problem.contact.validity, debris_note(), slip_note(bed)]
         notes.append(
             Note(
+                Assumption.WEAR,
                 Standing.EXACT,
                 "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the "
                 "core, where a real one yields or cracks.",
@@ -320,6 +321,7 @@ class LimitingSolution:
         if not alike(stiffness_ratios(bed, self.core.radius)):
             notes.append(
                 Note(
+                    Assumption.SLIP,
                     Standing.APPROXIMATE,
                     "On layers the radius of the core is that of springs which stick or slip by themselves, an "
                     "approximation; the shape around a core of this radius is exact.",

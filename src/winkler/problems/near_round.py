@@ -25,7 +25,7 @@ from winkler.numerics.roots import invert
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.closure import at_depth
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["NearlyRoundIndentation", "NearlyRoundSolution"]
@@ -281,6 +281,7 @@ class NearlyRoundSolution:
         else:
             told = "forces within 4, areas and radii within 15 per cent of ellipses and pyramids like this"
         note = Note(
+            Assumption.RESPONSE,
             Standing.APPROXIMATE,
             f"The widest radius of the contact is {ratio:.3g} times the smallest: {told}.",
             MEASURED,

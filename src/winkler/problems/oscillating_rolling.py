@@ -31,7 +31,7 @@ from winkler.problems.rolling import check_rolling, rolling_notes, touching
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
 from winkler.problems.rolling_springs import springs
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
@@ -251,6 +251,7 @@ class OscillatingRollingSolution:
 
 
 LIMIT = Note(
+    Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "The limit between shakedown and ratcheting does not depend on how stiff the springs are; the line does not see "
     "the small difference between rocking along the force and across it. Shifts do depend on the calibration, which "

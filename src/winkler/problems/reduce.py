@@ -26,7 +26,7 @@ from winkler.problems.contact_springs import Points, room, springs_of
 from winkler.problems.surface_contact import SurfaceContact
 from winkler.problems.surface_states import SurfaceState
 from winkler.profiles.topography import Topography
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Reduction", "ReductionSolution", "reduce"]
@@ -192,6 +192,7 @@ class ReductionSolution:
         """How well the springs bear the computed forces, and what they cannot tell."""
         return (
             Note(
+                Assumption.RESOLUTION,
                 Standing.ASYMPTOTIC,
                 f"Springs under a height map, from {self.depth.size} contacts by boundary elements; their forces "
                 f"differ by at most {self.misfit:.1g} of the greatest one, since between contacts force curves that "

@@ -24,7 +24,7 @@ from winkler.numerics.refined import along_springs, towards
 from winkler.numerics.types import Array
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RelaxationDamper", "RelaxationDamperSolution"]
@@ -35,6 +35,7 @@ EDGE = 30
 """How often the panels halve their distance from an edge."""
 POPOV = "M. Popov, V. L. Popov, R. Pohrt, Sci. Rep. 5 (2015) 16189, doi:10.1038/srep16189"
 STICKING = Note(
+    Assumption.SLIP,
     Standing.ASYMPTOTIC,
     "Nothing slides, and the bodies move little along the surface while the depth goes once to and fro: the "
     "coefficient of friction must be large against v/(omega A_z) times G*/E*.",

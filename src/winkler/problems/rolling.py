@@ -27,7 +27,7 @@ from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
@@ -202,12 +202,14 @@ class RollingSolution(AtCreepages):
 
 
 TOGETHER = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "Longitudinal and lateral creepage together: the force keeps the direction in which sticking springs are "
     "stretched; where all slides the exact one turns along the creepage itself.",
     VERMEULEN,
 )
 STRIPS = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "The line tells forces, not where on the surface they act: the zone of stick of a round contact is no strip "
     "between parallels; ask SimplifiedRolling for a map.",

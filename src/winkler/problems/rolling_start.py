@@ -28,7 +28,7 @@ from winkler.problems.rolling import Rolling, RollingSolution, check_rolling, ro
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
 from winkler.problems.rolling_springs import springs
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RollingStart", "RollingStartSolution", "RollingState"]
@@ -243,6 +243,7 @@ class RollingStartSolution:
 
 
 TRANSIENT = Note(
+    Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "The way to the steady state: that it takes one width of the contact is the line's own; a calibration was made "
     "for the steady force, not for how it is reached.",

@@ -27,7 +27,7 @@ from winkler.problems.rough_line import RoughLine, ensemble, line_seeds, prescri
 from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RoughIndentation", "RoughIndentationSolution"]
@@ -190,6 +190,7 @@ class RoughIndentationSolution(RoughSolution):
         return (
             *asked.bed.notes,
             Note(
+                Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "A rough body on a line of springs is exact where the body bears, and scales as the surface where "
                 "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
@@ -197,6 +198,7 @@ class RoughIndentationSolution(RoughSolution):
             ),
             *resolution_note(asked.spectrum, asked.length, asked.count),
             Note(
+                Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "The line has no true area of contact; the area given here is Persson's, under the pressures of the "
                 "smooth body, up to a third too small and less where roughness spreads the pressures of small loads. A "

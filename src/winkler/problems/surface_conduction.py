@@ -26,7 +26,7 @@ from winkler.problems.rough_contact import RoughContact, RoughContactSolution
 from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.profiles.spectrum import spectrum_of
 from winkler.profiles.topography import Topography
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
@@ -181,6 +181,7 @@ class SurfaceConductionSolution:
         """How far the result can be trusted: the contact, the line, the bounds."""
         line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is told here
         bounds = Note(
+            Assumption.CONDUCTION,
             Standing.EXACT,
             "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
             "same flat raised by its height; of a curved map they are wide. All spots are clean metal, wider than the "
@@ -190,6 +191,7 @@ class SurfaceConductionSolution:
         rough = self.problem.contact.topography
         shape = 0.0 if rough.periodic else 1.0 - (rough.detrended(2).rms_height / rough.rms_height) ** 2
         curved = Note(
+            Assumption.ROUGHNESS,
             Standing.OUTSIDE,
             f"A plane or paraboloid makes up {shape:.0%} of the mean square height: lines of springs know the "
             "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "

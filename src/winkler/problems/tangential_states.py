@@ -18,7 +18,7 @@ from winkler.problems.slip_memory import SlipMemory
 from winkler.problems.spring_states import SpringLaw, SpringState, spring_notes
 from winkler.problems.tangential_march import BENT
 from winkler.problems.trust import indentation_notes
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["TangentialState", "friction_notes", "stick_radii"]
@@ -139,6 +139,7 @@ def friction_notes(
             angle = np.degrees(poisson / (4.0 - 2.0 * poisson))
             notes.append(
                 Note(
+                    Assumption.SLIP,
                     Standing.ASYMPTOTIC,
                     f"Slip is taken to be parallel to the shear force; with Poisson's ratio {poisson:.3g} it deviates "
                     f"by up to about {angle:.2g} degrees, whose effect on forces is of second order in that angle.",
@@ -149,6 +150,7 @@ def friction_notes(
 
 
 EXACT = Note(
+    Assumption.SLIP,
     Standing.EXACT,
     "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
     "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "

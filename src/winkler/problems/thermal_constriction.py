@@ -21,7 +21,7 @@ from winkler.media.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.conducting_disc import pressed_disc, refuse_unknown_area, scope_notes
 from winkler.problems.conducting_solution import ConductingSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
@@ -174,6 +174,7 @@ class ThermalConstrictionSolution(ConductingSolution):
         )
         widest = float(np.max(radius, initial=0.0))
         steady = Note(
+            Assumption.STEADY,
             Standing.ASYMPTOTIC,
             f"Steady state: within 9 % after {10.0 * widest**2 / slowest:.3g} s, ten times the square of the contact "
             "radius over the diffusivity; transients are not included.",

@@ -11,7 +11,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.disc import rises
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["contact_notes", "indentation_notes", "size_note", "slope_note"]
 
@@ -35,7 +35,14 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
 def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
     """Return what the widest of several contacts says about itself: slopes, size, a pinned edge, one disc."""
     if not np.any(radius > 0.0):
-        return (Note(Standing.EXACT, "The bodies do not touch under this load.", "no spring is compressed"),)
+        return (
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                "The bodies do not touch under this load.",
+                "no spring is compressed",
+            ),
+        )
     last = int(np.argmax(depth))
     widest = float(radius[last])
     notes = [slope_note(bed, widest)]
@@ -44,6 +51,7 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
     if widest >= bed.rim:
         notes.append(
             Note(
+                Assumption.SHAPE,
                 Standing.EXACT,
                 "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded.",
                 "Boussinesq's flat punch",
@@ -63,6 +71,7 @@ def _disc_note(bed: Bed, radius: float) -> Note:
     else:
         looked = "the equivalent profile rises wherever it was looked at, and no flat punch up to this radius pulls"
     return Note(
+        Assumption.SINGLE_CONTACT,
         Standing.EXACT,
         f"That the contact is one disc was checked: {looked}; no tension inside, no overlap outside.",
         "a-posteriori check of pressure and separation, at sampled places",
@@ -80,7 +89,9 @@ def slope_note(bed: Bed, radius: float) -> Note:
         verdict = "not small: expect deviations of the order of (1 - 2 nu) times the slope"
     else:
         standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
-    return Note(standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY)
+    return Note(
+        Assumption.SMALL_SLOPES, standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY
+    )
 
 
 def size_note(bed: Bed, radius: float) -> Note:
@@ -92,7 +103,9 @@ def size_note(bed: Bed, radius: float) -> Note:
         standing, verdict = Standing.APPROXIMATE, "the body is hardly a half-space any more"
     else:
         standing, verdict = Standing.OUTSIDE, "the body is no half-space"
-    return Note(standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON)
+    return Note(
+        Assumption.HALF_SPACE, standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON
+    )
 
 
 @functools.lru_cache(maxsize=64)
@@ -113,10 +126,21 @@ def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
         return ()
     onset = _onset_force(bed)
     if isinstance(onset, str):
-        return (Note(Standing.APPROXIMATE, f"No onset of yield is known: {onset}", "von Mises' criterion"),)
+        return (
+            Note(
+                Assumption.ELASTIC, Standing.APPROXIMATE, f"No onset of yield is known: {onset}", "von Mises' criterion"
+            ),
+        )
     if force < onset:
         standing, verdict = Standing.EXACT, f"yielding begins at {onset:.4g} N; the contact stays elastic"
     else:
         standing = Standing.OUTSIDE
         verdict = f"yielding began at {onset:.4g} N; beyond it the result is not elastic"
-    return (Note(standing, f"By von Mises' criterion {verdict}.", "largest von Mises stress of the restored field"),)
+    return (
+        Note(
+            Assumption.ELASTIC,
+            standing,
+            f"By von Mises' criterion {verdict}.",
+            "largest von Mises stress of the restored field",
+        ),
+    )

@@ -32,7 +32,7 @@ from winkler.path import Path
 from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.viscoelastic_adhesion_crack import Crack
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
@@ -255,6 +255,7 @@ class ViscoelasticAdhesionSolution:
 
 
 SEPARATED = Note(
+    Assumption.ADHESION,
     Standing.APPROXIMATE,
     "What is viscous happens at the edge alone: the body is taken as relaxed, which holds if the contact's size over "
     "the speed of the edge is far longer than the relaxation times; the edge closes without delay, and the work of "

@@ -23,7 +23,7 @@ from winkler.numerics.types import Array
 from winkler.problems.closure import at_depth
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
@@ -269,6 +269,7 @@ class ViscoelasticImpactSolution:
         """How far the result can be trusted: assumptions, slopes and size of the body, slowness."""
         bed = self.problem.bed
         slow = Note(
+            Assumption.INERTIA,
             Standing.ASYMPTOTIC,
             "The inertia of the viscoelastic body is neglected: the impact must be slow against its shear waves.",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731",

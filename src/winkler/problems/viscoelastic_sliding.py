@@ -29,7 +29,7 @@ from winkler.problems.closure import at_depth, at_end, at_force
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic_sliding_share import share_of_line
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
@@ -334,6 +334,7 @@ class SlidingResistanceSolution:
 
 
 APPROXIMATE = Note(
+    Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "A contact that slides is not one of revolution. For every body of revolution the line of springs resists twice as "
     "much as the body at low speed and as much at high speed; shear_force takes the difference out as if the pressure "

@@ -32,7 +32,7 @@ from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
 from winkler.problems.viscoelastic_tangential_states import ViscoelasticTangentialState, stick_radius
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticTangential", "ViscoelasticTangentialSolution"]
@@ -288,6 +288,7 @@ class ViscoelasticTangentialSolution:
 
 
 CATTANEO = Note(
+    Assumption.SLIP,
     Standing.ASYMPTOTIC,
     "Tractions are taken parallel to the motion and the directions as independent (Cattaneo-Mindlin, bodies that are "
     "elastically similar, or one rigid and the other incompressible); sliding is decided spring by spring at the end "

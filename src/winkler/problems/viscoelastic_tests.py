@@ -22,7 +22,7 @@ from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.indentation import Indentation
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["CreepTest", "HarmonicIndentation", "HarmonicSolution", "RelaxationTest", "StepSolution"]
@@ -307,6 +307,7 @@ class HarmonicSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         small = Note(
+            Assumption.RESPONSE,
             Standing.ASYMPTOTIC,
             "The amplitude is small against the depth, so that the contact stays as wide as it is and no spring lets "
             "go.",

@@ -11,7 +11,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.trust import indentation_notes
 from winkler.problems.wear_states import WearState
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["debris_note", "fretting_notes", "sliding_notes", "slip_note"]
 
@@ -22,6 +22,7 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1
 def debris_note() -> Note:
     """Return what is said of debris."""
     return Note(
+        Assumption.WEAR,
         Standing.APPROXIMATE,
         "Debris leaves the contact at once and the law of wear never changes; a layer of debris or oxide bears and "
         "slips by itself, and is not described.",
@@ -37,11 +38,13 @@ def slip_note(bed: Bed) -> Note:
         poisson = max(body.poisson for body in (medium.first, medium.second) if isinstance(body, Elastic))
     if poisson == 0.0 and isinstance(medium, HalfSpace):
         return Note(
+            Assumption.SLIP,
             Standing.EXACT,
             "Slip is parallel to the motion and the same all around the axis, as without lateral contraction.",
             JOHNSON,
         )
     return Note(
+        Assumption.SLIP,
         Standing.APPROXIMATE,
         "Slip is taken to be parallel to the motion and the same all around the axis (Cattaneo-Mindlin): with lateral "
         "contraction the worn profile would not be quite round.",
@@ -55,6 +58,7 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> lis
     notes = [*indentation_notes(bed, *first), debris_note()]
     notes.append(
         Note(
+            Assumption.RESOLUTION,
             Standing.APPROXIMATE,
             f"The worn profile is known at {states[-1].radii.size} radii; each jump over many cycles errs by at most "
             f"{tolerance:.0e} of the depth. Take a finer grid or a smaller tolerance to see what that changes.",
@@ -83,6 +87,7 @@ def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tu
     return (
         *_march_notes(bed, tolerance, states),
         Note(
+            Assumption.WEAR,
             Standing.APPROXIMATE,
             "Every point of the contact slides the whole distance: so does a body that stays in contact; on one that "
             "is rubbed along a track of many contact lengths the wear is spread, and is not counted.",

@@ -15,7 +15,7 @@ from winkler.media.stress import von_mises
 from winkler.numerics.types import Array
 from winkler.problems.closure import at_end, flat_radius
 from winkler.problems.disc import refuse_unless_disc
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["YieldOnset", "YieldOnsetSolution", "can_yield"]
@@ -131,6 +131,7 @@ class YieldOnsetSolution:
         return (
             *self.problem.bed.notes,
             Note(
+                Assumption.ELASTIC,
                 Standing.EXACT,
                 "Yielding begins where the von Mises stress of the elastic field first reaches the strength.",
                 "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
