@@ -114,8 +114,9 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
     stiffer = 100.0 * stuck_stiffening(beta)
     fact = (
         f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}, {ratio:.3g} of the coefficient of "
-        f"friction: pressing alone causes shear tractions, which are left out (full sticking makes the contact "
-        f"{stiffer:.2g} % stiffer, and moves pressure towards the middle)"
+        f"friction: pressing alone causes shear tractions, which are left out. Full sticking makes the contact "
+        f"{stiffer:.2g} % stiffer, and the greatest pressure changes more than that, by tens of per cent where it was "
+        "computed in increments"
     )
     if ratio <= SMALL:
         standing, verdict = Standing.ASYMPTOTIC, "they use up a small part of the friction"
@@ -124,7 +125,7 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
     else:
         standing = Standing.OUTSIDE
         verdict = "they use up the friction over most of the contact before the bodies are sheared"
-    return Note(Assumption.UNCOUPLED, standing, f"{fact}: {verdict}.", SPENCE)
+    return Note(Assumption.UNCOUPLED, standing, f"{fact}; {verdict}.", SPENCE)
 
 
 def sliding_note(medium: Medium, coefficient: float) -> Note:
