@@ -106,12 +106,12 @@ def test_what_cannot_be_read_is_refused():
         OliverPharr(curve, wk.Cone(half_angle=1.2), upper=0.3)
     with pytest.raises(InvalidInput, match="shape_factor is 0.0"):
         OliverPharr(curve, wk.Cone(half_angle=1.2), shape_factor=0.0)
-    with pytest.raises(InvalidInput, match="has no retract"):
+    with pytest.raises(InvalidInput, match="has no unloading of at least 10 points"):
         OliverPharr(ForceCurve(DEPTH[::-1], cone(DEPTH[::-1])), wk.Cone(half_angle=1.2)).solve()
     with pytest.raises(InvalidInput, match="look at signs and contact_point"):
         OliverPharr(dataclasses.replace(curve, force=-curve.force), wk.Cone(half_angle=1.2)).solve()
     with pytest.raises(InvalidInput, match="points lie between 0.4 and 0.98"):
-        OliverPharr(curve.chosen(np.arange(0, 400, 60)), wk.Cone(half_angle=1.2)).solve()
+        OliverPharr(curve.chosen(np.arange(0, 400, 35)), wk.Cone(half_angle=1.2)).solve()
     small = wk.Measured(np.linspace(0.0, 1e-8, 50), np.linspace(0.0, 1e-8, 50) / math.tan(1.2))
     with pytest.raises(OutsideValidity, match="beyond the tip, which is known up to a radius of 1e-08 m"):
         OliverPharr(curve, small).solve()
