@@ -13,8 +13,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import winkler as wk
+from winkler.fitting.contact_reading import sample_young
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.oliver_pharr import OliverPharr, sample_young
+from winkler.fitting.oliver_pharr import OliverPharr
 
 silica, diamond = wk.Elastic(young=72e9, poisson=0.17), wk.Elastic(young=1141e9, poisson=0.07)
 tip = wk.AreaFunction((24.5, 0.4e-6))

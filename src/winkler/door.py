@@ -13,10 +13,16 @@ from winkler.fields import (
     restore_shift,
 )
 from winkler.fitting.compare import Comparison, compare
-from winkler.fitting.contact_reading import CalibratedArea, ContactReading, contact_reading
+from winkler.fitting.contact_reading import (
+    CalibratedArea,
+    ContactReading,
+    contact_reading,
+    intercept_factor,
+    sample_young,
+)
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.fit import Fit, fit
-from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution, intercept_factor, sample_young
+from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution
 from winkler.fitting.segments import Segment, SegmentKind
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
@@ -168,8 +174,8 @@ __all__ = [
     "BallImpacts", "BallImpactsSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields",
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
-    "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest",
-    "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
+    "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
+    "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticIndentation", "EllipticSolution", "EqualMaximum", "EqualMean",

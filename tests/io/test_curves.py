@@ -131,7 +131,12 @@ FILES = {
         [(1, 1015), (-1, 1015)],
         4.2406828e-6,
     ),
-    "nanoindentation/RobinSteel0000LC.txt": ({}, math.inf, [(1, 3003), (-1, 2301)], 3.000027e-3),
+    "nanoindentation/RobinSteel0000LC.txt": (
+        {},
+        math.inf,
+        [(0, 303), (1, 1998), (0, 1005), (-1, 1998)],
+        3.000027e-3,
+    ),
 }
 
 

@@ -14,11 +14,36 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
 from winkler.values import value
 
-__all__ = ["CalibratedArea", "ContactReading", "Tip", "area_at", "contact_reading"]
+__all__ = [
+    "CalibratedArea",
+    "ContactReading",
+    "Tip",
+    "area_at",
+    "contact_reading",
+    "intercept_factor",
+    "polynomial",
+    "sample_young",
+]
+
+
+def intercept_factor(exponent: float) -> float:
+    """Return epsilon [-] of a body that unloads with an exponent m > 1; 1 for m = 1.
+
+    Examples
+    --------
+    >>> intercept_factor(1.5), round(intercept_factor(2.0), 6)
+    (0.75, 0.72676)
+    """
+    if exponent - 1.0 < 1e-6:
+        return 1.0
+    half = 0.5 / (exponent - 1.0)
+    ratio = math.exp(math.lgamma(exponent * half) - math.lgamma(half))
+    return exponent * (1.0 - 2.0 * (exponent - 1.0) * ratio / math.sqrt(math.pi))
 
 
 @value
@@ -187,3 +212,34 @@ def _radius(profile: Profile, height: float) -> float:
             f"{end:.3g} m."
         )
     return float(brentq(high, low, far, xtol=1e-300, rtol=1e-14))
+
+
+def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
+    """Return the sample's Young's modulus from the reduced modulus of the pair.
+
+    Parameters
+    ----------
+    modulus : float
+        E_r [Pa].
+    poisson : float
+        Of the sample [-].
+    indenter : Elastic or Rigid
+        Of diamond: Elastic(young=1141e9, poisson=0.07).
+
+    Returns
+    -------
+    float
+        E [Pa], 1/E_r = (1 - nu^2)/E + (1 - nu_i^2)/E_i.
+
+    Raises
+    ------
+    OutsideValidity
+        If the pair is as stiff as the indenter alone, or stiffer.
+    """
+    own = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
+    left = 1.0 / modulus - own
+    if not isinstance(indenter, Elastic | Rigid) or not left > 0.0:
+        raise OutsideValidity(
+            f"sample_young: the pair's modulus {modulus:.4g} Pa leaves nothing for the sample; the indenter is softer."
+        )
+    return (1.0 - poisson**2) / left

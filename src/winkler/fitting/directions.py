@@ -4,7 +4,7 @@ One of position and force is driven by the machine, and its rate is the steadier
 levels.  The driven signal turns where it comes back from an extreme by more than its noise; it is held where far more
 samples gather about one level than a steady motion leaves there,
 
-.. math:: n(L,\,2w) > K\,\nu\,2w, \qquad n(L,\,8w) < 1.6\,n(L,\,2w),
+.. math:: n(L,\,2w) > K\,\nu\,2w, \qquad n(L,\,8w) < 1.7\,n(L,\,2w),
 
 with the samples :math:`\nu` per unit of level while it moves.  The second condition tells a hold, which ends sharply,
 from a smooth turn, where four times the band holds twice the samples.  All widths are parts of the whole span, or
@@ -28,8 +28,10 @@ TURN, NOISES = 0.01, 8.0
 """A signal turns where it comes back by this part of its span, and by so many times its noise."""
 BANDS = (5e-4, 1.5e-3, 5e-3)
 """Widths of a hold about its level, in parts of the span."""
-GATHERED, FEWEST, SHARP = 8.0, 5, 1.6
+GATHERED, FEWEST, SHARP = 6.0, 5, 1.7
 """A hold has so many times the samples of a motion, at least so many, and less than so many times in a wide band."""
+AVERAGED, MANY = 5, 60
+"""Most neighbours that are averaged where there is noise, and samples for each of them."""
 LEVELS = 25
 FREE = 0.05
 """Part of the span of the force below which the tip may be free."""
@@ -190,10 +192,16 @@ def _samples_per_level(signal: _Signal) -> float:
     return max(float(np.median([_density(way) for way in ways])), 1e-300)
 
 
+def _averaged(signal: _Signal) -> int:
+    """Return of how many neighbouring samples the average is taken, an odd number, so that noise hides no hold."""
+    return max(1, min(AVERAGED, signal.level.size // MANY) // 2 * 2 + 1) if 4.0 * signal.noise > BANDS[0] else 1
+
+
 def _plateaus(signal: _Signal) -> list[_Plateau]:
     """Return where a signal is held, at its turns and between them."""
-    level, turns = signal.level, signal.turns
-    least = 4.0 * signal.noise
+    turns, size = signal.turns, _averaged(signal)
+    level = np.convolve(np.pad(signal.level, size // 2, mode="edge"), np.full(size, 1.0 / size), mode="valid")
+    least = 4.0 * signal.noise / float(np.sqrt(size))
     densities = [0.0, *(_density(level[a : b + 1]) for a, b in zip(turns[:-1], turns[1:], strict=True)), 0.0]
     found: list[_Plateau] = []
     for width in dict.fromkeys(max(band, least) for band in BANDS):

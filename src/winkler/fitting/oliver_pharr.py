@@ -26,38 +26,22 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fitting.contact_reading import Tip, contact_reading
+from winkler.errors import InvalidInput
+from winkler.fitting.contact_reading import Tip, contact_reading, intercept_factor
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.segments import SegmentKind
 from winkler.fitting.unloading_law import fitted_power_law
 from winkler.fitting.unloading_notes import UnloadingFacts, unloading_notes
-from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["OliverPharr", "OliverPharrSolution", "intercept_factor", "sample_young"]
+__all__ = ["OliverPharr", "OliverPharrSolution"]
 
 FEWEST = 10
 STEP = 1e-6
 END_OF_HOLD = 0.1
 """Part of a hold at whose end the peak is read."""
-
-
-def intercept_factor(exponent: float) -> float:
-    """Return epsilon [-] of a body that unloads with an exponent m > 1; 1 for m = 1.
-
-    Examples
-    --------
-    >>> intercept_factor(1.5), round(intercept_factor(2.0), 6)
-    (0.75, 0.72676)
-    """
-    if exponent - 1.0 < 1e-6:
-        return 1.0
-    half = 0.5 / (exponent - 1.0)
-    ratio = math.exp(math.lgamma(exponent * half) - math.lgamma(half))
-    return exponent * (1.0 - 2.0 * (exponent - 1.0) * ratio / math.sqrt(math.pi))
 
 
 @value
@@ -284,7 +268,7 @@ class OliverPharrSolution:
                 creep_share=self._creep_share(),
                 force=self.force,
                 fitted_force=self.fitted_force,
-                count=self.fitted_points.size,
+                points=self.fitted_points.size,
                 error_share=float(self.standard_errors[5]) / self.modulus,
                 contact_depth=self.contact_depth,
                 tip=self.problem.profile,
@@ -301,34 +285,3 @@ class OliverPharrSolution:
         creep = _rate(curve.time[end], curve.depth(self.problem.contact_point)[end])
         unloading = _rate(curve.time[start], curve.force[start])
         return creep * self.stiffness / abs(unloading) if unloading else math.nan
-
-
-def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
-    """Return the sample's Young's modulus from the reduced modulus of the pair.
-
-    Parameters
-    ----------
-    modulus : float
-        E_r [Pa].
-    poisson : float
-        Of the sample [-].
-    indenter : Elastic or Rigid
-        Of diamond: Elastic(young=1141e9, poisson=0.07).
-
-    Returns
-    -------
-    float
-        E [Pa], 1/E_r = (1 - nu^2)/E + (1 - nu_i^2)/E_i.
-
-    Raises
-    ------
-    OutsideValidity
-        If the pair is as stiff as the indenter alone, or stiffer.
-    """
-    own = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
-    left = 1.0 / modulus - own
-    if not isinstance(indenter, Elastic | Rigid) or not left > 0.0:
-        raise OutsideValidity(
-            f"sample_young: the pair's modulus {modulus:.4g} Pa leaves nothing for the sample; the indenter is softer."
-        )
-    return (1.0 - poisson**2) / left

@@ -55,7 +55,7 @@ class UnloadingFacts(NamedTuple):
         Part by which creep makes the stiffness too large [-]; nan where hold or times are missing.
     force, fitted_force : float
         At the peak, as reported and by the fitted law [N].
-    count : int
+    points : int
         Fitted points.
     error_share : float
         Standard error of the modulus, in parts of it.
@@ -71,7 +71,7 @@ class UnloadingFacts(NamedTuple):
     creep_share: float
     force: float
     fitted_force: float
-    count: int
+    points: int
     error_share: float
     contact_depth: float
     tip: Tip
@@ -233,8 +233,8 @@ def _shape(facts: UnloadingFacts) -> Note:
 def _points(facts: UnloadingFacts) -> Note:
     return Note(
         Assumption.CURVE,
-        Standing.ASYMPTOTIC if facts.count >= FEW_POINTS else Standing.APPROXIMATE,
-        f"Points: {facts.count} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
-        + ("." if facts.count >= FEW_POINTS else f"; below {FEW_POINTS} that error itself is rough."),
+        Standing.ASYMPTOTIC if facts.points >= FEW_POINTS else Standing.APPROXIMATE,
+        f"Points: {facts.points} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
+        + ("." if facts.points >= FEW_POINTS else f"; below {FEW_POINTS} that error itself is rough."),
         "covariance of the fit, with the memory of the noise",
     )
