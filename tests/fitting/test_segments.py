@@ -21,7 +21,7 @@ def ramp(start, end, count=LEG):
 
 
 def driven_by_force(steps, creep=0.02):
-    """Return depth and force of steps (kind, force or count): h = sqrt(peak so far), less 0.15 (1 - F/F_peak)^0.7 of it."""
+    """Return depth, force and kinds of steps: h is the root of the peak so far, less 0.15 (1 - F/F_peak)^0.7 of it."""
     force, kinds, depth, extra, peak = [0.0], ["loading"], [0.0], 0.0, 1e-12
     for kind, content in steps:
         if kind == "hold":
