@@ -157,6 +157,7 @@ from winkler.profiles.profile import Shape
 from winkler.profiles.random_rough import random_topography
 from winkler.profiles.random_surface import RandomTopography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
+from winkler.profiles.socket import BallInSocket
 from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, spectrum_of
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.topography import Topography
@@ -171,7 +172,8 @@ __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
     "Assumption", "AtTemperature",
-    "BallImpacts", "BallImpactsSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields",
+    "BallImpacts", "BallImpactsSolution", "BallInSocket", "Berkovich", "BimodalDamping", "BimodalDampingSolution",
+    "BodyFields",
     "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
     "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
     "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",

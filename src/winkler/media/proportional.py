@@ -129,7 +129,7 @@ class RelaxingInProportion(RelaxingMedium):
             "true with the displacements replaced by their hereditary integral.",
             LEE,
         )
-        return (*self.medium.notes, alike, *self.span_notes)
+        return (*self.medium.notes, alike)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.

@@ -22,6 +22,7 @@ from winkler.numerics import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems import griffith
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.closure import at_end
 from winkler.problems.edge_states import EdgeStates, depth_under, end_of, force_under, margin, states_of
 from winkler.problems.picking import picked, single
@@ -70,6 +71,7 @@ class AdhesiveIndentation:
     load: Load
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "maugis_1992")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def solve(self) -> AdhesiveSolution:
         """Return depth, force, radius, and whether the state is stable.

@@ -26,6 +26,7 @@ from winkler.numerics.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesive_edge import AdhesiveEdge, DeadLoad, Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.ranged_edge import RangedEdge, ranged_edge
 from winkler.validity import Assumption, Note, Standing
@@ -86,6 +87,7 @@ class AdhesiveCycle:
     machine_stiffness: float = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, AdhesionLaw):

@@ -80,6 +80,9 @@ class ConductanceBounds:
     force: float
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003",)
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.RESPONSE, Assumption.RESOLUTION, Assumption.CONDUCTION)
+    )
 
     def __post_init__(self) -> None:
         if not isinstance(self.conductors, ElectricalConductors):

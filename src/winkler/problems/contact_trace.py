@@ -6,7 +6,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["PLANE", "SPRINGS", "UNCOUPLED", "ContactTrace"]
+__all__ = ["PLANE", "SIMILAR", "SPRINGS", "UNCOUPLED", "ContactTrace"]
 
 POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 SPRINGS = Note(
@@ -21,6 +21,13 @@ PLANE = Note(
     Standing.APPROXIMATE,
     "Where the direction of the motion changes, the springs follow the vector rule, which is not exact even for "
     "tractions along the motion; its error is of first order in the steps.",
+    POPOV,
+)
+SIMILAR = Note(
+    Assumption.UNCOUPLED,
+    Standing.ASYMPTOTIC,
+    "The bodies are taken as elastically similar: contacts know moduli alone, not Dundurs' constant; Tangential with "
+    "the same medium says how far that holds.",
     POPOV,
 )
 UNCOUPLED = Note(

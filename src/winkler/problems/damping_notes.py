@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from winkler.foundation.bed import Bed
+from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.validity import Assumption, Note, Standing
 
@@ -35,8 +36,18 @@ SLOW = Note(
 )
 
 
-def damping_notes(bed: Bed, radius: float) -> tuple[Note, ...]:
-    """Return what is assumed of friction in a contact up to a radius [m]."""
+def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ...]:
+    """Return what is assumed of friction in a contact.
+
+    Parameters
+    ----------
+    bed : Bed
+    radius : float
+        Up to which the bodies touch [m].
+    coefficient : float
+        Of friction [-]; infinity where nothing slips.
+    """
+    coupled = sticking_note(bed.medium, coefficient)
     ratios = stiffness_ratios(bed, radius)
     if alike(ratios):
         return (
@@ -47,6 +58,7 @@ def damping_notes(bed: Bed, radius: float) -> tuple[Note, ...]:
                 f"({ratios[0]:.4g}): sums over springs are the three-dimensional sums within Cattaneo-Mindlin.",
                 JAEGER,
             ),
+            coupled,
             ALONG,
             SLOW,
         )
@@ -59,6 +71,7 @@ def damping_notes(bed: Bed, radius: float) -> tuple[Note, ...]:
             "not known, and is expected to be of the order of the spread of that ratio.",
             POPOV_HESS,
         ),
+        coupled,
         ALONG,
         SLOW,
     )

@@ -69,6 +69,7 @@ class ElastomerFriction:
     velocity: Array
 
     references: ClassVar[tuple[str, ...]] = ("li_2013", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.ROUGHNESS,))
 
     def __post_init__(self) -> None:
         check_spectrum("ElastomerFriction", self.spectrum)

@@ -22,6 +22,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
@@ -75,6 +76,7 @@ class EllipticIndentation:
     load: Force | Depth
 
     references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bodies, CurvedBodies):

@@ -25,9 +25,10 @@ from winkler.media.conductors import HeatConductors
 from winkler.numerics.line_source import LineSource, projected
 from winkler.numerics.turned_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.declared import HEATED, SHEARED
+from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.damping import positive_frequency
 from winkler.problems.heating_input import thick_bodies
-from winkler.problems.heating_notes import UNCOUPLED
 from winkler.problems.tangential import Tangential, TangentialSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -89,6 +90,7 @@ class FrettingHeat:
     conductors: HeatConductors
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY}
 
     def __post_init__(self) -> None:
         if not isinstance(self.motion, Tangential):
@@ -265,5 +267,5 @@ class FrettingHeatSolution:
                 f": the mean, or that of a plane, whichever is less. Heat reaches {reach:.2g} m in a cycle.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
-            UNCOUPLED,
+            temperature_note(float(self.max_temperature) + float(self.swing)),
         )

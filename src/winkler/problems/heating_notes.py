@@ -6,9 +6,10 @@ import numpy as np
 
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.temperature import temperature_note
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["STEADY_SOURCE", "UNCOUPLED", "heating_notes"]
+__all__ = ["STEADY_SOURCE", "heating_notes"]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
@@ -22,12 +23,6 @@ STEADY_SOURCE = Note(
     "Steady heat conduction in half-spaces of constant conductivity and diffusivity, nothing lost through the surface "
     "outside the contact; the flux is the pressure times friction and speed, everywhere.",
     JAEGER,
-)
-UNCOUPLED = Note(
-    Assumption.TEMPERATURE,
-    Standing.ASYMPTOTIC,
-    "Thermal expansion does not act back on the pressure, and friction and properties do not change with temperature.",
-    "assumption of the problem",
 )
 
 
@@ -48,7 +43,8 @@ def heating_notes(
         By how much the rule of slow sliding is too high [-].
     partition : EqualMaximum, EqualMean or FixedShare
     """
-    return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), UNCOUPLED
+    hottest = temperature_note(float(np.max(greatest)))
+    return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), hottest
 
 
 def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:

@@ -24,10 +24,13 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import HEATED
+from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heat_source import heat_source
 from winkler.problems.heating_input import all_finite, checked_heating, load_number, thick_bodies
 from winkler.problems.heating_limits import shared
-from winkler.problems.heating_notes import STEADY_SOURCE, UNCOUPLED
+from winkler.problems.heating_notes import STEADY_SOURCE
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
@@ -94,6 +97,7 @@ class TransientHeating:
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED
 
     def __post_init__(self) -> None:
         speed = self.speed
@@ -227,7 +231,9 @@ class TransientHeatingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.contact.validity, STEADY_SOURCE, self._rest, self._sharing, UNCOUPLED)
+        hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
+        coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
+        return (*self.contact.validity, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property
     def _rest(self) -> Note:

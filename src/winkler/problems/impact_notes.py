@@ -8,19 +8,11 @@ from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["PLANAR", "SLOW", "checked_count", "gravity_note"]
+__all__ = ["PLANAR", "checked_count", "gravity_note"]
 
-MINDLIN = "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731"
 MAW = "N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5"
 FEWEST, MOST = 2, 1_000_000
 
-SLOW = Note(
-    Assumption.INERTIA,
-    Standing.ASYMPTOTIC,
-    "The contact force is that of slow motion; what waves and vibrations carry away is small as long as the impact is "
-    "slow against the speed of sound, and lasts long against a vibration of the body.",
-    MINDLIN,
-)
 PLANAR = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,

@@ -19,6 +19,7 @@ from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conducting_solution import ConductingSolution
 from winkler.problems.constriction import Constriction
 from winkler.problems.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
@@ -83,6 +84,7 @@ class JouleHeating:
     temperature: float = ROOM
 
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
 
     def __post_init__(self) -> None:
         wanted = (("conductors", ElectricalConductors), ("law", WiedemannFranz))

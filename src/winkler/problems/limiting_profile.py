@@ -26,6 +26,8 @@ from winkler.numerics.bracketing import between
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import WORN
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.wear_notes import debris_note, slip_note
@@ -120,6 +122,7 @@ class LimitingProfile:
     amplitude: Shift
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_2014", "dmitriev_2016")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed, Foundation):
@@ -309,6 +312,7 @@ class LimitingSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         notes = [*self.problem.contact.validity, debris_note(), slip_note(bed)]
+        notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
         notes.append(
             Note(
                 Assumption.WEAR,

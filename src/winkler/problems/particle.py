@@ -98,6 +98,7 @@ class ElasticPlasticParticle:
         "johnson_kendall_roberts_1971",
         "popov_hess_2015",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESPONSE,))
 
     def __post_init__(self) -> None:
         owner = "ElasticPlasticParticle"

@@ -81,6 +81,7 @@ class Reduction:
     tolerance: float = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.SHAPE, Assumption.RESOLUTION))
 
     def __post_init__(self) -> None:
         depth = self.depth

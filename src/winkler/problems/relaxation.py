@@ -22,6 +22,7 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.refined import along_springs, towards
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.validity import Assumption, Note, Standing
@@ -85,6 +86,7 @@ class RelaxationDamper:
     frequency: float
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         for word, unit in (("depth", "m"), ("depth_amplitude", "m"), ("frequency", "Hz")):
@@ -166,4 +168,8 @@ class RelaxationDamperSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.contact.validity, STICKING, *damping_notes(self.problem.bed, float(self.contact.radius)))
+        return (
+            *self.contact.validity,
+            STICKING,
+            *damping_notes(self.problem.bed, float(self.contact.radius), math.inf),
+        )

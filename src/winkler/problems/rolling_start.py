@@ -22,6 +22,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Load, ShearForce
 from winkler.numerics.rolling_kernels import push, roll
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import Creepage
 from winkler.problems.indentation import IndentationSolution
 from winkler.problems.rolling import Rolling, RollingSolution, check_rolling, rolling_notes, touching
@@ -100,6 +101,7 @@ class RollingStart:
     count: int = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "kalker_1990", "cattaneo_1938")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
 
     def __post_init__(self) -> None:
         check_rolling("RollingStart", self.bed, self.friction, self.creepage, self.load)
@@ -239,7 +241,7 @@ class RollingStartSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*rolling_notes(self.contact, self.problem.calibration), TRANSIENT)
+        return (*rolling_notes(self.contact, self.problem.calibration, self.problem.friction), TRANSIENT)
 
 
 TRANSIENT = Note(

@@ -20,6 +20,7 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_force
 from winkler.problems.persson import area_fraction
 from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
@@ -77,6 +78,7 @@ class RoughIndentation:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.ROUGHNESS}
 
     def __post_init__(self) -> None:
         if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):

@@ -22,6 +22,8 @@ from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.fastsim import mapped, rolled
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
@@ -87,6 +89,7 @@ class SimplifiedRolling:
     count: int = 32
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1982", "kalker_1990", "vollebregt_wilders_2011")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
 
     def __post_init__(self) -> None:
         check_friction("SimplifiedRolling", self.friction)
@@ -228,7 +231,8 @@ class SimplifiedRollingSolution(AtCreepages):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         turned = bool(np.any(np.asarray(self.problem.creepage.spin) != 0.0))
-        return (*self.problem.medium.notes, self._size_note, CREEP, *((SPIN,) if turned else ()))
+        coupled = sticking_note(self.problem.medium, self.problem.friction.coefficient)
+        return (*self.problem.medium.notes, self._size_note, coupled, CREEP, *((SPIN,) if turned else ()))
 
     @property
     def _size_note(self) -> Note:

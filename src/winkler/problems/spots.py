@@ -71,6 +71,7 @@ class SpotCluster:
     second: ElectricalConductor
 
     references: ClassVar[tuple[str, ...]] = ("greenwood_1966", "holm_1967")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESOLUTION,))
 
     def __post_init__(self) -> None:
         for word in ("x", "y", "radii"):

@@ -21,6 +21,7 @@ from winkler.given import whole_number
 from winkler.loading import Depth, Force
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.rough_contact import RoughContact, RoughContactSolution
 from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
@@ -69,6 +70,11 @@ class SurfaceConduction:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "pohrt_popov_2012")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {
+        Assumption.CONDUCTION,
+        Assumption.CONTINUUM,
+        Assumption.ROUGHNESS,
+    }
 
     def __post_init__(self) -> None:
         if not isinstance(self.contact, SurfaceContact):

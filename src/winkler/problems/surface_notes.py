@@ -19,7 +19,7 @@ ALMQVIST = (
     "doi:10.1016/j.triboint.2005.11.008"
 )
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
-FEW = 300
+FEW, FEWEST = 300, 9
 """Pixels in contact below which a note says so."""
 STEEP = 0.1
 
@@ -66,9 +66,9 @@ def surface_notes(
         notes.append(
             Note(
                 Assumption.RESOLUTION,
-                Standing.APPROXIMATE,
+                Standing.OUTSIDE if pixels < FEWEST else Standing.APPROXIMATE,
                 f"The contact covers about {max(pixels, 1.0):.0f} pixels; below {FEW} its area and stiffness are "
-                "known to some per cent only.",
+                f"known to some per cent only, below {FEWEST} not at all: take a finer map.",
                 YASTREBOV,
             )
         )

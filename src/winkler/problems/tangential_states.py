@@ -12,6 +12,7 @@ from winkler.laws.friction import Coulomb
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.closure import at_depth
 from winkler.problems.sheared_springs import sheared_by_pieces
 from winkler.problems.slip_memory import SlipMemory
@@ -126,7 +127,7 @@ def friction_notes(
     states : sequence
         The states of the path.
     """
-    notes = [*indentation_notes(bed, depth, force, radius)]
+    notes = [*indentation_notes(bed, depth, force, radius), sticking_note(bed.medium, coefficient_of(law))]
     last = states[-1]
     if isinstance(last, SpringState):
         notes += spring_notes(last.springs, law, in_plane=np.ndim(last.shift) == 1)

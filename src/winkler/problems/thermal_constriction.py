@@ -19,6 +19,7 @@ from winkler.materials.conducting_body import surface_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conducting_disc import pressed_disc, refuse_unknown_area, scope_notes
 from winkler.problems.conducting_solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
@@ -72,6 +73,7 @@ class ThermalConstriction:
     temperature_drop: float
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
 
     def __post_init__(self) -> None:
         if not isinstance(self.conductors, HeatConductors):

@@ -24,6 +24,7 @@ from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.gathering import rows
 from winkler.problems.torsion_bound import Press, TwistBound, twist_bound
@@ -93,6 +94,7 @@ class Torsion:
     path: Path
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.SLIP}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb):

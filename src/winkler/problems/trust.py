@@ -10,10 +10,11 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.film import film_notes
 from winkler.problems.disc import rises
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["contact_notes", "indentation_notes", "size_note", "slope_note"]
+__all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
@@ -57,6 +58,8 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
                 "Boussinesq's flat punch",
             )
         )
+    deepest, force = float(depth[last]), float(bed.stiffness(radius[last]) * depth[last] - bed.gap_load(radius[last]))
+    notes.extend(film_notes(bed, deepest, force, widest))
     if not bed.certain:
         notes.append(_disc_note(bed, widest))
     return tuple(notes)
@@ -80,13 +83,23 @@ def _disc_note(bed: Bed, radius: float) -> Note:
 
 def slope_note(bed: Bed, radius: float) -> Note:
     """Return what the slopes within a contact of this radius mean for the theory."""
-    inside = radius * np.linspace(0.0, 1.0, 65)[1:-1]
-    slope = float(np.max(np.abs(bed.slope(inside))))
-    if slope <= 0.1:
+    share = np.linspace(0.0, 1.0, 65)[1:]
+    inside = radius * (share[:-1] if radius >= bed.rim else share)  # a rim has no slope
+    return steepness_note(float(np.max(np.abs(bed.slope(inside)))))
+
+
+def steepness_note(slope: float) -> Note:
+    """Return what the steepest slope [-] within a contact means for the theory."""
+    if slope == 0.0:
+        standing, verdict = Standing.EXACT, "the surface is flat"
+    elif slope <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "small, as the theory assumes"
     elif slope <= 1.0:
         standing = Standing.APPROXIMATE
-        verdict = "not small: expect deviations of the order of (1 - 2 nu) times the slope"
+        verdict = (
+            "not small: expect deviations of the order of (1 - 2 nu) times the slope, and of its square, which is all "
+            "that is left where nu = 0.5"
+        )
     else:
         standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
     return Note(
@@ -96,7 +109,11 @@ def slope_note(bed: Bed, radius: float) -> Note:
 
 def size_note(bed: Bed, radius: float) -> Note:
     """Return what the size of the body means for a contact of this radius."""
-    ratio = radius / bed.size
+    return large_body_note(radius / bed.size)
+
+
+def large_body_note(ratio: float) -> Note:
+    """Return what the contact radius over that of the body [-] means for the theory."""
     if ratio <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"
     elif ratio <= 0.5:

@@ -25,6 +25,8 @@ from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.passing import pass_over
 from winkler.numerics.relaxation import Recovery
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth, at_end, at_force
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
@@ -106,6 +108,7 @@ class SlidingResistance:
     count: int = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "brilliantov_poschel_1998")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
@@ -330,7 +333,9 @@ class SlidingResistanceSolution:
         bed = self.problem.bed
         assert isinstance(bed.medium, ViscoelasticHalfSpace)
         depth, radius = (np.ravel(np.asarray(column)) for column in (self.depth, self.radius))
-        return (APPROXIMATE, *bed.medium.span_notes, *contact_notes(elastic_like(bed), depth, radius))
+        passing = (2.0 * radius / np.ravel(np.asarray(self.speed)))[radius > 0.0]
+        times = times_notes(bed, float(np.min(passing)), float(np.max(passing))) if passing.size else ()
+        return (*bed.notes, APPROXIMATE, *times, *contact_notes(elastic_like(bed), depth, radius))
 
 
 APPROXIMATE = Note(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.trust import indentation_notes
 from winkler.problems.wear_states import WearState
 from winkler.validity import Assumption, Note, Standing
@@ -68,24 +70,28 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> lis
     return notes
 
 
-def fretting_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
+def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a fretting contact can be trusted.
 
     Parameters
     ----------
     bed : Bed
         Before wear.
+    coefficient : float
+        Of friction [-].
     tolerance : float
         Of each jump.
     states : sequence of WearState
     """
-    return (*_march_notes(bed, tolerance, states), slip_note(bed))
+    coupled = sticking_note(bed.medium, coefficient)
+    return (*_march_notes(bed, tolerance, states), coupled, slip_note(bed))
 
 
 def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a sliding contact can be trusted; parameters as `fretting_notes`."""
     return (
         *_march_notes(bed, tolerance, states),
+        sliding_note(bed.medium, math.nan),
         Note(
             Assumption.WEAR,
             Standing.APPROXIMATE,

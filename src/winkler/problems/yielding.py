@@ -13,6 +13,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.peak import Place, greatest
 from winkler.media.stress import von_mises
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_end, flat_radius
 from winkler.problems.disc import refuse_unless_disc
 from winkler.validity import Assumption, Note, Standing
@@ -61,6 +62,7 @@ class YieldOnset:
     bed: Bed
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, HalfSpace):
