@@ -22,7 +22,7 @@ depth is that of the turn, and the force that of the fitted law there.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -33,7 +33,7 @@ from winkler.fitting.segments import SegmentKind
 from winkler.fitting.unloading_law import fitted_power_law
 from winkler.fitting.unloading_notes import UnloadingFacts, unloading_notes
 from winkler.numerics.types import Array
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["OliverPharr", "OliverPharrSolution"]
@@ -75,6 +75,8 @@ class OliverPharr:
     upper: float = 0.98
     lower: float = 0.4
     shape_factor: float = 1.0
+
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.CURVE, Assumption.SHAPE, Assumption.RESPONSE))
 
     def __post_init__(self) -> None:
         if not 0.0 <= self.lower < self.upper <= 1.0:
