@@ -136,11 +136,11 @@ def played(*, noise=0.0, leg=400, held=200, partial=True, rest=300, timed=True, 
     for low, high in ((0.0, 0.4), (0.04, 0.7), (0.07, 1.0)) if partial else ((0.0, 1.0),):
         way = low + (high - low) * inward
         peaks = np.maximum(way, low * 10.0)  # below the peak before, the same unloading is gone back
-        depth.append(200e-9 * np.sqrt(peaks) * (1.0 - 0.1 * (1.0 - way / np.maximum(peaks, 1e-9)) ** 0.67))
+        depth.append(200e-9 * np.sqrt(peaks) * (0.9 + 0.1 * (way / np.maximum(peaks, 1e-9)) ** (2.0 / 3.0)))
         force.append(way)
         if high < 1.0:
             down = high * (1.0 - 0.9 * inward[1:])
-            depth.append(200e-9 * math.sqrt(high) * (1.0 - 0.1 * (1.0 - down / high) ** 0.67))
+            depth.append(200e-9 * math.sqrt(high) * (0.9 + 0.1 * (down / high) ** (2.0 / 3.0)))
             force.append(down)
     depth.append(200e-9 + (CREPT - 200e-9) * (1.0 - np.exp(-np.arange(1, held + 1) / (0.05 * held))))
     force.append(np.ones(held))

@@ -21,7 +21,7 @@ def ramp(start, end, count=LEG):
 
 
 def driven_by_force(steps, creep=0.02):
-    """Return depth, force and kinds of steps: h is the root of the peak so far, less 0.15 (1 - F/F_peak)^0.7 of it."""
+    """Return depth, force and kinds of steps: h is the root of the peak so far, times 0.85 + 0.15 (F/F_peak)^(2/3)."""
     force, kinds, depth, extra, peak = [0.0], ["loading"], [0.0], 0.0, 1e-12
     for kind, content in steps:
         if kind == "hold":
@@ -33,7 +33,7 @@ def driven_by_force(steps, creep=0.02):
             way = ramp(force[-1], content)
             peaks = np.maximum(np.maximum.accumulate(way), peak)
             peak = float(peaks[-1])
-            depth += list(np.sqrt(peaks) * (1.0 - 0.15 * (1.0 - way / peaks + 1e-15) ** 0.7) + extra)
+            depth += list(np.sqrt(peaks) * (0.85 + 0.15 * (way / peaks) ** (2.0 / 3.0)) + extra)
             force += list(way)
         kinds += [kind] * (len(force) - len(kinds))
     return np.array(depth), np.array(force), kinds
@@ -51,7 +51,7 @@ def runs(kinds):
 PROGRAMS = {
     "in and out": [("loading", 1.0), ("last unloading", 0.0)],
     "hold": [("loading", 1.0), ("hold", 100), ("last unloading", 0.0)],
-    "short hold": [("loading", 1.0), ("hold", 10), ("last unloading", 0.0)],
+    "short hold": [("loading", 1.0), ("hold", 5), ("last unloading", 0.0)],
     "drift": [("loading", 1.0), ("hold", 100), ("last unloading", 0.1), ("hold", 600), ("last unloading", 0.0)],
     "progressive": [
         *(

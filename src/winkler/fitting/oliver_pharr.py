@@ -281,7 +281,10 @@ class OliverPharrSolution:
     def _creep_share(self) -> float:
         """Return the creep rate at the end of the hold, over that of the unloading, in parts of the compliance [-]."""
         curve, hold = self.problem.curve, self.problem.peak_hold
-        end, start = hold[hold.size // 2 :], self.fitted_points.astype(int)[: max(2, self.fitted_points.size // 2)]
+        end, start = (
+            hold[-max(FEWEST, hold.size // 4) :],
+            self.fitted_points.astype(int)[: max(2, self.fitted_points.size // 2)],
+        )
         if not curve.timed or end.size < FEWEST:
             return math.nan
         creep = _rate(curve.time[end], curve.depth(self.problem.contact_point)[end])
