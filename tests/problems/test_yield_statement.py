@@ -331,8 +331,9 @@ WITHOUT = {
     "yield_onset": "the onset is its answer",
 }
 UNKNOWN = {
-    "conductance_bounds", "creep_test", "harmonic_indentation", "nearly_round_indentation", "relaxation_test",
-    "reduction", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact", "viscoelastic_indentation", "viscoelastic_tangential",
+    "conductance_bounds", "creep_test", "harmonic_indentation", "nearly_round_indentation", "reduction",
+    "relaxation_test", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact",
+    "viscoelastic_indentation", "viscoelastic_tangential",
 }  # fmt: skip
 """Whose stresses are not computed: they say so, whatever the strength is."""
 PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and name not in WITHOUT)
@@ -340,8 +341,9 @@ PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and nam
 
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_all_kinds_state_it(name):
-    """A tiny strength is told as yield or as unknown; a huge one is never told as yield; without one nothing is."""
+    """A tiny strength is stated as yield or as unknown, a huge one never as yield."""
     asked = build(example_study(name)["problem"])
+    assert ELASTIC in asked.assumptions
     for strength, standings in (
         (1e-3, {wk.Standing.APPROXIMATE} if name in UNKNOWN else {wk.Standing.OUTSIDE}),
         (1e60, set(wk.Standing) - {wk.Standing.OUTSIDE}),

@@ -82,7 +82,7 @@ class ConductanceBounds:
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003",)
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
-        (Assumption.RESPONSE, Assumption.RESOLUTION, Assumption.CONDUCTION)
+        (Assumption.RESPONSE, Assumption.ELASTIC, Assumption.RESOLUTION, Assumption.CONDUCTION)
     )
 
     def __post_init__(self) -> None:

@@ -76,7 +76,9 @@ class RoughContact:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
-    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.ROUGHNESS, Assumption.RESOLUTION))
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.ELASTIC, Assumption.ROUGHNESS, Assumption.RESOLUTION)
+    )
 
     def __post_init__(self) -> None:
         if not isinstance(self.medium, HomogeneousMedium):
