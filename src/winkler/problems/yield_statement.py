@@ -184,8 +184,8 @@ def _frictionless(pressed: Pressed, part: StrongPart, found: GreatestStress, sha
     return _Verdict(
         Standing.OUTSIDE,
         share,
-        f"By von Mises' criterion yielding {onset}: the greatest elastic stress is {where}{added}; beyond "
-        "it the result is not elastic.",
+        f"By von Mises' criterion yielding {onset}: the greatest elastic stress is {where}{added}; "
+        f"{'beyond it ' if load else ''}the result is not elastic.",
         MISES,
     )
 
