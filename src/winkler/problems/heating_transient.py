@@ -32,6 +32,7 @@ from winkler.problems.heating_input import all_finite, checked_heating, load_num
 from winkler.problems.heating_limits import shared
 from winkler.problems.heating_notes import STEADY_SOURCE
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
@@ -233,7 +234,8 @@ class TransientHeatingSolution:
         """How far the result can be trusted."""
         hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
         coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
-        return (*self.contact.validity, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
+        contact = self.contact.notes_with(Rubbing(self.problem.law.coefficient, math.inf))
+        return (*contact, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property
     def _rest(self) -> Note:

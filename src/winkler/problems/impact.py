@@ -31,6 +31,7 @@ from winkler.problems.impact_march import Moment, Motion, stages, turning
 from winkler.problems.impact_notes import PLANAR, checked_count, gravity_note
 from winkler.problems.impact_states import ImpactStage, ImpactState
 from winkler.problems.trust import indentation_notes
+from winkler.problems.yield_statement import FRICTIONLESS, Rubbing, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -354,7 +355,10 @@ class ImpactSolution:
         bed = problem.bed
         modulus = float(bed.normal_stiffness(radius)[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
-        notes = [*indentation_notes(bed, depth, force, radius), wave_note(share), gravity_note(force)]
-        if problem.law.coefficient > 0.0 and problem.sliding_velocity != 0.0:
-            notes += [PLANAR, sticking_note(bed.medium, problem.law.coefficient)]
+        mu = problem.law.coefficient
+        rubs = mu > 0.0 and problem.sliding_velocity != 0.0
+        rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
+        notes = [*indentation_notes(bed, depth, radius, rubbing), wave_note(share), gravity_note(force)]
+        if rubs:
+            notes += [PLANAR, sticking_note(bed.medium, mu)]
         return tuple(notes)

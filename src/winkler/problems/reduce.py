@@ -25,6 +25,7 @@ from winkler.numerics.types import Array
 from winkler.problems.contact_springs import Points, room, springs_of
 from winkler.problems.surface_contact import SurfaceContact
 from winkler.problems.surface_states import SurfaceState
+from winkler.problems.yield_statement import unknown_yield
 from winkler.profiles.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -81,7 +82,9 @@ class Reduction:
     tolerance: float = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
-    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.SHAPE, Assumption.RESOLUTION))
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.ELASTIC, Assumption.SHAPE, Assumption.RESOLUTION)
+    )
 
     def __post_init__(self) -> None:
         depth = self.depth
@@ -202,6 +205,7 @@ class ReductionSolution:
                 BARBER,
             ),
             *self.bed.notes[1:],
+            *unknown_yield(self.problem.medium, "the springs of a height map do not know its pressures"),
         )
 
     def on(self, medium: Medium) -> PlaneFoundation:

@@ -241,7 +241,8 @@ class RollingStartSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*rolling_notes(self.contact, self.problem.calibration, self.problem.friction), TRANSIENT)
+        problem, slides = self.problem, bool(np.any(self.stick_share == 0.0))
+        return (*rolling_notes(self.contact, problem.calibration, problem.friction, slides=slides), TRANSIENT)
 
 
 TRANSIENT = Note(

@@ -27,6 +27,8 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.surface_notes import surface_notes
 from winkler.problems.surface_states import SurfaceState
+from winkler.problems.yield_of_pressure import map_yield_notes
+from winkler.problems.yield_statement import unknown_yield
 from winkler.profiles.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -279,4 +281,11 @@ class SurfaceContactSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
-        return surface_notes(self.problem.topography, self.problem.hardness, self.area, self.penetration, self.misfit)
+        asked = self.problem
+        notes = surface_notes(asked.topography, asked.hardness, self.area, self.penetration, self.misfit)
+        if float(np.max(self.depth)) > self.last.depth:
+            return (
+                *notes,
+                *unknown_yield(asked.medium, "pressures are kept of the last load, which is not the greatest"),
+            )
+        return (*notes, *map_yield_notes(asked.medium, float(np.max(self.last.pressure))))

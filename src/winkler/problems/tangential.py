@@ -215,7 +215,9 @@ class TangentialSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return friction_notes(self.problem.bed, self.problem.law, self.depth, self.force, self.radius, self.states)
+        return friction_notes(
+            self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
+        )
 
 
 def _three(contact: IndentationSolution) -> tuple[Array, Array, Array]:

@@ -31,7 +31,8 @@ from winkler.problems.torsion_bound import Press, TwistBound, twist_bound
 from winkler.problems.torsion_march import LOSS, TURN, Turned, square, torque_of, turned, turned_to
 from winkler.problems.torsion_memory import TwistMemory, fresh, pieces_of
 from winkler.problems.torsion_states import TorsionState, TwistedSprings
-from winkler.problems.trust import indentation_notes
+from winkler.problems.torsion_yield import torsion_yield_notes
+from winkler.problems.trust import contact_notes
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -254,8 +255,9 @@ class TorsionSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
-        notes = indentation_notes(problem.bed, self.depth, self.force, self.radius)
-        return (*notes, *_notes(self))
+        bed = problem.bed
+        contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, self.states))
+        return (*contact, *_notes(self))
 
 
 def _notes(solution: TorsionSolution) -> Iterator[Note]:

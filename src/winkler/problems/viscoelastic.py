@@ -30,6 +30,7 @@ from winkler.problems.closure import at_depth, at_force
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_states import ViscoelasticState
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -321,4 +322,9 @@ class ViscoelasticSolution:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
         times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
-        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), *times)
+        return (
+            *bed.notes,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *times,
+            *relaxing_yield(bed.medium),
+        )

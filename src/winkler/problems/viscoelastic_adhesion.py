@@ -33,6 +33,7 @@ from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.viscoelastic_adhesion_crack import Crack
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -253,7 +254,8 @@ class ViscoelasticAdhesionSolution:
         """How far the result can be trusted."""
         problem = self.problem
         law = ShortRange(problem.law.work)
-        return (SEPARATED, *adhesive_notes(problem._relaxed, law, self.depth, self.radius))
+        contact = adhesive_notes(problem._relaxed, law, self.depth, self.radius)
+        return (SEPARATED, *contact, *relaxing_yield(problem.bed.medium))
 
 
 SEPARATED = Note(

@@ -26,6 +26,7 @@ from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -279,4 +280,10 @@ class ViscoelasticImpactSolution:
         modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
         times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
-        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), *times, wave_note(share))
+        return (
+            *bed.notes,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *times,
+            wave_note(share),
+            *relaxing_yield(bed.medium),
+        )

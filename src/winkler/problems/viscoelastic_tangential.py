@@ -35,6 +35,7 @@ from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
 from winkler.problems.viscoelastic_tangential_states import ViscoelasticTangentialState, stick_radius
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -290,7 +291,14 @@ class ViscoelasticTangentialSolution:
         bed = self.problem.bed
         times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
         coupled = sticking_note(bed.medium, self.problem.law.coefficient)
-        return (*bed.notes, CATTANEO, coupled, *times, *contact_notes(elastic_like(bed), self.depth, self.radius))
+        return (
+            *bed.notes,
+            CATTANEO,
+            coupled,
+            *times,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *relaxing_yield(bed.medium),
+        )
 
 
 CATTANEO = Note(
