@@ -172,8 +172,8 @@ SHAPES = {"cone": wk.Cone(1.35), "power_law": wk.PowerLaw(1e6, 4.0), "flat_punch
 def test_every_problem_of_bodies_without_a_length(name, shape):
     problem = specimen(name)
     bed = getattr(problem, "bed", None)
-    if not hasattr(bed, "profile"):
-        pytest.skip("it has no bed with a profile")
+    if not hasattr(bed, "profile") or "bed" not in {field.name for field in dataclasses.fields(problem)}:
+        pytest.skip("it takes no bed with a profile")
     try:
         problem = dataclasses.replace(problem, bed=dataclasses.replace(bed, profile=SHAPES[shape]))
     except WinklerError:
