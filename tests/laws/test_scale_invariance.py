@@ -8,6 +8,7 @@ size.
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import itertools
 from typing import Any, NamedTuple
@@ -22,6 +23,7 @@ from winkler.study.build import build
 from winkler.study.catalogue import CATALOGUE, kinds
 from winkler.study.explain import example_study
 from winkler.study.outcome import answers_of
+from winkler.study.points import Solved
 from winkler.validity import Assumption
 from winkler.vocabulary import word
 
@@ -123,6 +125,32 @@ def differences(solution: Any, other: Any, units: Units, close: float) -> list[s
     return found
 
 
+def restored(solution: Any) -> list[Any]:
+    """Return fields of the last contact of a solution, on the surface and below it, as far as they are known."""
+    contact = Solved((), (), None, solution, ()).each[-1]
+    if not hasattr(contact, "pressed") or not contact.radius > 0.0:
+        return []
+    r = float(contact.radius) * np.array([0.0, 0.3, 0.7, 1.4])
+    found = []
+    for places in ((r,), (r[:, np.newaxis], 0.5 * r[np.newaxis, 1:])):
+        with contextlib.suppress(WinklerError):
+            found.append(wk.restore(contact, *places))
+    return found
+
+
+def field_differences(fields: Any, others: Any, units: Units) -> list[str]:
+    """Return which restored fields differ."""
+    found = []
+    for field in dataclasses.fields(fields):
+        content = getattr(fields, field.name)
+        if isinstance(content, np.ndarray):
+            expected = content * units.factor(word(type(fields).__name__, field.name).unit or "")
+            size = float(np.max(np.abs(expected[np.isfinite(expected)]), initial=0.0))
+            if not np.allclose(getattr(others, field.name), expected, rtol=0.0, atol=CLOSE * size, equal_nan=True):
+                found.append(field.name)
+    return found
+
+
 def standings(solution: Any) -> list[tuple[Assumption, str]]:
     """Return what the notes of a solution say of which assumption, but for constants of nature."""
     notes = solution.validity
@@ -143,6 +171,8 @@ def assert_same(problem: Any, changes: list[Units]) -> None:
         exact = all(np.frexp(factor)[0] == 0.5 for factor in units)
         assert differences(solution, other, units, SAME if exact else CLOSE) == [], units
         assert standings(other) == standings(solution), units
+        for fields, others in zip(restored(solution), restored(other), strict=True):
+            assert field_differences(fields, others, units) == [], units
 
 
 @pytest.mark.parametrize("name", PROBLEMS)
