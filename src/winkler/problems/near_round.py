@@ -152,8 +152,7 @@ class _Directions:
     @property
     def shallow(self) -> float:
         """A depth [m] where a search may begin."""
-        length = min(float(np.min(self.ends)), *(bed.size for bed in self.beds))  # none: they look alike everywhere
-        place = np.array([0.01 * length if math.isfinite(length) else 1.0])
+        place = np.array([min(1e-3, 0.01 * float(np.min(self.ends)))])
         return max(*(float(bed.gap(place)[0]) for bed in self.beds), 1e-6 * float(place[0]))
 
     def pressed(self, depths: Array) -> tuple[Array, Array, Array]:
