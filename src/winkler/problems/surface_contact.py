@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -170,6 +170,11 @@ class SurfaceContact:
                 f"{self.hardness * area:.6g} N; press less."
             )
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every load."""
+        return int(self._loads.size)
+
     def steps(self) -> Iterator[SurfaceState]:
         """Yield the contact under every load.
 
@@ -210,6 +215,10 @@ class SurfaceContact:
                 float(np.mean(found.gap)), found.penetration, found.work, modulus * start, np.maximum(found.gap, 0.0),
             )  # fmt: skip
 
+    def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return SurfaceContactSolution.of(self, list(states))
+
     def solve(self) -> SurfaceContactSolution:
         """Return the answers to all loads.
 
@@ -218,7 +227,7 @@ class SurfaceContact:
         NotConverged
             If a contact is not solved to the tolerance.
         """
-        return SurfaceContactSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> float:

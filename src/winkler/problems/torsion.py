@@ -12,7 +12,7 @@ greatest torque is only approached.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -123,6 +123,11 @@ class Torsion:
         force = across if self._forced else self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
         return depth, np.where(radius > 0.0, force, 0.0), radius
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[TorsionState]:
         """Yield the state at every point of the path.
 
@@ -173,6 +178,11 @@ class Torsion:
         except OutsideValidity as error:
             raise OutsideValidity(f"Torsion: at index {index} of the path {error}") from None
 
+    def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = tuple(states)
+        return TorsionSolution(self, **rows(TorsionSolution, every), states=every)
+
     def solve(self) -> TorsionSolution:
         """Return the whole path.
 
@@ -185,13 +195,7 @@ class Torsion:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        states = list(self.steps())
-
-        return TorsionSolution(
-            self,
-            **rows(TorsionSolution, states),
-            states=tuple(states),
-        )
+        return self.gathered(self.steps())
 
 
 @value

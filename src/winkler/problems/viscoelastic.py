@@ -12,7 +12,7 @@ steps that are chosen by their error.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -27,6 +27,7 @@ from winkler.path import Path
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth, at_force
+from winkler.problems.gathering import rows
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_states import ViscoelasticState
@@ -143,6 +144,11 @@ class ViscoelasticIndentation:
         depth, _ = at_force(elastic_like(self.bed), np.array([most]))
         return float(depth[0])
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[ViscoelasticState]:
         """Yield the state at every point of the path, just before anything sudden that happens there next.
 
@@ -218,6 +224,10 @@ class ViscoelasticIndentation:
             refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
             lost = driven.work - driven.stored
             yield row, np.array([[time, row.depth, force, driven.radius, driven.stored, lost]])
+
+    def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ViscoelasticSolution(self, **rows(ViscoelasticSolution, list(states)))
 
     def solve(self) -> ViscoelasticSolution:
         """Return the whole path.
