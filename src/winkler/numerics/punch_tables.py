@@ -32,6 +32,8 @@ LAST = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
 FINEST = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
+FINEST_ROUNDED = 32.0
+"""The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 HALVINGS = 4
 """How often an octave of radii may be halved."""
 
@@ -107,7 +109,8 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
 
 def _panels(response: Response, high: float) -> Array:
     """Return panels of x/a that halve towards the edge."""
-    halvings = max(0, math.ceil(math.log2(high / (FINEST * response.length))))
+    finest = min((FINEST_ROUNDED if response.smooth > response.length else FINEST) * response.length, response.smooth)
+    halvings = max(0, math.ceil(math.log2(high / max(finest, FINEST * response.length))))
     return halving_panels(halvings)
 
 
