@@ -32,7 +32,7 @@ LAST = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
 FINEST = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
-FINEST_ROUNDED = 32.0
+FINEST_ROUNDED = 4.0
 """The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 HALVINGS = 4
 """How often an octave of radii may be halved."""
