@@ -51,11 +51,14 @@ def test_what_is_fast_follows_however_long_the_step():
 
 
 def test_the_error_of_what_has_settled_is_filtered():
-    system, state = Chased(1e6), np.array([1.0, 0.0])
-    end, _, error = implicit_step(system, state, system.rates(state), 1e-3)
-    # the fast rate falls from 1e6 to 1 in this step: both ends alone would tell an error of 400
-    assert np.max(np.abs(error)) < 1e-3
-    assert end[1] == pytest.approx(1.0, rel=2e-3)
+    system, state, length = Chased(1e6), np.array([1.0, 1.0 - 3e-6]), 1e-3
+    first = system.rates(state)
+    end, last, error = implicit_step(system, state, first, length)
+    # a rate that falls from 3 to 1, at once: both ends alone tell a hundred times the error that is left
+    raw = 0.8 * (state - end) + 0.4 * length * (first + last)
+    assert abs(raw[1]) > 5e-4
+    assert np.max(np.abs(error)) < 5e-6
+    assert end[1] == pytest.approx(end[0] - 1e-6, abs=5e-6)
 
 
 def test_a_stage_that_is_not_met_is_told():

@@ -76,7 +76,9 @@ class SlidingSystem:
         contact, rings = self.contact(state), self.line.rings
         stretch = contact.stretch
         cut = Cuts(rings.squares, stretch)
-        beside = np.unique(np.concatenate([cut.cells, cut.cells + 1]))
+        # a rim that is pressed counts by itself
+        rim = [stretch.size - 1] if stretch[-1] > 0.0 else []
+        beside = np.unique(np.concatenate([cut.cells, cut.cells + 1, rim])).astype(int)
         counted = stretch > 0.0
         counted[beside] = False
         for changed, sign in ((counted & ~self._counted, 1.0), (self._counted & ~counted, -1.0)):
