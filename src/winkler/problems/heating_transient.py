@@ -137,10 +137,16 @@ class TransientHeating:
         parts = [np.zeros(self.time.shape)] * 4
         if contact.radius > 0.0:
             source = heat_source(contact.pressed).source
+            # two bodies of one diffusivity warm up alike
+            rises = {
+                rate: [
+                    np.array([grown(math.sqrt(rate * time)) for time in self.time])
+                    for grown in (partial(_greatest, source), source.risen_mean)
+                ]
+                for rate in {body.diffusivity for body in self._bodies}
+            }
             first, first_mean, second, second_mean = (
-                np.array([grown(math.sqrt(body.diffusivity * time)) for time in self.time]) * heat / body.conductivity
-                for body in self._bodies
-                for grown in (partial(_greatest, source), source.risen_mean)
+                rise * heat / body.conductivity for body in self._bodies for rise in rises[body.diffusivity]
             )
             if heat > 0.0:
                 share = _share(self.partition, (first, second), (first_mean, second_mean))

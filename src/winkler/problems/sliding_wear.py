@@ -145,7 +145,7 @@ class SlidingWear:
                 yield self._state(moment)
         else:
             moment = start.moment
-        for reached in march(self, goals, moment):
+        for reached in march(self, goals, moment, everywhere=True):
             yield self._state(reached)
 
     def _state(self, moment: Moment) -> WearState:

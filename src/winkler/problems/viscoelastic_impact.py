@@ -221,6 +221,10 @@ def _depth_of(elastic: Bed, energy: float, guess: float) -> float:
 
 def _stored(elastic: Bed, depth: float) -> float:
     """Return the integral of the force over the depth [J]."""
+    if not elastic.rising:  # every radius is looked for by itself: one, and what its springs have stored
+        _, radius = at_depth(elastic, np.array([depth]))
+        springs = Springs.of(elastic, float(radius[0]), SAMPLES)
+        return 0.5 * float(springs.stiffness @ (depth - springs.gap) ** 2)
     depths = np.linspace(0.0, depth, SAMPLES)[1:]
     _, radii = at_depth(elastic, depths)
     forces = elastic.stiffness(radii) * depths - elastic.gap_load(radii)
