@@ -173,6 +173,7 @@ GLOSSARY: dict[str, Word] = {
     "springs": Word("", None, "the springs, with what they remember"),
     "states": Word("", None, "the states along the path, one by one"),
     "memory": Word("", None, "what the springs remember"),
+    "total": Word("n", "", "how many states a march has, at most"),
     # impact
     "mass": Word("m", "kg", "mass of the body; of two free bodies m1 m2 / (m1 + m2)"),
     "inertia": Word("I", "kg m^2", "moment of inertia about the centre of mass"),

@@ -50,6 +50,7 @@ from winkler.plot.friction_sheets import (
 from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness, stiffness_told, typical_width
 from winkler.plot.method import Contact, draw_bed_makeup, headline
 from winkler.plot.outline import draw_profile
+from winkler.plot.particle import particle_sheet
 from winkler.plot.punches import draw_pressures, draw_steps
 from winkler.plot.sheets import SHEETS, contact_sheet
 from winkler.plot.springs import at_first_touch, draw_springs
@@ -64,6 +65,7 @@ from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.impact import ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.particle import ParticleSolution
 from winkler.problems.pull_off import PullOffSolution
 from winkler.problems.relaxation import RelaxationDamperSolution
 from winkler.problems.spring_states import SpringState
@@ -113,6 +115,7 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
           contact sticks and slips; of one state of ``Tangential`` the springs, traction, slip and stress
         - solutions of ``FrictionDamping``, ``BimodalDamping``, ``RelaxationDamper``: the loss over amplitude or phase
         - solutions of ``Impact`` and ``AdhesiveImpact``: forces, velocities, contact and energies over time
+        - a solution of ``ElasticPlasticParticle``: force and contact radius over the depth, and where yield begins
         - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, and what springs or the surface bear
         - solutions of ``RollingStart``, ``OscillatingRolling``: force on the way, shift over cycles, and the springs
         - a solid that relaxes, ``ViscoelasticHalfSpace``, ``RelaxingInProportion``: relaxation, creep, storage and loss
@@ -291,6 +294,7 @@ WITHOUT_EXTENT: dict[type, Callable[[Any], Picture]] = {
     RelaxationDamperSolution: relaxation_sheet,
     ImpactSolution: impact_sheet,
     AdhesiveImpactSolution: adhesive_impact_sheet,
+    ParticleSolution: particle_sheet,
     ShearedFields: sheared_sheet,
     BodyFields: body_sheet,
     ForceCurve: segments_sheet,
