@@ -351,3 +351,64 @@ def test_all_kinds_state_it(name):
         notes = [note for note in strengthened(asked, strength).solve().validity if note.assumption is ELASTIC]
         assert notes
         assert worst(notes) in standings
+
+
+CRYSTAL = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)
+RUBBER = wk.StandardSolid(relaxed_shear=1e9, shear=2e9, relaxation_time=1.0)
+
+
+@pytest.mark.parametrize(
+    ("medium", "known"),
+    [
+        (lambda solid: wk.HalfSpace(wk.Rigid(), solid), True),
+        (lambda solid: wk.TransverselyIsotropicHalfSpace(CRYSTAL, solid), False),
+        (lambda solid: wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, NU), 1e-3)], on=wk.Rigid(), second=solid), True),
+        (lambda solid: wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, NU), 1e-3)], on=solid), True),
+    ],
+)
+def test_every_body_of_a_medium_is_judged(medium, known):
+    """Whichever body is given the strength: tiny, it yields; where its stresses are not known, that is said."""
+    for strength, standing in ((1e3, wk.Standing.OUTSIDE), (1e30, wk.Standing.EXACT)):
+        bed = wk.Foundation(wk.Paraboloid(R), medium(steel(strength)))
+        note = statement(wk.Indentation(bed, wk.Force(10.0)).solve())
+        assert note.standing is (standing if known else wk.Standing.APPROXIMATE)
+
+
+@pytest.mark.parametrize(
+    "medium",
+    [
+        lambda solid: wk.ViscoelasticHalfSpace(RUBBER, solid),
+        lambda solid: wk.RelaxingInProportion(wk.HalfSpace(solid), RUBBER, shear=1e9),
+    ],
+)
+def test_bodies_that_relax(medium):
+    bed = wk.Foundation(wk.Paraboloid(R), medium(steel(1e3)))
+    tested = wk.RelaxationTest(bed, depth=1e-6, time=np.array([0.1, 1.0])).solve()
+    assert statement(tested).statement.startswith("The onset of yield is not known because the stresses in bodies that")
+
+
+@pytest.mark.parametrize("profile", [wk.FlatPunch(1e-3), wk.Cone(1.3), wk.TruncatedCone(1.3, 1e-4)])
+def test_sharp_places(profile):
+    """Infinite there whatever the strength; what is beyond a tenth of the contact radius decides."""
+    for strength, standing in ((1e3, wk.Standing.OUTSIDE), (1e30, wk.Standing.APPROXIMATE)):
+        bed = wk.Foundation(profile, wk.HalfSpace(steel(strength)))
+        for solution in (
+            wk.Indentation(bed, wk.Depth(1e-6)).solve(),
+            wk.FrictionDamping(bed, wk.Coulomb(0.3), wk.Depth(1e-6), wk.Shift(1e-9)).solve(),
+        ):
+            assert statement(solution).standing is standing
+            assert "so the elastic stress is infinite there" in statement(solution).statement
+
+
+def test_flat_punch_away_from_its_rim():
+    """Below the middle of a flat punch, nu = 0.5 (Sneddon's stresses): that much is reached away from the rim."""
+    # on the axis sigma_z = -p_m (1 + 3 z^2)/(2 (1 + z^2)^2)
+    force, a = 1.0, 1e-3
+    mean = force / (math.pi * a * a)
+    z = np.linspace(0.2, 3.0, 300)
+    axial = -0.5 * (1.0 + 3.0 * z * z) / (1.0 + z * z) ** 2
+    trace = -1.5 / (1.0 + z * z)  # sigma_x + sigma_y + sigma_z = -(1 + nu) p_m/(1 + z^2), nu = 1/2
+    radial = 0.5 * (trace - axial)
+    least = mean * float(np.max(np.abs(axial - radial)))
+    bed = wk.Foundation(wk.FlatPunch(a), wk.HalfSpace(wk.Elastic(1e9, 0.5, 0.99 * least)))
+    assert statement(wk.Indentation(bed, wk.Force(force)).solve()).standing is wk.Standing.OUTSIDE
