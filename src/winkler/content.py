@@ -141,6 +141,8 @@ def _wrong(inside: Any, sort: str) -> bool:
 
 def _sized(inside: Any, smallest: float = SMALLEST) -> bool:
     """Return whether a number is zero, or of a size that is met in physics; rows may begin near zero."""
+    if _is_row(inside):
+        inside = np.asarray(inside, dtype=float)
     kind = type(inside)
     if kind is float:
         return inside == 0.0 or not math.isfinite(inside) or smallest <= abs(inside) <= LARGEST
@@ -195,7 +197,13 @@ def _far(content: Any) -> Iterator[str]:
 
 def _size(inside: Any) -> str:
     """Return a number, or the greatest of many, as a sentence tells them."""
-    return f"up to {np.nanmax(np.abs(inside)):g} in size" if isinstance(inside, np.ndarray) else _shown(inside)
+    row = isinstance(inside, np.ndarray) or _is_row(inside)
+    return f"up to {np.nanmax(np.abs(inside)):g} in size" if row else _shown(inside)
+
+
+def _is_row(inside: Any) -> bool:
+    """Return whether something is a tuple of numbers."""
+    return type(inside) is tuple and bool(inside) and all(type(part) in (float, int) for part in inside)
 
 
 def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
