@@ -14,7 +14,7 @@ from winkler.materials.layered import Layer
 from winkler.media import coated_load, depth_climb, depth_response, flat_punch, punch_facts
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.depth_graded import DepthGradedHalfSpace
-from winkler.numerics import cosine, fredholm, kernel_matrix
+from winkler.numerics import cosine, fredholm, kernel_matrix, punch_tables
 
 pytestmark = pytest.mark.bench
 
@@ -35,8 +35,8 @@ STEEP = DepthGradedHalfSpace(ExponentialGrading(2.1e9, 210e9, depth_scale=3e-6, 
 
 def forget() -> None:
     """Empty every table of flat punches, so that each round begins from nothing."""
-    pages = (cosine, fredholm, kernel_matrix, flat_punch, punch_facts, coated_load, depth_climb, depth_response)
-    for page in pages:
+    numbers = (cosine, fredholm, kernel_matrix, punch_tables)
+    for page in (*numbers, flat_punch, punch_facts, coated_load, depth_climb, depth_response):
         for thing in vars(page).values():
             if hasattr(thing, "cache_clear"):
                 thing.cache_clear()
