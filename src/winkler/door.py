@@ -161,6 +161,7 @@ from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedPa
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
+from winkler.profiles.spikes import Spikes
 from winkler.profiles.topography import Topography
 from winkler.profiles.wavy import Wavy
 from winkler.program import Program
@@ -207,10 +208,10 @@ __all__ = [
     "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
-    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "SpotCluster", "SpotClusterSolution", "SpringMarch",
-    "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields",
-    "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
-    "SurfaceFields", "SurfaceFilm",
+    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
+    "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
+    "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalInterface", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
