@@ -442,6 +442,7 @@ GLOSSARY: dict[str, Word] = {
     "bodies": Word("", None, "curvatures of both bodies"),
     "equivalent_radius": Word(r"R_\mathrm{eq}", "m", "radius of the ball whose force grows as that of these bodies"),
     "peak_pressure": Word("p_0", "Pa", "greatest pressure, in the middle of the contact"),
+    "area_error": Word(r"\Delta A", "m^2", "estimated error of the area of contact"),
     "mean_gap": Word(r"\bar u", "m", "mean distance of the surfaces"),
 }
 
