@@ -6,7 +6,8 @@ With h the transform of the profile for a homogeneous half-space, and rho, phi t
 .. math:: g(a)\,\varphi(a;a) = h(a) - \int_0^a \rho(x;a)\,h(x)\,\mathrm dx, \qquad
           \int_0^a k'\,g\,\mathrm dx = 2E^*\int_0^a \varphi(x;a)\,h(x)\,\mathrm dx .
 
-Both integrals are kept as polynomials of a, octave by octave and from kink to kink, cached by value.
+Both integrals are kept as polynomials of a, octave by octave and from kink to kink, cached by value.  A power of the
+radius has no length of its own: its integrals are kept for a layer of thickness one and serve all thicknesses.
 """
 
 from __future__ import annotations
@@ -20,9 +21,11 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics import fredholm, punch_tables
-from winkler.numerics.cosine import Response
+from winkler.numerics.cosine import Response, Stretched, in_own_lengths
 from winkler.numerics.rooted import RootPanels, doubled, fit, nodes
 from winkler.numerics.types import Array
+from winkler.profiles.conical import Cone
+from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
 
 __all__ = ["gap", "gap_load", "gap_slope", "kinks"]
@@ -81,8 +84,31 @@ def _held(profile: Profile, x: Array) -> Array:
     return np.minimum(x, _end(profile))
 
 
+def _power(profile: Profile) -> tuple[float, float]:
+    """Return c and n of a profile c r^n; zeros if it is none."""
+    match profile:
+        case PowerLaw(coefficient, exponent):
+            return coefficient, exponent
+        case Paraboloid(radius):
+            return 0.5 / radius, 2.0
+        case Cone(half_angle):
+            return 1.0 / math.tan(half_angle), 1.0
+        case _:
+            return 0.0, 0.0
+
+
 def _moments(response: Response, profile: Profile, x: Array) -> Array:
     """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
+    own, unit = in_own_lengths(response)
+    coefficient, exponent = _power(profile)
+    if exponent == 0.0:
+        return _moments_of(response if unit == 1.0 else Stretched(own, unit), profile, x)
+    height = coefficient * unit**exponent
+    scales = np.array([height, height / unit, height * unit]).reshape(3, *([1] * x.ndim))
+    return np.asarray(scales * _moments_of(own, PowerLaw(1.0, exponent), x / unit))
+
+
+def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
     flat = _held(profile, x).ravel()
     octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
     result = np.zeros((3, flat.size))

@@ -22,7 +22,7 @@ import numpy as np
 
 from winkler.media.medium import PunchFacts
 from winkler.numerics import fredholm, punch_tables
-from winkler.numerics.cosine import Response, transform
+from winkler.numerics.cosine import Response, in_own_lengths, transform
 from winkler.numerics.punch_tables import Punches
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.rooted import root
@@ -46,6 +46,8 @@ FAR = 16.0
 
 def facts(response: Response, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
+    response, unit = in_own_lengths(response)
+    radius /= unit
     pull, least, most = math.inf, -FAINT, 1.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
         if _weight_of_octave(cast(Hashable, response), octave) < NARROW:
