@@ -30,6 +30,8 @@ COUNTS = (12, 16, 24, 32)
 SETTLED = 1e-12
 LAST = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
+ROUNDED = 1e-16
+"""What rounding leaves of the end of a series, over the largest phi: it does not get shorter on halving the octave."""
 FINEST = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
 FINEST_ROUNDED = 4.0
@@ -102,7 +104,8 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
     while waiting:
         low, high, depth = waiting.pop()
         table, tail = _solve(response, low, high)
-        if tail <= 10.0 * _settled(response) or depth == HALVINGS:
+        rounded = ROUNDED * float(np.max(np.abs(table.phi)))
+        if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
             if tail > max(LAST, 100.0 * _settled(response)):
                 raise NotConverged(
                     f"The flat punches between {low:.3g} m and {high:.3g} m are not resolved (the series ends at "

@@ -18,7 +18,7 @@ CLOSE = 3e-9
 
 
 def invert(
-    function: Callable[[Array], tuple[Array, Array]], target: Array, *, lower: float, upper: float, guess: float
+    function: Callable[[Array], tuple[Array, Array]], target: Array, *, lower: float, upper: float, guess: float | Array
 ) -> Array:
     """Return x with function(x) = target, for a function that rises from 0 at `lower`.
 
@@ -33,7 +33,7 @@ def invert(
         Positive values to be met.
     lower, upper
         The interval; `upper` may be infinite, and the function may diverge there.
-    guess
+    guess : float or ndarray, (m,)
         Where to begin, inside the interval.
 
     Returns

@@ -23,6 +23,7 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
 from winkler.foundation.plane import PlaneFoundation
+from winkler.media.medium import CALM
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
@@ -284,10 +285,12 @@ def _clear_outside(bed: Bed, depth: float, radius: float, end: float) -> bool:
         return True
     if isinstance(bed, PlaneFoundation):  # its g is given, as far as one may ask
         return rises(bed, min(1e3 * radius, end)) and bed.medium.punch_facts(4.0 * radius).most <= 1.0
-    bulge = max(0.0, -bed.medium.punch_facts(radius).least)
+    beside = bed.medium.punch_facts(radius)
+    bulge = max(0.0, -beside.least)
     far = min(1e3 * radius, end)
     r = np.geomspace(radius, far, 400)
-    high = bed.height(r) >= (1.0 + bulge) * depth
+    height = bed.height(r)
+    high = (height >= (1.0 + bulge) * depth) | ((r >= radius + beside.calm) & (height >= (1.0 - CALM) * depth))
     if not high.any() and far < end:
         return False
     reached = float(r[np.argmax(high)]) if high.any() else far

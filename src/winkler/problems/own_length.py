@@ -1,0 +1,60 @@
+"""A length of the order of a problem's own, where the search for a contact radius begins.
+
+Shape, layers and load bring it; where none of them has a length of its own, everything is a power of the radius, which
+two places tell, whatever the unit.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.media.coated import LayeredMedium
+from winkler.media.medium import Medium
+from winkler.media.relaxing import RelaxingMedium
+from winkler.numerics.types import Array
+
+__all__ = ["own_length", "power_radius", "thickness_of"]
+
+SHARE = 0.02
+"""Of the radius of a body, a contact of ordinary width."""
+FALL = 2.0**-20
+TRIES = 50
+
+
+def thickness_of(medium: Medium) -> float:
+    """Return how thick the layers of a medium are [m]; infinite if it has none."""
+    if isinstance(medium, RelaxingMedium):
+        return thickness_of(medium.elastic)
+    return medium.thickness if isinstance(medium, LayeredMedium) else math.inf
+
+
+def own_length(bed: Bed) -> float:
+    """Return the least length of body and layers [m], of a contact of ordinary width; infinite if there is none."""
+    kinks = [b for b, _ in bed.kinks if b > 0.0]
+    ends = [SHARE * end for end in (bed.reach, bed.rim, bed.size)]
+    return min([*kinks, *ends, thickness_of(bed.medium)])
+
+
+def power_radius(value: Callable[[Array], Array], asked: float) -> float:
+    """Return where a power of the radius reaches a value; only of that order where it is no power.
+
+    Parameters
+    ----------
+    value
+        Takes radii [m] ``(m,)``, rises from zero.
+    asked
+        Positive, of the kind of `value`.
+    """
+    place = 1.0
+    for _ in range(TRIES):
+        with np.errstate(all="ignore"):
+            near, far = value(np.array([place, 2.0 * place])).tolist()
+            if 0.0 < near < far < math.inf:
+                found = place * (asked / near) ** (1.0 / math.log2(far / near))
+                return found if 0.0 < found < math.inf else place
+        place *= FALL if far > 0.0 or math.isnan(far) else 1.0 / FALL
+    return 1.0
