@@ -57,8 +57,7 @@ def facts(response: Response, radius: float) -> PunchFacts:
 
 @functools.lru_cache(maxsize=512)
 def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
-    """Return up to which radius no punch of an octave pulls, the bounds of u1 outside its widest, and where it calms.
-    """
+    """Return up to which radius no punch of an octave pulls, the bounds of u1 outside its widest, and where it calms."""
     response = cast(Response, given)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
@@ -91,7 +90,7 @@ def _first_pull(table: Punches) -> float:
 
 
 def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
-    """Return least and greatest displacement of the surface outside a table's widest punch, and how far it heaves."""
+    """Return least and greatest displacement of the surface outside a table's widest punch, and where it is calm."""
     a = table.high
     nodes, weights = gauss_legendre(24)
     width = np.diff(table.panels)[:, None]

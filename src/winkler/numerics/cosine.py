@@ -22,7 +22,7 @@ from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["Response", "Stretched", "in_own_lengths", "transform", "wave_numbers"]
+__all__ = ["Response", "Stretched", "in_own_lengths", "stretched", "transform", "wave_numbers"]
 
 ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
@@ -114,6 +114,12 @@ class Stretched:
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-]."""
         return self.response.excess(xi * self.unit)
+
+
+@functools.lru_cache(maxsize=1024)
+def stretched(response: Hashable, unit: float) -> Stretched:
+    """Return the response of `Stretched`, the same object for the same content: caches find it sooner."""
+    return Stretched(cast(Response, response), unit)
 
 
 def in_own_lengths(response: Response) -> tuple[Response, float]:

@@ -233,8 +233,8 @@ def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[f
         if place >= end:  # where g may be infinite
             break
         values.append(float(value(np.array([place]))[0]))
-    if len(places) < 2:
-        return end, place
-    beside = np.array(places[:-1]) - flat
-    low = np.log(values[: beside.size])
-    return places[-1], flat + np.exp(np.interp(np.log(asked), low, np.log(beside)))
+    known = [(place - flat, own) for place, own in zip(places, values, strict=False) if own > 0.0]
+    if len(places) < 2 or not known:
+        return end, places[0]
+    beside, below = np.log(np.array(known)).T
+    return places[-1], np.clip(flat + np.exp(np.interp(np.log(asked), below, beside)), places[0], places[-1])

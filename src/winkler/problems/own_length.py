@@ -21,8 +21,12 @@ __all__ = ["own_length", "power_radius", "thickness_of"]
 
 SHARE = 0.02
 """Of the radius of a body, a contact of ordinary width."""
+WIDE = 0.25
+"""The same on layers, where narrow contacts are as quickly asked for."""
 FALL = 2.0**-20
 TRIES = 50
+FARTHEST = 100.0
+"""Octaves from the first place: farther than 1e30 m, or nearer than 1e-30 m, there is no contact."""
 
 
 def thickness_of(medium: Medium) -> float:
@@ -34,9 +38,10 @@ def thickness_of(medium: Medium) -> float:
 
 def own_length(bed: Bed) -> float:
     """Return the least length of body and layers [m], of a contact of ordinary width; infinite if there is none."""
-    kinks = [b for b, _ in bed.kinks if b > 0.0]
-    ends = [SHARE * end for end in (bed.reach, bed.rim, bed.size)]
-    return min([*kinks, *ends, thickness_of(bed.medium)])
+    layers, end = thickness_of(bed.medium), min(bed.reach, bed.rim, bed.size)
+    if math.isfinite(layers):
+        return min(layers, WIDE * end)
+    return min([SHARE * end, *(b for b, _ in bed.kinks if b > 0.0)])
 
 
 def power_radius(value: Callable[[Array], Array], asked: float) -> float:
@@ -53,8 +58,8 @@ def power_radius(value: Callable[[Array], Array], asked: float) -> float:
     for _ in range(TRIES):
         with np.errstate(all="ignore"):
             near, far = value(np.array([place, 2.0 * place])).tolist()
-            if 0.0 < near < far < math.inf:
-                found = place * (asked / near) ** (1.0 / math.log2(far / near))
-                return found if 0.0 < found < math.inf else place
+            if 0.0 < near < far < math.inf and asked / near > 0.0:
+                octaves = math.log2(asked / near) / math.log2(far / near)
+                return place * math.exp2(min(max(octaves, -FARTHEST), FARTHEST))
         place *= FALL if far > 0.0 or math.isnan(far) else 1.0 / FALL
     return 1.0
