@@ -57,7 +57,7 @@ def facts(response: Response, radius: float) -> PunchFacts:
 
 @functools.lru_cache(maxsize=512)
 def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
-    """Return up to which radius no punch of an octave pulls, the bounds of u1 outside its widest, and where it calms."""
+    """Return up to which radius no punch of an octave pulls, and what `_outside` says of its widest."""
     response = cast(Response, given)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
