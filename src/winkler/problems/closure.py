@@ -1,7 +1,7 @@
 r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
 
 Where the body is known to let g rise, all loads are met at once; on media where that does not make every contact one
-disc, `winkler.problems.disc` looks at them afterwards.  All others go through it one by one.
+disc, `winkler.problems.one_disc` looks at them afterwards.  All others go through it one by one.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from winkler.foundation.bed import Bed
 from winkler.numerics.roots import invert
 from winkler.numerics.types import Array
 from winkler.problems import disc
+from winkler.problems.one_disc import refuse_unless_discs, rises
 from winkler.problems.own_length import power_radius, thickness_of
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
@@ -82,7 +83,7 @@ def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
             "and touches there at once; give a force or a depth."
         )
     depth = bed.gap(radius)
-    disc.refuse_unless_discs(bed, depth, radius, end)
+    refuse_unless_discs(bed, depth, radius, end)
     return depth, radius.copy()
 
 
@@ -90,8 +91,8 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
     if bed.rising:
         radius = _radii_at_depth(bed, depth)
-        if disc.rises(bed, float(np.max(radius, initial=0.0))):
-            disc.refuse_unless_discs(bed, depth, radius, _end(bed))
+        if rises(bed, float(np.max(radius, initial=0.0))):
+            refuse_unless_discs(bed, depth, radius, _end(bed))
             return depth.copy(), radius
     radius = np.zeros(depth.shape)
     _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed, bed.gap, d)))
@@ -155,7 +156,7 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
     if not looked_at:
-        disc.refuse_unless_discs(bed, depth, radius, _end(bed))
+        refuse_unless_discs(bed, depth, radius, _end(bed))
     return depth, radius
 
 
@@ -163,7 +164,7 @@ def _radius_at_force(bed: Bed, force: Array) -> tuple[Array, bool]:
     """Return the radii, and whether the contacts were looked at."""
     if bed.rising:
         radius = _radii_at_force(bed, force)
-        if disc.rises(bed, float(np.max(radius, initial=0.0))):
+        if rises(bed, float(np.max(radius, initial=0.0))):
             return radius, False
     radius = np.zeros(force.shape)
 

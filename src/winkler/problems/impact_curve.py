@@ -27,8 +27,8 @@ from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.roots import invert
 from winkler.numerics.types import Array, Curve
 from winkler.problems.closure import at_depth, at_end, flat_radius
-from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
+from winkler.problems.one_disc import rises
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 
 __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]

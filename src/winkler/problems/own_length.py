@@ -1,7 +1,7 @@
 """A length of the order of a problem's own, where the search for a contact radius begins.
 
 Shape, layers and load bring it; where none of them has a length of its own, everything is a power of the radius, which
-two places tell, whatever the unit.
+a few places tell, whatever the unit.
 """
 
 from __future__ import annotations
@@ -23,10 +23,13 @@ SHARE = 0.02
 """Of the radius of a body, a contact of ordinary width."""
 WIDE = 0.25
 """The same on layers, where narrow contacts are as quickly asked for."""
-FALL = 2.0**-20
-TRIES = 50
+STRIDE = 20.0
+"""Octaves of one step of a search, at most."""
+SLOW = 0.25
+"""Least power of the radius that is believed: waves come back to where they were."""
 FARTHEST = 100.0
 """Octaves from the first place: farther than 1e30 m, or nearer than 1e-30 m, there is no contact."""
+TRIES = 50
 
 
 def thickness_of(medium: Medium) -> float:
@@ -54,12 +57,18 @@ def power_radius(value: Callable[[Array], Array], asked: float) -> float:
     asked
         Positive, of the kind of `value`.
     """
-    place = 1.0
+    octaves = 0.0
     for _ in range(TRIES):
+        place = math.exp2(octaves)
         with np.errstate(all="ignore"):
             near, far = value(np.array([place, 2.0 * place])).tolist()
-            if 0.0 < near < far < math.inf and asked / near > 0.0:
-                octaves = math.log2(asked / near) / math.log2(far / near)
-                return place * math.exp2(min(max(octaves, -FARTHEST), FARTHEST))
-        place *= FALL if far > 0.0 or math.isnan(far) else 1.0 / FALL
-    return 1.0
+            if near == far == 0.0:
+                step = STRIDE
+            elif 0.0 < near < far < math.inf:
+                step = (math.log2(asked) - math.log2(near)) / max(math.log2(far / near), SLOW)
+            else:
+                step = -0.5 * STRIDE  # towards the apex, where every shape rises
+        if abs(step) <= 1.0 or abs(octaves) >= FARTHEST:
+            break
+        octaves += min(max(step, -STRIDE), STRIDE)
+    return place
