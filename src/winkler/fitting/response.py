@@ -17,10 +17,12 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.rising import Pair, Piece, Tabulated, tabulated
+from winkler.media.body_of import thickness_of
+from winkler.numerics.roots import rough_root
 from winkler.numerics.types import Array
 from winkler.problems.closure import flat_radius
 from winkler.problems.edge_states import EdgeStates, end_of, force_under
-from winkler.problems.own_length import own_length, power_radius, thickness_of
+from winkler.problems.own_length import own_length
 from winkler.problems.stability import least_radius
 
 __all__ = ["Answer", "Response", "response"]
@@ -237,7 +239,7 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
         return known[radius]
 
     length = own_length(bed)
-    high = max(length if math.isfinite(length) else power_radius(bed.gap, highest), 2.0 * low)
+    high = max(length if math.isfinite(length) else rough_root(bed.gap, highest), 2.0 * low)
     # layers are not asked for contacts far wider than needed: these take long
     upwards = UPWARDS if math.isinf(thickness_of(bed.medium)) else ALONE
     below, narrowest = low, 2.0**-100 * high

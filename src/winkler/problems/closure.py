@@ -12,11 +12,11 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.numerics.roots import invert
+from winkler.media.body_of import thickness_of
+from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.problems import disc
 from winkler.problems.one_disc import refuse_unless_discs, rises
-from winkler.problems.own_length import power_radius, thickness_of
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
 
@@ -215,7 +215,7 @@ def _guess(bed: Bed, value: Callable[[Array], Array], asked: float) -> float:
     if np.isfinite(bed.size):
         return min(0.02 * bed.size, layers)
     length = min([layers, *(b for b, _ in bed.kinks)])
-    return length if np.isfinite(length) else power_radius(value, asked)
+    return length if np.isfinite(length) else rough_root(value, asked)
 
 
 def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[float, float | Array]:
