@@ -17,7 +17,7 @@ from winkler.numerics.types import Array, Curve
 
 __all__ = ["Octaves"]
 
-OCTAVES = 4
+OCTAVES = 2
 """Octaves of a block."""
 CLOSE = 2e-14
 """Relative error wanted."""

@@ -298,7 +298,7 @@ def _known_of(profile: AreaFunction) -> _Known:
     )
     # at the reach g is singular: tables end an octave before
     unit, high = (profile._unit, math.inf) if reach == math.inf else (0.5 * reach, 0.5 * reach)
-    tables = (Octaves(function, unit, 2.0 * blunt, high) for function in (profile._gap, profile._gap_integral))
+    tables = (Octaves(function, unit, 1.2 * blunt, high) for function in (profile._gap, profile._gap_integral))
     return _Known(reach, blunt, *tables)
 
 
