@@ -116,7 +116,7 @@ class CreepFit(_RelaxingFit):
     Parameters
     ----------
     curve : ForceCurve
-        Its forces drive; the positions were fitted where the weights are not zero.
+        Its forces drive and the positions were fitted; on the way to a tenth of the greatest force, the forces.
     model : ViscoelasticIndentation
         With the fitted numbers, under the forces of the contact.
     names : tuple of str, (p,)
@@ -132,15 +132,16 @@ class CreepFit(_RelaxingFit):
     logarithmic : tuple of bool, (p,)
         Of which numbers the logarithm was varied.
     noise : float
-        Standard deviation of the positions [m]: as given, else the scatter.
+        Standard deviation of the positions [m]: as given, else the scatter of those that were fitted.
     weights : ndarray, (n,)
-        What the residuals were multiplied with; zero where the force is too small to tell a depth.
+        What the residuals were multiplied with; less than 1 where the noise of the force adds to that of the position.
     scatter : float
         Standard deviation of the weighted residuals [m].
     effective_count : float
         Number of independent points that the curve is worth.
     predicted : ndarray, (n,)
-        Fitted positions [m].
+        Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
+        the force for one of the position.
     depth, radius : ndarray, (n,)
         Fitted d and a [m].
     flags : tuple of Flag
