@@ -122,7 +122,8 @@ def _table(outcome: FitOutcome, out: Any) -> None:
         out.print(table)
         out.print(
             f"{fit.count} points, worth {fit.effective_count:.0f} independent ones; noise "
-            f"{told(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}.",
+            f"{told(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}, in "
+            f"contact {fit.chi_square_in_contact:.3g}.",
             soft_wrap=True,
         )
         return

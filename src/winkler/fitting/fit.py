@@ -161,8 +161,8 @@ def _told(question: Task, coordinates: Array, noise: float, flags: tuple[Flag, .
         np.where(prediction.attached, prediction.held.radius, 0.0),
         flags,
     )
-    told = doubts(question.parameters, coordinates, values, result.standard_errors, sure, result.chi_square)
-    return dataclasses.replace(result, flags=(*flags, *told))
+    against = doubts(question.parameters, coordinates, result, sure)
+    return dataclasses.replace(result, flags=(*flags, *against))
 
 
 def _at_largest_depth(question: Task, numbers: dict[str, float], prediction: Prediction) -> Model:

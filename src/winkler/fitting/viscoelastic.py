@@ -176,10 +176,9 @@ def _found(question: Driven, coordinates: Array, noise: float, flags: tuple[Flag
     if noise == 0.0:
         noise = float(np.std(quiet)) if quiet.size >= QUIET else sure.scatter
     noise = noise or sure.scatter or np.finfo(float).tiny
-    chi = float(residuals @ residuals) / max(residuals.size - values.size, 1) / noise**2
     own = unidentified(question, numbers, dict(zip(numbers, errors.tolist(), strict=True)))
     kind = ViscoelasticFit if isinstance(question, Pressed) else CreepFit
-    return kind(
+    result = kind(
         question.curve,
         _replayed(question, numbers, told),
         tuple(numbers),
@@ -196,8 +195,10 @@ def _found(question: Driven, coordinates: Array, noise: float, flags: tuple[Flag
         told.predicted,
         told.contact.depth,
         _radii(question, numbers, told),
-        (*flags, *own, *doubts(question.parameters, coordinates, values, errors, sure, chi)),
+        (*flags, *own),
     )
+    against = doubts(question.parameters, coordinates, result, sure)
+    return dataclasses.replace(result, flags=(*result.flags, *against))
 
 
 def _radii(question: Driven, numbers: dict[str, float], told: Told) -> Array:

@@ -48,6 +48,11 @@ class _RelaxingFit(Estimate):
     flags: tuple[Flag, ...]
 
     @property
+    def touched(self) -> Array:
+        """Where the tip is in contact ``(n,)``."""
+        return np.asarray(self.radius > 0.0)
+
+    @property
     def _on_logarithm(self) -> tuple[bool, ...]:
         return self.logarithmic
 
