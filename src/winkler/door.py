@@ -14,8 +14,9 @@ from winkler.fields import (
 )
 from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.fit import Fit, fit
+from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution, intercept_factor, sample_young
+from winkler.fitting.search import FitState
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic_terms import compare_terms
@@ -172,8 +173,8 @@ __all__ = [
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticIndentation", "EllipticSolution", "EqualMaximum", "EqualMean",
     "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
-    "Fit", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation", "FractionalZener",
-    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
+    "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace",
     "HalfSpace", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
@@ -212,7 +213,7 @@ __all__ = [
     "area_fraction",
     "compare", "compare_terms", "creep_coefficients",
     "design_for_pressure", "design_profile",
-    "fit",
+    "fit", "fit_steps",
     "intercept_factor",
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",

@@ -18,6 +18,7 @@ from winkler.fitting.checks import Flag, Outline, examined, outline
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.outline import FEWEST
 from winkler.fitting.parameters import each
+from winkler.fitting.search import Search
 from winkler.fitting.viscoelastic_asked import driven_task
 from winkler.fitting.viscoelastic_creep import Under
 from winkler.fitting.viscoelastic_doubts import unidentified
@@ -49,8 +50,9 @@ def viscoelastic_fit(
     *,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
+    search: Search,
 ) -> ViscoelasticFit | CreepFit:
-    """Fit numbers of a relaxing contact to a curve; parameters as for `winkler.fitting.fit.fit`.
+    """Fit numbers of a relaxing contact to a curve; parameters as for `winkler.fitting.fit.fit`, and what counts.
 
     Raises
     ------
@@ -59,7 +61,7 @@ def viscoelastic_fit(
     OutsideValidity
         If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
     NotConverged
-        If least squares do not settle.
+        If least squares do not settle, or the time of the search is over.
     """
     strokes, flags = _looked_at(curve)
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
@@ -71,8 +73,8 @@ def viscoelastic_fit(
             f"fit: {np.count_nonzero(question.weights)} points cannot tell {many} numbers; give more, or free fewer."
         )
     try:
-        begin = best_driven_start(question, strokes)
-        question, coordinates = _settled(question, begin, strokes, spread)
+        begin = best_driven_start(question, strokes, search)
+        question, coordinates = _settled(question, begin, strokes, spread, search)
         coordinates = _in_order(question, coordinates)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
@@ -133,15 +135,17 @@ def _in_order(question: Driven, coordinates: Array) -> Array:
     return ordered
 
 
-def _settled(question: Driven, begin: Array, strokes: Outline | None, noise: Array) -> tuple[Driven, Array]:
+def _settled(
+    question: Driven, begin: Array, strokes: Outline | None, noise: Array, search: Search
+) -> tuple[Driven, Array]:
     """Return the coordinates of least squares, and the question with the weights that they belong to."""
-    coordinates, _ = improve(question, begin, MOST_PREDICTIONS, SETTLED)
+    coordinates, _ = improve(question, begin, MOST_PREDICTIONS, search, SETTLED)
     if not isinstance(question, Under):
         _refuse_blind(question, coordinates)
         return question, coordinates
     for _ in range(WEIGHED if strokes is not None else 0):
         question = question.weighed(coordinates, strokes.noise if strokes is not None else 0.0, noise)
-        coordinates, _ = improve(question, coordinates, MOST_PREDICTIONS, SETTLED)
+        coordinates, _ = improve(question, coordinates, MOST_PREDICTIONS, search, SETTLED)
     _refuse_blind(question, coordinates)
     return question, question.unbiased(coordinates)
 
