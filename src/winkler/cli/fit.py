@@ -31,9 +31,9 @@ def fit(
     overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
     time_limit: Annotated[
-        float,
+        float | None,
         typer.Option(help=r"The longest that the fit of one curve may take \[s]; that of the study if not given."),
-    ] = 0.0,
+    ] = None,
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
@@ -53,10 +53,10 @@ def fit(
     from winkler.study.writing import holds_results, placed
 
     started = time.perf_counter()
-    if not time_limit >= 0.0:
+    if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
     asked = read_fit_study(study)
-    if time_limit:
+    if time_limit is not None:
         asked = dataclasses.replace(asked, time_limit=time_limit)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     if holds_results(folder) and not overwrite:

@@ -94,8 +94,9 @@ class Search:
     def check(self) -> None:
         """Raise NotConverged if the time is over."""
         if time.monotonic() > self.end:
+            many = f"{self.evaluations} evaluation{'s' * (self.evaluations != 1)}"
             raise NotConverged(
                 f"fit: least squares have not settled within the time limit of {self.time_limit:g} s, after "
-                f"{self.evaluations} evaluations; give more time, starts or bounds nearer to the answer, fewer free "
+                f"{many}; give more time, starts or bounds nearer to the answer, fewer free "
                 "numbers, or fewer points."
             )

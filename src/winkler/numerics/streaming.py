@@ -17,7 +17,7 @@ __all__ = ["streamed"]
 T = TypeVar("T")
 R = TypeVar("R")
 
-PATIENCE = 5.0
+PATIENCE = 2.0
 """How long a routine whose reader has left may go on until it next hands something over [s]."""
 
 

@@ -156,7 +156,8 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
 def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:
     free = {free.path: free.asked for free in study.free}
     if watch is None:
-        return fit(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
+        found: AnyFit = fit(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
+        return found
     steps = fit_steps(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
     last = list(watch(steps))[-1]
     assert isinstance(last, AnyFit)
