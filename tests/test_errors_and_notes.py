@@ -32,7 +32,7 @@ def test_suggestions(word, expected):
 
 
 def test_the_worst_of_notes():
-    notes = {standing: wk.Note(standing, "a", "b") for standing in wk.Standing}
+    notes = {standing: wk.Note(wk.Assumption.SHAPE, standing, "a", "b") for standing in wk.Standing}
     assert worst([]) is wk.Standing.EXACT
     assert worst(notes.values()) is wk.Standing.OUTSIDE
     assert worst([notes[wk.Standing.EXACT], notes[wk.Standing.ASYMPTOTIC]]) is wk.Standing.ASYMPTOTIC

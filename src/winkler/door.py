@@ -150,6 +150,7 @@ from winkler.profiles.profile import Shape
 from winkler.profiles.random_rough import random_topography
 from winkler.profiles.random_surface import RandomTopography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
+from winkler.profiles.socket import BallInSocket
 from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, spectrum_of
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.topography import Topography
@@ -157,14 +158,15 @@ from winkler.profiles.wavy import Wavy
 from winkler.program import Program
 from winkler.stairs import Staircase, staircase
 from winkler.study.exchange import to_pandas, to_xarray
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 # packed, a letter a paragraph: one name a line would not fit a page
 __all__ = [
     "AdhesiveCycle", "AdhesiveCycleSolution", "AdhesiveImpact", "AdhesiveImpactSolution", "AdhesiveIndentation",
     "AdhesiveShear", "AdhesiveShearSolution", "AdhesiveSolution", "Angle", "Archard", "AreaFunction", "Arrhenius",
-    "AtTemperature",
-    "BallImpacts", "BallImpactsSolution", "Berkovich", "BimodalDamping", "BimodalDampingSolution", "BodyFields",
+    "Assumption", "AtTemperature",
+    "BallImpacts", "BallImpactsSolution", "BallInSocket", "Berkovich", "BimodalDamping", "BimodalDampingSolution",
+    "BodyFields",
     "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds",
     "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse", "ContactLaw",
     "ContactLawSolution", "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage",

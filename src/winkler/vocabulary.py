@@ -43,6 +43,8 @@ GLOSSARY: dict[str, Word] = {
     "slope": Word("f'", "", "slope of the profile"),
     "curvature": Word("f''", "1/m", "second derivative of the profile"),
     "curvature_radius": Word("R", "m", "radius of curvature of the body at its apex"),
+    "socket_radius": Word("R_2", "m", "radius of the spherical socket around a ball"),
+    "effective_radius": Word("R", "m", "radius of the ball on a plane that is as curved at the apex"),
     "cap_curvature_radius": Word("R_1", "m", "radius of curvature of the cap"),
     "cap_radius": Word("b", "m", "radius where the cap ends"),
     "half_angle": Word(r"\theta", "rad", "half of the opening angle, measured from the axis"),

@@ -42,6 +42,9 @@ power_law = st.builds(
 )
 sphere = st.builds(lambda big: Specimen(lambda s: wk.Sphere(s * big), 0.9 * big), length)
 ellipsoid = st.builds(lambda a, b: Specimen(lambda s: wk.Ellipsoid(s * a, s * b), 0.9 * a), length, length)
+ball_in_socket = st.builds(
+    lambda big, wide: Specimen(lambda s: wk.BallInSocket(s * big, s * big * wide), 0.9 * big), length, number(1.01, 3.0)
+)
 hyperboloid = st.builds(lambda big, t: Specimen(lambda s: wk.Hyperboloid(s * big, t), 3.0 * big), length, angle)
 cone = st.builds(lambda t: Specimen(lambda s: wk.Cone(t), 1.0), angle)
 pyramid = st.sampled_from([wk.Berkovich, wk.Vickers, wk.CubeCorner]).map(lambda tip: Specimen(lambda s: tip(), 1.0))
@@ -130,6 +133,7 @@ SMOOTH = {
     "power_law": power_law,
     "sphere": sphere,
     "ellipsoid": ellipsoid,
+    "ball_in_socket": ball_in_socket,
     "hyperboloid": hyperboloid,
     "cone": cone,
     "pyramid": pyramid,

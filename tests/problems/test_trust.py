@@ -59,12 +59,10 @@ def test_a_cone_has_no_size():
 
 
 def test_dissimilar_bodies():
-    similar = validity(wk.Paraboloid(1.0), wk.Depth(1e-6))
-    assert not any("Dundurs" in note.statement for note in similar)
-    note = find(validity(wk.Paraboloid(1.0), wk.Depth(1e-6), wk.HalfSpace.between(STEEL)), "Dundurs beta = 0.286")
-    assert note.standing is wk.Standing.ASYMPTOTIC
-    soft = wk.HalfSpace.between(wk.Elastic(1e6, 0.5))
-    assert not any("Dundurs" in n.statement for n in validity(wk.Paraboloid(1.0), wk.Depth(1e-6), soft))
+    """Without friction Dundurs' constant changes nothing, and nothing is said of it."""
+    notes = validity(wk.Paraboloid(1.0), wk.Depth(1e-6), wk.HalfSpace.between(STEEL))
+    assert not any("Dundurs" in note.statement for note in notes)
+    assert not any(note.assumption is wk.Assumption.UNCOUPLED for note in notes)
 
 
 def test_a_rim():
@@ -93,7 +91,7 @@ def test_yield():
 
 def test_every_note_has_a_source_and_ends_as_a_sentence():
     notes = validity(wk.Berkovich() + wk.Sphere(1e-2), wk.Depth(1e-6), wk.HalfSpace.between(STEEL))
-    assert len(notes) >= 5
+    assert len(notes) >= 4
     for note in notes:
         assert note.source
         assert note.statement.endswith(".")

@@ -29,7 +29,7 @@ def test_a_solution_is_a_dataset_with_units():
     for name, content in data.data_vars.items():
         assert content.attrs["units"] == (word("IndentationSolution", name).unit or "1")
         assert content.attrs["long_name"] == word("IndentationSolution", name).meaning
-    assert "exact: Frictionless contact" in data.attrs["validity"]
+    assert "exact: Homogeneous, isotropic, linear elastic half-spaces" in data.attrs["validity"]
 
 
 def test_the_dataset_says_how_it_is_made_again():

@@ -229,7 +229,12 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
         "failed": [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.refused],
         "left": outcome.left,
         "validity": [
-            {"standing": note.standing.value, "statement": note.statement, "source": note.source}
+            {
+                "assumption": note.assumption.value,
+                "standing": note.standing.value,
+                "statement": note.statement,
+                "source": note.source,
+            }
             for note in outcome.validity
         ],
     }

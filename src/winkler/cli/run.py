@@ -170,7 +170,12 @@ def _print_json(outcome: Outcome, folder: Path) -> None:
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
         "validity": [
-            {"standing": note.standing.value, "statement": note.statement, "source": note.source}
+            {
+                "assumption": note.assumption.value,
+                "standing": note.standing.value,
+                "statement": note.statement,
+                "source": note.source,
+            }
             for note in outcome.validity
         ],
     }

@@ -20,20 +20,16 @@ from winkler.media.coated import CoatedHalfSpace
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.problems import griffith
-from winkler.problems.adhesion_model import STRETCH
 from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.indentation import Indentation
 from winkler.problems.pull_off import PullOff
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["MOLECULAR", "fit_notes", "free_notes"]
+__all__ = ["fit_notes", "free_notes"]
 
-MOLECULAR = 0.3e-9
-"""Range of attraction between molecules [m], about the distance of atoms."""
-SHORT, LONG = 5.0, 0.1
-"""Tabor's parameter above which attraction is without range (JKR), and below which it deforms nothing (DMT)."""
 SEEN = 0.01
 """A body that changes the stiffness by less is as good as unseen."""
 TOP, BELOW = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
@@ -42,7 +38,6 @@ SMALL_SHARE = 0.1
 """Free part of a way below which its zero of force leans on the model."""
 BALL = 0.01
 """Difference between ball and paraboloid that is worth a word."""
-GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984"
 PUNCHES = "stiffness of flat punches of the same width"
 POINTS = "count of the points in and out of contact"
 BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion"
@@ -91,14 +86,14 @@ def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note
     if abs(below) < SEEN:
         standing = Standing.OUTSIDE if deep else Standing.ASYMPTOTIC
         verdict = f"the curve can hardly tell {', '.join(deep)}" if deep else "it was measured as if it had no end"
-        return [Note(standing, f"{fact}: {verdict}.", PUNCHES)]
+        return [Note(Assumption.CURVE, standing, f"{fact}: {verdict}.", PUNCHES)]
     both = bool(deep) and any(name.startswith(TOP) for name in names)
     verdict = (
         "coating and substrate are told apart by how this grows with the depth alone"
         if both
         else "the fitted numbers rest on what is known of coating and substrate"
     )
-    return [Note(Standing.APPROXIMATE, f"{fact}: {verdict}.", PUNCHES)]
+    return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {verdict}.", PUNCHES)]
 
 
 def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note]:
@@ -111,6 +106,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     if corners and widest < corners[0]:
         notes.append(
             Note(
+                Assumption.SHAPE,
                 Standing.EXACT,
                 f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
                 f"{corners[0]:.3g} m; the curve says nothing about the rest.",
@@ -125,7 +121,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     depth = model.load.depth if isinstance(model.load, Depth) else 0.0
     if widest >= radius:
         verdict = "a paraboloid is no ball there; if the tip is one, give Sphere"
-        return [*notes, Note(Standing.OUTSIDE, f"{fact}: {verdict}.", BALLS)]
+        return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {verdict}.", BALLS)]
     if not float(np.max(depth)) > 0.0:
         return notes
     load = Depth(float(np.max(depth)))
@@ -135,7 +131,9 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     verdict = f"a ball of that radius would answer with {share:+.2%} of force" + (
         "" if good else "; if it is one, give Sphere"
     )
-    notes.append(Note(Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {verdict}.", BALLS))
+    notes.append(
+        Note(Assumption.SHAPE, Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {verdict}.", BALLS)
+    )
     return notes
 
 
@@ -147,23 +145,16 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
     try:
         edge = PullOff(model.bed, ShortRange(law.work)).solve().radius
     except OutsideValidity as error:
-        return [Note(Standing.APPROXIMATE, f"Range: no pull-off is known to judge it by. {error}", GREENWOOD)]
+        return [
+            Note(
+                Assumption.ADHESION,
+                Standing.APPROXIMATE,
+                f"Range: no pull-off is known to judge it by. {error}",
+                GREENWOOD,
+            )
+        ]
     stretch = float(griffith.stretch(model.bed, law.work, np.array([edge]))[0])
-    tabor = stretch / (STRETCH * MOLECULAR)
-    fact = (
-        f"Range: with the fitted numbers the edge is stretched by {stretch:.3g} m at the pull-off, "
-        f"{stretch / MOLECULAR:.3g} times a molecular range of {MOLECULAR:.1g} m (Tabor parameter {tabor:.3g})"
-    )
-    closest = f"fit Dugdale(work, strength) with strength = {law.work / MOLECULAR:.3g} Pa"
-    if isinstance(law, ShortRange):
-        good, bad = tabor >= SHORT, tabor < LONG
-        right, wrong = "attraction without range (JKR) is right", "the attraction reaches much farther than JKR allows"
-    else:
-        good, bad = tabor <= LONG, tabor > SHORT
-        right, wrong = "attraction from afar (DMT) is right", "the attraction deforms the edge, which DMT denies"
-    standing = Standing.ASYMPTOTIC if good else Standing.OUTSIDE if bad else Standing.APPROXIMATE
-    verdict = right if good else f"{wrong if bad else 'between JKR and DMT'}; {closest}"
-    return [Note(standing, f"{fact}: {verdict}.", GREENWOOD)]
+    return [range_note(law, stretch, "Range: with the fitted numbers, at the pull-off")]
 
 
 def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
@@ -195,4 +186,4 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
     )
     where = " and ".join(told)
     statement = f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {verdict}."
-    return [Note(Standing.APPROXIMATE if poor else Standing.EXACT, statement, POINTS)]
+    return [Note(Assumption.CURVE, Standing.APPROXIMATE if poor else Standing.EXACT, statement, POINTS)]

@@ -12,12 +12,13 @@ from winkler.numerics.types import Array
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import elastic_like
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["CreepFit", "ViscoelasticFit"]
 
 QUASISTATIC = Note(
+    Assumption.CURVE,
     Standing.APPROXIMATE,
     "Machine and liquid: the cantilever follows without inertia, and what a liquid drags at it is proportional to the "
     "velocity of its base, if drag is free; an adhesive pull is no part of the model.",

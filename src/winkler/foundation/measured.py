@@ -20,7 +20,7 @@ from winkler.foundation.measured_medium import MeasuredMedium
 from winkler.numerics import abel
 from winkler.numerics.power_splines import PowerSplines
 from winkler.numerics.types import Array, ArrayLike
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
 __all__ = ["MeasuredBed"]
@@ -163,12 +163,14 @@ class MeasuredBed:
         )
         return (
             Note(
+                Assumption.RESPONSE,
                 Standing.APPROXIMATE if self.scatter else Standing.ASYMPTOTIC,
                 f"Stiffness and depth were given at {self.radii.size} contact radii{how}; what follows from them is as "
                 "good as they are, for bodies of any shape.",
                 BARBER,
             ),
             Note(
+                Assumption.SHAPE,
                 Standing.ASYMPTOTIC,
                 "Radii are those of discs of equal stiffness, and slopes those of the body of revolution that a "
                 "homogeneous half-space would need; the true body and its pressure are not known.",

@@ -26,7 +26,7 @@ from winkler.numerics import abel, fredholm
 from winkler.numerics.cosine import Response
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["CoatedHalfSpace", "LayeredMedium"]
@@ -227,6 +227,7 @@ class CoatedHalfSpace(LayeredMedium):
         """What is assumed."""
         return (
             Note(
+                Assumption.RESPONSE,
                 Standing.EXACT,
                 "Frictionless contact of perfectly bonded, isotropic, linear elastic layers: k and g follow from the "
                 "flat punches of the stack without approximation, for one round contact.",

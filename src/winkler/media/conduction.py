@@ -23,7 +23,7 @@ from winkler.numerics import fredholm
 from winkler.numerics.filmed_disc import spreading
 from winkler.numerics.flux_tube import WIDEST, relief
 from winkler.numerics.types import Array, ComplexArray
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["PlatedResponse", "Resistances", "conduction_notes", "disc_resistances"]
@@ -182,10 +182,18 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
     plated = [isinstance(body, Plated) for body in (first, second)]
     notes = []
     if not any(rods):
-        notes.append(Note(Standing.EXACT, "Steady conduction through one round contact, nothing around it.", HOLM))
+        notes.append(
+            Note(
+                Assumption.CONDUCTION,
+                Standing.EXACT,
+                "Steady conduction through one round contact, nothing around it.",
+                HOLM,
+            )
+        )
     if any(plated):
         notes.append(
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT,
                 "The platings conduct as layers bonded without resistance; their halves of the "
                 "resistance are told apart as if each met its like.",
@@ -196,6 +204,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
         alike = all(rods) and first == second
         notes.append(
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT if alike else Standing.ASYMPTOTIC,
                 "Both rods have insulated sides and their contact is a disc of one voltage"
                 if alike
@@ -207,6 +216,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
     if area_resistance and not _bare(first, second):
         notes.append(
             Note(
+                Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
                 "The film is added to the constriction of a clean contact; it also spreads the current, which costs up "
                 "to 8 % of the constriction more.",
@@ -216,6 +226,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
     elif area_resistance:
         notes.append(
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT,
                 "That the film spreads the current is counted in the constriction, up to 8.1 % more than Holm's.",
                 OWN,

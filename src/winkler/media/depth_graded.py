@@ -18,7 +18,7 @@ from winkler.media.coated_load import Carried
 from winkler.media.depth_response import NormalDepthResponse, TangentialDepthResponse
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["DepthGradedHalfSpace"]
@@ -102,6 +102,7 @@ class DepthGradedHalfSpace(LayeredMedium):
         """What is assumed."""
         return (
             Note(
+                Assumption.RESOLUTION,
                 Standing.ASYMPTOTIC,
                 f"The graded body is cut into cells so thin that every stiffness k(a) is known to "
                 f"{self.tolerance:.0e}; frictionless, isotropic, linear elastic.",

@@ -32,7 +32,7 @@ from winkler.numerics.graded_pressure import pressure as graded_pressure
 from winkler.numerics.intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["GradedHalfSpace"]
@@ -146,12 +146,14 @@ class GradedHalfSpace:
         """The assumptions."""
         return (
             Note(
+                Assumption.RESPONSE,
                 Standing.EXACT,
                 "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant Poisson "
                 "ratio: for one round contact the springs give the three-dimensional solution itself.",
                 BOOKER,
             ),
             Note(
+                Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 "The power law gives the surface itself the modulus "
                 + ("zero" if self.exponent > 0.0 else "infinity" if self.exponent < 0.0 else "of the bulk")

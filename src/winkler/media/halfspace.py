@@ -19,7 +19,7 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["HalfSpace", "HomogeneousMedium"]
@@ -174,22 +174,14 @@ class HalfSpace(HomogeneousMedium):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """The assumptions of the half-space, and whether friction would couple in."""
-        exact = Note(
-            Standing.EXACT,
-            "Frictionless contact of homogeneous, isotropic, linear elastic half-spaces: for one round contact the "
-            "springs give the three-dimensional solution itself.",
-            GALIN,
-        )
-        if abs(self.mismatch) < 1e-12:
-            return (exact,)
+        """What is assumed of the half-spaces."""
         return (
-            exact,
             Note(
-                Standing.ASYMPTOTIC,
-                f"The bodies are elastically dissimilar (Dundurs beta = {self.mismatch:.3g}): with friction at the "
-                "interface the pressure would change by terms of the order of beta times the friction coefficient.",
-                "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 5, doi:10.1017/CBO9781139171731",
+                Assumption.RESPONSE,
+                Standing.EXACT,
+                "Homogeneous, isotropic, linear elastic half-spaces: for one round contact that is pressed without "
+                "friction the springs give the three-dimensional solution itself.",
+                GALIN,
             ),
         )
 

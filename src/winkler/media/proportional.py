@@ -27,7 +27,7 @@ from winkler.media.relaxing import LEE, RelaxingMedium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RelaxingInProportion"]
@@ -122,13 +122,14 @@ class RelaxingInProportion(RelaxingMedium):
     def notes(self) -> tuple[Note, ...]:
         """What is assumed: that of the elastic medium, and that all relaxes in proportion."""
         alike = Note(
+            Assumption.RESPONSE,
             Standing.EXACT,
             "All parts that are not rigid relax by the same function of time, with Poisson's ratios that do not "
             "change: then g does not change either, and while the contact is one disc every elastic answer stays "
             "true with the displacements replaced by their hereditary integral.",
             LEE,
         )
-        return (*self.medium.notes, alike, *self.span_notes)
+        return (*self.medium.notes, alike)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.

@@ -19,7 +19,6 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
 
 __all__ = ["RelaxingMedium", "Remembered"]
 
@@ -57,21 +56,6 @@ class RelaxingMedium:
     def span(self) -> tuple[float, float]:
         """From which time on and up to which the series are the solids [s]."""
         raise NotImplementedError
-
-    @property
-    def span_notes(self) -> tuple[Note, ...]:
-        """What must be said about that span."""
-        shortest, longest = self.span
-        if shortest == 0.0:
-            return ()
-        return (
-            Note(
-                Standing.APPROXIMATE,
-                f"The solid is known between {shortest:.3g} s and {longest:.3g} s; what happens faster or slower than "
-                "that is answered by its series, not by the solid.",
-                "sum of exponentials over a span of time",
-            ),
-        )
 
     def timeless(self) -> OutsideValidity:
         """Return the error of who asks for a single answer."""

@@ -16,7 +16,7 @@ from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.media.twist_field import twist_constants
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["TransverselyIsotropicHalfSpace"]
@@ -108,6 +108,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
         """The assumptions."""
         return (
             Note(
+                Assumption.RESPONSE,
                 Standing.EXACT,
                 "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
                 "pressure and depth follow from the isotropic solution with the effective modulus.",

@@ -25,14 +25,14 @@ from winkler.media.punch_field import BodyField
 from winkler.media.relaxing import LEE, RelaxingMedium
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, of_creep, of_relaxation
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticHalfSpace"]
 
 RIGID = Rigid()
 UNIT = HalfSpace(Elastic(0.75, 0.5))
-"""E* = 1 Pa; beside a rigid body an incompressible one is not dissimilar, of which there is nothing to note."""
+"""E* = 1 Pa."""
 
 
 @value
@@ -121,13 +121,15 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is assumed."""
-        exact = Note(
-            Standing.EXACT,
-            "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
-            "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
-            LEE,
+        return (
+            Note(
+                Assumption.RESPONSE,
+                Standing.EXACT,
+                "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
+                "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+                LEE,
+            ),
         )
-        return (exact, *self.span_notes)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.

@@ -22,19 +22,17 @@ from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, 
 from winkler.loading import Force
 from winkler.problems import griffith
 from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, STRETCH
 from winkler.problems.indentation import Indentation
 from winkler.problems.pull_off import PullOff
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
 
-STRETCH = math.sqrt(2.0 * math.pi) * (9.0 * math.pi / 8.0) ** (1.0 / 6.0)
-"""Stretch of a paraboloid's edge at its pull-off without range, in units of (R w^2 / E*^2)^(1/3)."""
 MAUGIS = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
 """Maugis' parameter over Tabor's, if the range is work over strength."""
 UNLOADED = Force(0.0)
-GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984"
 TABOR = "D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6"
 EQUATIONS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
 UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": "m", "strength": "Pa"}
@@ -283,16 +281,25 @@ def _reasons(
     }
     region = "JKR (above 5)" if tabor > 5.0 else "DMT (below 0.1)" if tabor < 0.1 else "the transition (0.1 to 5)"
     notes = [
-        Note(Standing.EXACT, verdicts[name], "pull-off and contact radius of all models, computed for this profile"),
         Note(
+            Assumption.ADHESION,
+            Standing.EXACT,
+            verdicts[name],
+            "pull-off and contact radius of all models, computed for this profile",
+        ),
+        Note(
+            Assumption.ADHESION,
             Standing.ASYMPTOTIC,
             f"At the pull-off attraction stretches the edge by {stretch:.3g} m, its range is {law.range:.3g} m: "
             f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS * tabor:.3g}, in the region of {region}.",
             f"{TABOR}; {GREENWOOD}",
         ),
-        Note(Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),
-        Note(Standing.EXACT, f"Contact radius under {float(load.force):.4g} N: {wide}.", EQUATIONS),
+        Note(Assumption.ADHESION, Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),
         Note(
+            Assumption.ADHESION, Standing.EXACT, f"Contact radius under {float(load.force):.4g} N: {wide}.", EQUATIONS
+        ),
+        Note(
+            Assumption.ADHESION,
             Standing.APPROXIMATE,
             "The true law of attraction is no constant stress; between the limits other laws of equal work and "
             "strength differ from Maugis by a few percent.",
@@ -300,5 +307,5 @@ def _reasons(
         ),
     ]
     if refused:
-        notes.append(Note(Standing.EXACT, f"DMT was left out. {refused}", "apex of the profile"))
+        notes.append(Note(Assumption.ADHESION, Standing.EXACT, f"DMT was left out. {refused}", "apex of the profile"))
     return tuple(notes)

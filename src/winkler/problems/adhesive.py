@@ -22,12 +22,13 @@ from winkler.numerics import abel
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems import griffith
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.closure import at_end
 from winkler.problems.edge_states import EdgeStates, depth_under, end_of, force_under, margin, states_of
 from winkler.problems.picking import picked, single
 from winkler.problems.pull_off import PullOff, PullOffSolution
 from winkler.problems.widest import stable_counts, widest
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveIndentation", "AdhesiveSolution"]
@@ -70,6 +71,7 @@ class AdhesiveIndentation:
     load: Load
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "maugis_1992")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def solve(self) -> AdhesiveSolution:
         """Return depth, force, radius, and whether the state is stable.
@@ -256,6 +258,7 @@ class AdhesiveSolution:
         return (
             *notes,
             Note(
+                Assumption.EQUILIBRIUM,
                 Standing.EXACT,
                 f"Up to {int(np.max(count))} contact radii are stable under one load; the widest is meant, which is "
                 "left after pressing firmly. AdhesiveCycle follows a history.",

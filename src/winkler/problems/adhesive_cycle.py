@@ -26,9 +26,10 @@ from winkler.numerics.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesive_edge import AdhesiveEdge, DeadLoad, Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
 from winkler.problems.ranged_edge import RangedEdge, ranged_edge
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
@@ -86,6 +87,7 @@ class AdhesiveCycle:
     machine_stiffness: float = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, AdhesionLaw):
@@ -235,6 +237,7 @@ class AdhesiveCycleSolution:
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
             Note(
+                Assumption.EQUILIBRIUM,
                 Standing.EXACT,
                 f"The edge moves slowly, in {len(self.jumps)} jumps at once; in a jump all that the potential falls by "
                 "is lost, to vibrations and sound: it does not carry the edge beyond the next radius that holds it.",

@@ -7,19 +7,20 @@ import math
 import numpy as np
 
 from winkler.foundation.bed import Bed
-from winkler.laws.adhesion import AdhesionLaw, Dugdale, ShortRange
+from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.numerics.types import Array
 from winkler.problems import griffith
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
+from winkler.problems.assumptions.film import film_notes
 from winkler.problems.edge_states import states_of
 from winkler.problems.trust import size_note, slope_note
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["adhesive_notes"]
 
 JKR = "K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301, doi:10.1098/rspa.1971.0141"
 MAUGIS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
 DMT = "B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326"
-GREENWOOD = "K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333"
 TINY = 1e-9
 SAMPLES = 512
 
@@ -39,13 +40,19 @@ def adhesive_notes(bed: Bed, law: AdhesionLaw, depth: Array, radius: Array) -> t
     notes = [*bed.notes, _law_note(bed, law, widest)]
     if widest == 0.0:
         touch = "The bodies touch in a point; beyond it they attract each other without contact, which is not followed."
-        return (*notes, Note(Standing.EXACT, touch, "no spring is compressed"))
+        return (*notes, Note(Assumption.EQUILIBRIUM, Standing.EXACT, touch, "no spring is compressed"))
     notes.append(slope_note(bed, widest))
     if math.isfinite(bed.size):
         notes.append(size_note(bed, widest))
+    notes.extend(film_notes(bed, float(depth[last]), float(griffith.force_at(bed, depth[last], radius[last])), widest))
     if widest >= bed.rim:
         notes.append(
-            Note(Standing.EXACT, "The edge of the contact is held by the rim of the body.", "Kendall's flat punch")
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                "The edge of the contact is held by the rim of the body.",
+                "Kendall's flat punch",
+            )
         )
     elif not bed.rising:
         notes.append(_overlap_note(bed, law, float(depth[last]), widest))
@@ -56,6 +63,7 @@ def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
     if isinstance(law, Dugdale):
         stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
         return Note(
+            Assumption.ADHESION,
             Standing.EXACT,
             f"Exact for a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of what attraction "
             "without range would stretch the edge; other laws of the same work and strength differ in the transition, "
@@ -64,20 +72,11 @@ def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
             else "Exact for a constant stress.",
             MAUGIS,
         )
-    if isinstance(law, ShortRange):
-        stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
-        return Note(
-            Standing.ASYMPTOTIC,
-            f"Exact for attraction without range (JKR). The edge is stretched by {stretch:.3g} m: the true range, some "
-            "tenths of a nanometre for molecular forces, must be a small part of that (Tabor parameter above about 5).",
-            f"{JKR}; {GREENWOOD}",
-        )
-    return Note(
-        Standing.ASYMPTOTIC,
-        "The attraction reaches farther than the surfaces deform (DMT, Tabor parameter below about 0.1): the profile "
-        "is that of the contact without adhesion.",
-        f"{DMT}; {GREENWOOD}",
-    )
+    if radius == 0.0:
+        models = {ShortRange: f"without range (JKR) [{JKR}]", DerjaguinMullerToporov: f"from afar (DMT) [{DMT}]"}
+        return Note(Assumption.ADHESION, Standing.ASYMPTOTIC, f"Attraction {models[type(law)]}.", GREENWOOD)
+    stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
+    return range_note(law, stretch, "By attraction without range")
 
 
 def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> Note:
@@ -89,12 +88,14 @@ def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> No
     touching = apart < -TINY * float(np.max(np.abs(bed.height(r))) + abs(depth))
     if touching.any():
         return Note(
+            Assumption.SINGLE_CONTACT,
             Standing.OUTSIDE,
             f"At r = {r[touching][0]:.4g} m the bodies would overlap outside the contact: there a ring has begun to "
             "touch, and the contact is no disc.",
             "separation of the restored surfaces",
         )
     return Note(
+        Assumption.SINGLE_CONTACT,
         Standing.EXACT,
         "The equivalent profile is not known to rise everywhere; that the bodies do not overlap around the contact was "
         "checked.",

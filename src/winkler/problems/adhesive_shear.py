@@ -30,7 +30,9 @@ from winkler.problems import griffith
 from winkler.problems.adhesive import AdhesiveIndentation
 from winkler.problems.adhesive_edge import DeadLoad, Machine
 from winkler.problems.adhesive_notes import adhesive_notes
-from winkler.validity import Note, Standing
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
@@ -105,6 +107,7 @@ class AdhesiveShear:
     lateral: Shift | ShearForce
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "savkoor_briggs_1977")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.UNCOUPLED}
 
     def __post_init__(self) -> None:
         for word, given, kinds in (
@@ -205,7 +208,9 @@ class AdhesiveShearSolution:
         problem = self.problem
         return (
             *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius)),
+            sticking_note(problem.bed.medium, math.inf),
             Note(
+                Assumption.ADHESION,
                 Standing.APPROXIMATE,
                 "Normal and tangential parts of the energy that is released are added and averaged around the edge, "
                 "whatever the share of the modes; a real contact becomes oval, slips near its edge, and often parts at "

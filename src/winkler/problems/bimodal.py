@@ -27,12 +27,13 @@ from winkler.loading import Depth, Shift
 from winkler.numerics.refined import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path
+from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.damping import positive_frequency
 from winkler.problems.damping_notes import STEADY, damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.spring_cycle import SpringCycle
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["BimodalDamping", "BimodalDampingSolution"]
@@ -99,6 +100,7 @@ class BimodalDamping:
     lateral_cycles: int = 1
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb) or not self.law.coefficient > 0.0:
@@ -303,4 +305,8 @@ class BimodalDampingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.contact.validity, STEADY, *damping_notes(self.problem.bed, float(self.contact.radius)))
+        return (
+            *self.contact.validity,
+            STEADY,
+            *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
+        )

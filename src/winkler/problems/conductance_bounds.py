@@ -26,7 +26,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ConductanceBounds", "ConductanceBoundsSolution"]
@@ -80,6 +80,9 @@ class ConductanceBounds:
     force: float
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003",)
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.RESPONSE, Assumption.RESOLUTION, Assumption.CONDUCTION)
+    )
 
     def __post_init__(self) -> None:
         if not isinstance(self.conductors, ElectricalConductors):
@@ -206,6 +209,7 @@ class ConductanceBoundsSolution:
         return (
             *self.problem.bed.medium.notes,
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT,
                 "Rigorous bounds for elastic contact without friction or adhesion, however the roughness looks, as "
                 "long as it stays between the two smooth shapes; they hold for clean metal in all spots.",

@@ -16,7 +16,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.trust import size_note, slope_note
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["mean_free_path_note", "pressed_disc", "refuse_unknown_area", "scope_notes"]
 
@@ -46,6 +46,7 @@ def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
     widest = float(np.max(radius, initial=0.0))
     if isinstance(bed, MeasuredBed):
         first = Note(
+            Assumption.CONDUCTION,
             Standing.EXACT,
             "The contact conducts like the disc of equal stiffness, whatever its shape, if the bodies are homogeneous "
             "and elastic and the radii of the bed are k / (2 E*).",
@@ -53,6 +54,7 @@ def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
         )
     elif isinstance(bed.medium, HomogeneousMedium):
         first = Note(
+            Assumption.CONDUCTION,
             Standing.EXACT,
             "Conductance and stiffness dF/dd of the contact are in proportion, 2 / (E* (rho_1 + rho_2)); so every "
             "spring in contact conducts alike.",
@@ -60,6 +62,7 @@ def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
         )
     else:
         first = Note(
+            Assumption.CONDUCTION,
             Standing.EXACT,
             "The elastic medium is not homogeneous, so conductance and stiffness are not in proportion; the conductors "
             "are taken as said, and the resistance follows from the radius of the contact alone.",
@@ -93,6 +96,7 @@ def mean_free_path_note(radius: Array, mean_free_path: float) -> tuple[Note, ...
     standing = Standing.ASYMPTOTIC if share < 0.01 else Standing.APPROXIMATE if share < 0.1 else Standing.OUTSIDE
     return (
         Note(
+            Assumption.CONTINUUM,
             standing,
             f"Carriers fly freely over {number:.3g} contact radii (Knudsen number of the narrowest contact): Sharvin's "
             f"resistance, which is not included, is {100.0 * share:.3g} % of Holm's.",

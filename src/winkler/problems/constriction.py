@@ -21,6 +21,7 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conducting_disc import (
     mean_free_path_note,
     pressed_disc,
@@ -28,7 +29,7 @@ from winkler.problems.conducting_disc import (
     scope_notes,
 )
 from winkler.problems.conducting_solution import ConductingSolution
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Constriction", "ConstrictionSolution"]
@@ -82,6 +83,7 @@ class Constriction:
     mean_free_path: float = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING
 
     def __post_init__(self) -> None:
         if not isinstance(self.conductors, ElectricalConductors):

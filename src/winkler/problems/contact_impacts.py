@@ -15,9 +15,12 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.contact_kernels import impact_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.contact_trace import PLANE, SPRINGS
-from winkler.problems.impact_notes import SLOW
-from winkler.validity import Note
+from winkler.problems.trust import steepness_note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["BallImpacts", "BallImpactsSolution"]
@@ -89,6 +92,7 @@ class BallImpacts:
     count: int = 32
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "hertz_1882", "maw_barber_fawcett_1976")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         sliding = np.asarray(self.sliding_velocity, dtype=float)
@@ -206,4 +210,9 @@ class BallImpactsSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (SLOW, SPRINGS, PLANE)
+        problem = self.problem
+        size, medium = np.asarray(problem.curvature_radius), problem.medium
+        share = wave_loss(modulus=medium.modulus, mass=problem.mass, size=size, velocity=problem.velocity)
+        slope = float(np.max(np.sqrt(self.greatest_depth / size)))
+        coupled = sticking_note(medium, float(np.min(problem.coefficient)))
+        return (*medium.notes, steepness_note(slope), wave_note(share), coupled, SPRINGS, PLANE)

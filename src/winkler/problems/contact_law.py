@@ -19,10 +19,11 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import flat_radius
 from winkler.problems.indentation import Indentation
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["ContactLaw", "ContactLawSolution"]
@@ -72,6 +73,7 @@ class ContactLaw:
     tolerance: float = 1e-6
 
     references: ClassVar[tuple[str, ...]] = Indentation.references
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
         for name, greatest in (("deepest", math.inf), ("tolerance", 0.1)):

@@ -3,25 +3,35 @@
 from __future__ import annotations
 
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["PLANE", "SPRINGS", "UNCOUPLED", "ContactTrace"]
+__all__ = ["PLANE", "SIMILAR", "SPRINGS", "UNCOUPLED", "ContactTrace"]
 
 POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 SPRINGS = Note(
+    Assumption.RESOLUTION,
     Standing.APPROXIMATE,
     "The shear force is that of a row of springs: with n of them in the contact, sliding all over is right to 1/4n^2, "
     "the stiffness while nothing slips to 1/2n.",
     "sums of midpoints; comparison with the exact solver of one direction",
 )
 PLANE = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "Where the direction of the motion changes, the springs follow the vector rule, which is not exact even for "
     "tractions along the motion; its error is of first order in the steps.",
     POPOV,
 )
+SIMILAR = Note(
+    Assumption.UNCOUPLED,
+    Standing.ASYMPTOTIC,
+    "The bodies are taken as elastically similar: contacts know moduli alone, not Dundurs' constant; Tangential with "
+    "the same medium says how far that holds.",
+    POPOV,
+)
 UNCOUPLED = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "Shear, twist and rolling are uncoupled: each may use up the whole friction, and partial slip in twist and in "
     "rolling is left out; no exact law of them together is known.",

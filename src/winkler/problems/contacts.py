@@ -18,8 +18,10 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.contact_trace import PLANE, SPRINGS, UNCOUPLED, ContactTrace
-from winkler.validity import Note
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.contact_trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace
+from winkler.problems.trust import steepness_note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Contacts"]
@@ -75,6 +77,7 @@ class Contacts:
     dissipation: Array
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "hertz_1882", "mindlin_deresiewicz_1953")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
         many = np.shape(self.depth)
@@ -331,7 +334,8 @@ class Contacts:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the forces can be trusted."""
-        return (SPRINGS, PLANE, UNCOUPLED)
+        slope = float(np.max(self.radius / self.curvature_radius, initial=0.0))
+        return (SIMILAR, steepness_note(slope), SPRINGS, PLANE, UNCOUPLED)
 
 
 PROPERTIES = (

@@ -26,10 +26,11 @@ from winkler.loading import Depth, Force, Normal, ShearForce, Shift
 from winkler.numerics.bracketing import between
 from winkler.numerics.refined import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["FrictionDamping", "FrictionDampingSolution"]
@@ -92,6 +93,7 @@ class FrictionDamping:
     amplitude: Shift | ShearForce
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
@@ -237,7 +239,10 @@ class FrictionDampingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.contact.validity, *damping_notes(self.problem.bed, float(self.contact.radius)))
+        return (
+            *self.contact.validity,
+            *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
+        )
 
 
 def positive_frequency(frequency: float) -> float:

@@ -20,7 +20,7 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.types import Array
 from winkler.problems.rough_checks import check_spectrum
 from winkler.profiles.spectrum import Spectrum
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
 __all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
@@ -69,6 +69,7 @@ class ElastomerFriction:
     velocity: Array
 
     references: ClassVar[tuple[str, ...]] = ("li_2013", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.ROUGHNESS,))
 
     def __post_init__(self) -> None:
         check_spectrum("ElastomerFriction", self.spectrum)
@@ -123,6 +124,7 @@ class ElastomerFrictionSolution:
         """How far the result can be trusted: not far."""
         return (
             Note(
+                Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "A trend with velocity and temperature only: springs under light loads agree within 30 per cent, under "
                 "great ones they have up to 4 times less at low velocities; friction by independent springs is "

@@ -22,9 +22,10 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["EllipticIndentation", "EllipticSolution"]
@@ -75,6 +76,7 @@ class EllipticIndentation:
     load: Force | Depth
 
     references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bodies, CurvedBodies):
@@ -219,8 +221,9 @@ class EllipticSolution:
         verdict = "small, as the theory assumes" if small else "not small: deviations of the order of the slope"
         return (
             *self.problem.medium.notes,
-            Note(Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
+            Note(Assumption.RESPONSE, Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
             Note(
+                Assumption.SMALL_SLOPES,
                 Standing.ASYMPTOTIC if small else Standing.APPROXIMATE,
                 f"The steepest slope within the contact is {slope:.3g}: {verdict}.",
                 HERTZ,

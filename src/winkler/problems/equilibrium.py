@@ -18,10 +18,11 @@ from winkler.laws.adhesion import AdhesionLaw
 from winkler.numerics.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.edge_states import EdgeStates, end_of, force_under, position, states_of
 from winkler.problems.pull_off import checked_machine
 from winkler.problems.stability import Branch, branches
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
@@ -75,6 +76,7 @@ class Equilibrium:
     count: int = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def __post_init__(self) -> None:
         checked_machine("Equilibrium", self.machine_stiffness)

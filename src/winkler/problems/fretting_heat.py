@@ -25,11 +25,12 @@ from winkler.media.conductors import HeatConductors
 from winkler.numerics.line_source import LineSource, projected
 from winkler.numerics.turned_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.declared import HEATED, SHEARED
+from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.damping import positive_frequency
 from winkler.problems.heating_input import thick_bodies
-from winkler.problems.heating_notes import UNCOUPLED
 from winkler.problems.tangential import Tangential, TangentialSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["FrettingHeat", "FrettingHeatSolution"]
@@ -89,6 +90,7 @@ class FrettingHeat:
     conductors: HeatConductors
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY}
 
     def __post_init__(self) -> None:
         if not isinstance(self.motion, Tangential):
@@ -239,27 +241,31 @@ class FrettingHeatSolution:
         return (
             *self.march.validity,
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT,
                 "Mean temperatures of half-spaces whose source of heat stays in its place: both bodies have the same "
                 "one everywhere, with shares in proportion to their conductivities.",
                 JAEGER,
             ),
             Note(
+                Assumption.STEADY,
                 Standing.ASYMPTOTIC,
                 f"The source moves by {stroke:.2g} of its radius to either side, which is left out.",
                 "the answer itself",
             ),
             Note(
+                Assumption.RESOLUTION,
                 Standing.APPROXIMATE if self.misfit > ERROR else Standing.ASYMPTOTIC,
                 f"Traction times slip, summed over the points of the path, misses the loss by {100 * self.misfit:.2g} "
                 "%; it was scaled to it. More points in every cycle bring both together.",
                 "the answer itself",
             ),
             Note(
+                Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
                 f"The swing about the mean, about {self.swing:.3g} K, is an estimate for a flux that varies as 1 + cos"
                 f": the mean, or that of a plane, whichever is less. Heat reaches {reach:.2g} m in a cycle.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
-            UNCOUPLED,
+            temperature_note(float(self.max_temperature) + float(self.swing)),
         )

@@ -24,6 +24,7 @@ from winkler.laws.wear import WearLaw
 from winkler.loading import Normal, ShearForce, Shift
 from winkler.numerics.types import Array, Quantity
 from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import WORN
 from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation
 from winkler.problems.wear_checks import check_fineness, check_normal, check_wear, touching, wearable
@@ -31,7 +32,7 @@ from winkler.problems.wear_line import Rubbed, WearLine, WornContact, wear_line
 from winkler.problems.wear_march import Moment, first_nodes, march, scale_of
 from winkler.problems.wear_notes import fretting_notes
 from winkler.problems.wear_states import FrettingState, goals_of
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["FrettingSolution", "FrettingWear"]
@@ -100,6 +101,7 @@ class FrettingWear:
     tolerance: float = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "popov_2014", "archard_1953")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def __post_init__(self) -> None:
         wearable("FrettingWear", self.bed)
@@ -265,4 +267,4 @@ class FrettingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return fretting_notes(self.problem.bed, self.problem.tolerance, self.states)
+        return fretting_notes(self.problem.bed, self.problem.law.coefficient, self.problem.tolerance, self.states)

@@ -28,6 +28,8 @@ from winkler.loading import Load
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heat_source import HeatSource, heat_sources, loads_over
 from winkler.problems.heated_body import HeatedBody
 from winkler.problems.heating_input import all_finite, checked_heating, load_number, thick_bodies
@@ -35,7 +37,7 @@ from winkler.problems.heating_limits import fast, shared, stationary, tian_kenne
 from winkler.problems.heating_notes import heating_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.picking import single
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
@@ -100,6 +102,7 @@ class FrictionHeating:
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "tian_kennedy_1994", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED
 
     def __post_init__(self) -> None:
         checked_heating("FrictionHeating", self.law, self.partition, self.conductors)
@@ -324,4 +327,6 @@ class FrictionHeatingSolution:
             (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
         )
         notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
-        return (*self.contact.validity, *notes)
+        problem = self.problem
+        coupled = sliding_note(problem.bed.medium, problem.law.coefficient)
+        return (*self.contact.validity, coupled, *notes)

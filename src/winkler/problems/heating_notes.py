@@ -6,9 +6,10 @@ import numpy as np
 
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.problems.assumptions.temperature import temperature_note
+from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["STEADY_SOURCE", "UNCOUPLED", "heating_notes"]
+__all__ = ["STEADY_SOURCE", "heating_notes"]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
@@ -17,15 +18,11 @@ SLOW = 0.01
 """Peclet number below which the rule of slow sliding is good to half a per cent."""
 
 STEADY_SOURCE = Note(
+    Assumption.CONDUCTION,
     Standing.EXACT,
     "Steady heat conduction in half-spaces of constant conductivity and diffusivity, nothing lost through the surface "
     "outside the contact; the flux is the pressure times friction and speed, everywhere.",
     JAEGER,
-)
-UNCOUPLED = Note(
-    Standing.ASYMPTOTIC,
-    "Thermal expansion does not act back on the pressure, and friction and properties do not change with temperature.",
-    "assumption of the problem",
 )
 
 
@@ -46,19 +43,22 @@ def heating_notes(
         By how much the rule of slow sliding is too high [-].
     partition : EqualMaximum, EqualMean or FixedShare
     """
-    return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), UNCOUPLED
+    hottest = temperature_note(float(np.max(greatest)))
+    return STEADY_SOURCE, _speed(peclets, overestimate), _sharing(peclets, greatest, means, partition), hottest
 
 
 def _speed(peclets: tuple[Array, Array], overestimate: Array) -> Note:
     fastest, excess = float(np.max(peclets)), float(np.max(overestimate))
     if fastest <= SLOW:
         return Note(
+            Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
             f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule "
             f"T = mu v E* u_z / (2 (lambda_1 + lambda_2)) would be {100.0 * excess:.2g} % too high at most.",
             OWN,
         )
     return Note(
+        Assumption.CONDUCTION,
         Standing.EXACT,
         f"Motion is taken into account (Pe up to {fastest:.3g}); the rule of slow sliding would be "
         f"{100.0 * excess:.3g} % too high at most. Temperatures are those after sliding for many times "
@@ -71,9 +71,15 @@ def _sharing(
     peclets: tuple[Array, Array], greatest: tuple[Array, Array], means: tuple[Array, Array], partition: HeatPartition
 ) -> Note:
     if isinstance(partition, FixedShare):
-        return Note(Standing.EXACT, f"The share of the first body was given, {partition.first_share:g}.", "the problem")
+        return Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            f"The share of the first body was given, {partition.first_share:g}.",
+            "the problem",
+        )
     if max(float(np.max(each)) for each in peclets) <= SLOW:
         return Note(
+            Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
             "Both bodies are as good as at rest: shared in proportion to their conductivities, the heat makes their "
             "temperatures agree everywhere.",
@@ -84,6 +90,7 @@ def _sharing(
     kept = "mean" if isinstance(partition, EqualMean) else "greatest"
     other = "greatest" if isinstance(partition, EqualMean) else "mean"
     return Note(
+        Assumption.CONDUCTION,
         Standing.APPROXIMATE,
         f"One share of the heat for the whole contact makes the {kept} temperatures of both bodies equal, but not "
         f"those at every point; the {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",

@@ -24,12 +24,15 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import HEATED
+from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heat_source import heat_source
 from winkler.problems.heating_input import all_finite, checked_heating, load_number, thick_bodies
 from winkler.problems.heating_limits import shared
-from winkler.problems.heating_notes import STEADY_SOURCE, UNCOUPLED
+from winkler.problems.heating_notes import STEADY_SOURCE
 from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
@@ -94,6 +97,7 @@ class TransientHeating:
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED
 
     def __post_init__(self) -> None:
         speed = self.speed
@@ -227,17 +231,20 @@ class TransientHeatingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.contact.validity, STEADY_SOURCE, self._rest, self._sharing, UNCOUPLED)
+        hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
+        coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
+        return (*self.contact.validity, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property
     def _rest(self) -> Note:
         radius, speed = float(self.contact.radius), self.problem.speed
         if radius == 0.0 or speed == 0.0:
-            return Note(Standing.EXACT, "Nothing rubs.", "the problem")
+            return Note(Assumption.CONDUCTION, Standing.EXACT, "Nothing rubs.", "the problem")
         waves = [speed / body.diffusivity for body in self.problem._bodies]
         source = heat_source(self.contact.pressed).source
         excess = 100.0 * (source.peak(0.0).height / source.peak(max(waves)).height - 1.0)
         return Note(
+            Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
             f"Both bodies are taken at rest against the contact; if one of them moves at the whole speed "
             f"(Pe = {0.5 * max(waves) * radius:.3g}), its last temperatures are up to {excess:.2g} % too high.",
@@ -248,9 +255,15 @@ class TransientHeatingSolution:
     def _sharing(self) -> Note:
         first, second = self.problem._bodies
         if isinstance(self.problem.partition, FixedShare) or first.diffusivity == second.diffusivity:
-            return Note(Standing.EXACT, "Both surfaces warm up in proportion, with one share at all times.", CARSLAW)
+            return Note(
+                Assumption.CONDUCTION,
+                Standing.EXACT,
+                "Both surfaces warm up in proportion, with one share at all times.",
+                CARSLAW,
+            )
         spread = float(np.ptp(self.first_share))
         return Note(
+            Assumption.CONDUCTION,
             Standing.APPROXIMATE,
             "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
             "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "

@@ -22,13 +22,16 @@ from winkler.foundation.bed import Bed
 from winkler.given import positive_fields
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.closure import at_depth
 from winkler.problems.impact_curve import deepest, normal_curve, stiffness_ratio
 from winkler.problems.impact_march import Moment, Motion, stages, turning
-from winkler.problems.impact_notes import PLANAR, SLOW, checked_count, gravity_note
+from winkler.problems.impact_notes import PLANAR, checked_count, gravity_note
 from winkler.problems.impact_states import ImpactStage, ImpactState
 from winkler.problems.trust import indentation_notes
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Impact", "ImpactSolution"]
@@ -106,6 +109,7 @@ class Impact:
         "maw_barber_fawcett_1976",
         "lyashenko_popov_2015",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb):
@@ -347,7 +351,10 @@ class ImpactSolution:
         problem = self.problem
         widest = int(np.argmax(self.depth))
         depth, force, radius = (x[widest : widest + 1] for x in (self.depth, self.force, self.radius))
-        notes = [*indentation_notes(problem.bed, depth, force, radius), SLOW, gravity_note(force)]
+        bed = problem.bed
+        modulus = float(bed.normal_stiffness(radius)[0])
+        share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
+        notes = [*indentation_notes(bed, depth, force, radius), wave_note(share), gravity_note(force)]
         if problem.law.coefficient > 0.0 and problem.sliding_velocity != 0.0:
-            notes.append(PLANAR)
+            notes += [PLANAR, sticking_note(bed.medium, problem.law.coefficient)]
         return tuple(notes)

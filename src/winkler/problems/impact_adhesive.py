@@ -27,11 +27,13 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesive_cycle import AdhesiveCycle
 from winkler.problems.adhesive_edge import stored_energy
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.cycle_states import AdhesiveJump
-from winkler.problems.impact_notes import SLOW, checked_count, gravity_note
+from winkler.problems.impact_notes import checked_count, gravity_note
 from winkler.problems.impact_states import AdhesiveImpactState
 from winkler.problems.impact_swing import Swing, swing
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
@@ -87,6 +89,7 @@ class AdhesiveImpact:
         "johnson_kendall_roberts_1971",
         "thornton_ning_1998",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, ShortRange):
@@ -227,12 +230,15 @@ class AdhesiveImpactSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: attraction, slopes, slowness, gravity, jumps."""
         problem = self.problem
+        modulus = float(problem.bed.normal_stiffness(np.array([np.max(self.radius)]))[0])
+        share = wave_loss(modulus=modulus, mass=problem.mass, size=problem.bed.size, velocity=problem.velocity)
         verdict = "it stays, and swings on in contact without end in this theory" if self.captured else "it leaves"
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
-            SLOW,
+            wave_note(share),
             gravity_note(self.force),
             Note(
+                Assumption.EQUILIBRIUM,
                 Standing.ASYMPTOTIC,
                 f"The edge runs on in {len(self.jumps)} jumps at once, while the body hardly moves; all that its "
                 f"potential falls by is lost: {verdict}.",

@@ -6,21 +6,15 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["PLANAR", "SLOW", "checked_count", "gravity_note"]
+__all__ = ["PLANAR", "checked_count", "gravity_note"]
 
-MINDLIN = "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731"
 MAW = "N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5"
 FEWEST, MOST = 2, 1_000_000
 
-SLOW = Note(
-    Standing.ASYMPTOTIC,
-    "The contact force is that of slow motion; what waves and vibrations carry away is small as long as the impact is "
-    "slow against the speed of sound, and lasts long against a vibration of the body.",
-    MINDLIN,
-)
 PLANAR = Note(
+    Assumption.SLIP,
     Standing.ASYMPTOTIC,
     "Tractions are taken along the motion (Cattaneo-Mindlin); within that, sticking, sliding and turning back are "
     "followed exactly. Spin about the normal is left out.",
@@ -31,6 +25,7 @@ PLANAR = Note(
 def gravity_note(force: Array) -> Note:
     """Return what was left out, against the forces of the contact [N]."""
     return Note(
+        Assumption.INERTIA,
         Standing.ASYMPTOTIC,
         f"Gravity and other forces are left out: they must be small against the {np.max(force):.4g} N of the contact.",
         "equations of motion",

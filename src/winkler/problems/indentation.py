@@ -19,10 +19,11 @@ from winkler.foundation.bed import Bed, Pressed
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics import abel
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth, at_force, at_radius
 from winkler.problems.picking import picked, single
 from winkler.problems.trust import indentation_notes
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Indentation", "IndentationSolution"]
@@ -59,6 +60,7 @@ class Indentation:
     load: Load
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "galin_1946", "sneddon_1965", "popov_2013")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def solve(self) -> IndentationSolution:
         """Return depth, force and contact radius.

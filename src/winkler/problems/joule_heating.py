@@ -19,10 +19,11 @@ from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conducting_solution import ConductingSolution
 from winkler.problems.constriction import Constriction
 from winkler.problems.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
@@ -83,6 +84,7 @@ class JouleHeating:
     temperature: float = ROOM
 
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
 
     def __post_init__(self) -> None:
         wanted = (("conductors", ElectricalConductors), ("law", WiedemannFranz))
@@ -253,6 +255,7 @@ class JouleHeatingSolution(ConductingSolution):
         notes = [
             *resistance.validity,
             Note(
+                Assumption.CONDUCTION,
                 Standing.EXACT,
                 "Steady state; temperature follows from voltage for a contact of any shape, if the metals obey "
                 "Wiedemann's and Franz' law with one Lorenz number, the ends are kept at the temperature of the bodies "
@@ -263,6 +266,7 @@ class JouleHeatingSolution(ConductingSolution):
         if problem.conductors.film.area_resistance:
             notes.append(
                 Note(
+                    Assumption.CONDUCTION,
                     Standing.APPROXIMATE,
                     "The heat of the film is taken as spread like the current, and the contact as of one temperature.",
                     KOHLRAUSCH,
@@ -271,6 +275,7 @@ class JouleHeatingSolution(ConductingSolution):
         if float(np.max(self.max_temperature)) > 2.0 * problem.temperature:
             notes.append(
                 Note(
+                    Assumption.TEMPERATURE,
                     Standing.OUTSIDE,
                     f"The hottest place has {float(np.max(self.max_temperature)):.4g} K: metals soften there, and the "
                     "elastic contact, its radius and its resistance change; compare the softening voltage, "

@@ -26,10 +26,12 @@ from winkler.numerics.bracketing import between
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import WORN
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.wear_notes import debris_note, slip_note
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Core", "LimitingProfile", "LimitingSolution"]
@@ -120,6 +122,7 @@ class LimitingProfile:
     amplitude: Shift
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_2014", "dmitriev_2016")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed, Foundation):
@@ -309,8 +312,10 @@ class LimitingSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         notes = [*self.problem.contact.validity, debris_note(), slip_note(bed)]
+        notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
         notes.append(
             Note(
+                Assumption.WEAR,
                 Standing.EXACT,
                 "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the "
                 "core, where a real one yields or cracks.",
@@ -320,6 +325,7 @@ class LimitingSolution:
         if not alike(stiffness_ratios(bed, self.core.radius)):
             notes.append(
                 Note(
+                    Assumption.SLIP,
                     Standing.APPROXIMATE,
                     "On layers the radius of the core is that of springs which stick or slip by themselves, an "
                     "approximation; the shape around a core of this radius is exact.",

@@ -23,9 +23,11 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.bracketing import between
 from winkler.numerics.roots import invert
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth
+from winkler.problems.trust import steepness_note
 from winkler.profiles.profile import Profile
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["NearlyRoundIndentation", "NearlyRoundSolution"]
@@ -86,6 +88,7 @@ class NearlyRoundIndentation:
     load: Force | Depth
 
     references: ClassVar[tuple[str, ...]] = ("popov_2022", "barber_1974", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
         profiles = self.profiles if isinstance(self.profiles, tuple) else ()
@@ -281,8 +284,13 @@ class NearlyRoundSolution:
         else:
             told = "forces within 4, areas and radii within 15 per cent of ellipses and pyramids like this"
         note = Note(
+            Assumption.RESPONSE,
             Standing.APPROXIMATE,
             f"The widest radius of the contact is {ratio:.3g} times the smallest: {told}.",
             MEASURED,
         )
-        return (*self.problem.medium.notes, note)
+        slope = 0.0
+        for profile, radii in zip(self.problem.profiles, np.moveaxis(self.contour, -1, 0), strict=True):
+            inside = np.ravel(radii)[:, np.newaxis] * np.linspace(0.0, 1.0, 17)[1:-1]
+            slope = max(slope, float(np.max(np.abs(profile.slope(inside)))))
+        return (*self.problem.medium.notes, steepness_note(slope), note)

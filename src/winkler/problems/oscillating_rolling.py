@@ -25,13 +25,14 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Load
 from winkler.numerics.rolling_kernels import push
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import Creepage
 from winkler.problems.indentation import IndentationSolution
 from winkler.problems.rolling import check_rolling, rolling_notes, touching
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
 from winkler.problems.rolling_springs import springs
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
@@ -104,6 +105,7 @@ class OscillatingRolling:
     count: int = 200
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "wetter_popov_2014")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
 
     def __post_init__(self) -> None:
         check_rolling("OscillatingRolling", self.bed, self.friction, Creepage(), self.load)
@@ -247,10 +249,11 @@ class OscillatingRollingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*rolling_notes(self.contact, self.problem.calibration), LIMIT)
+        return (*rolling_notes(self.contact, self.problem.calibration, self.problem.friction), LIMIT)
 
 
 LIMIT = Note(
+    Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "The limit between shakedown and ratcheting does not depend on how stiff the springs are; the line does not see "
     "the small difference between rocking along the force and across it. Shifts do depend on the calibration, which "

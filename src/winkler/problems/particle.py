@@ -25,13 +25,14 @@ from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.problems.particle_march import March, Squeezed
 from winkler.problems.particle_springs import material_of
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ElasticPlasticParticle", "ParticleSolution", "ParticleState"]
 
 ZUNKER = "W. Zunker, K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, doi:10.1016/j.jmps.2023.105492"
 ENGINEERING = Note(
+    Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "An engineering law: the yield pressure is fitted to finite elements, the force jumps by d/13R and the elastic "
     "part of the depth by 15 % where yield begins; the particle does not grow sideways (at d = R/10 that is worth "
@@ -39,6 +40,7 @@ ENGINEERING = Note(
     ZUNKER,
 )
 ELASTIC = Note(
+    Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "The springs under half an ellipse give Hertz's force less the part 3d/40R: neither the paraboloid nor the exact "
     "sphere.",
@@ -96,6 +98,7 @@ class ElasticPlasticParticle:
         "johnson_kendall_roberts_1971",
         "popov_hess_2015",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESPONSE,))
 
     def __post_init__(self) -> None:
         owner = "ElasticPlasticParticle"

@@ -14,9 +14,10 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.edge_states import EdgeStates, force_of, position, states_of
 from winkler.problems.stability import branches_beyond
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["PullOff", "PullOffSolution", "checked_machine"]
@@ -70,6 +71,7 @@ class PullOff:
     machine_stiffness: float = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def __post_init__(self) -> None:
         checked_machine("PullOff", self.machine_stiffness)

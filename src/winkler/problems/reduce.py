@@ -26,7 +26,7 @@ from winkler.problems.contact_springs import Points, room, springs_of
 from winkler.problems.surface_contact import SurfaceContact
 from winkler.problems.surface_states import SurfaceState
 from winkler.profiles.topography import Topography
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Reduction", "ReductionSolution", "reduce"]
@@ -81,6 +81,7 @@ class Reduction:
     tolerance: float = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.SHAPE, Assumption.RESOLUTION))
 
     def __post_init__(self) -> None:
         depth = self.depth
@@ -192,6 +193,7 @@ class ReductionSolution:
         """How well the springs bear the computed forces, and what they cannot tell."""
         return (
             Note(
+                Assumption.RESOLUTION,
                 Standing.ASYMPTOTIC,
                 f"Springs under a height map, from {self.depth.size} contacts by boundary elements; their forces "
                 f"differ by at most {self.misfit:.1g} of the greatest one, since between contacts force curves that "

@@ -22,9 +22,10 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.refined import along_springs, towards
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RelaxationDamper", "RelaxationDamperSolution"]
@@ -35,6 +36,7 @@ EDGE = 30
 """How often the panels halve their distance from an edge."""
 POPOV = "M. Popov, V. L. Popov, R. Pohrt, Sci. Rep. 5 (2015) 16189, doi:10.1038/srep16189"
 STICKING = Note(
+    Assumption.SLIP,
     Standing.ASYMPTOTIC,
     "Nothing slides, and the bodies move little along the surface while the depth goes once to and fro: the "
     "coefficient of friction must be large against v/(omega A_z) times G*/E*.",
@@ -84,6 +86,7 @@ class RelaxationDamper:
     frequency: float
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         for word, unit in (("depth", "m"), ("depth_amplitude", "m"), ("frequency", "Hz")):
@@ -165,4 +168,8 @@ class RelaxationDamperSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*self.contact.validity, STICKING, *damping_notes(self.problem.bed, float(self.contact.radius)))
+        return (
+            *self.contact.validity,
+            STICKING,
+            *damping_notes(self.problem.bed, float(self.contact.radius), math.inf),
+        )

@@ -23,11 +23,13 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
@@ -90,6 +92,7 @@ class Rolling:
     calibration: Kalker | Uncalibrated = KALKER
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "vermeulen_johnson_1964", "kalker_1990")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
 
     def __post_init__(self) -> None:
         check_rolling("Rolling", self.bed, self.friction, self.creepage, self.load)
@@ -193,7 +196,7 @@ class RollingSolution(AtCreepages):
         """How far the result can be trusted."""
         problem = self.problem
         both = np.any(np.multiply(problem.creepage.longitudinal, problem.creepage.lateral) != 0.0)
-        notes = rolling_notes(self.contact, problem.calibration)
+        notes = rolling_notes(self.contact, problem.calibration, problem.friction)
         return (*notes, TOGETHER) if both else notes
 
     @property
@@ -202,12 +205,14 @@ class RollingSolution(AtCreepages):
 
 
 TOGETHER = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "Longitudinal and lateral creepage together: the force keeps the direction in which sticking springs are "
     "stretched; where all slides the exact one turns along the creepage itself.",
     VERMEULEN,
 )
 STRIPS = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "The line tells forces, not where on the surface they act: the zone of stick of a round contact is no strip "
     "between parallels; ask SimplifiedRolling for a map.",
@@ -215,10 +220,13 @@ STRIPS = Note(
 )
 
 
-def rolling_notes(contact: IndentationSolution, calibration: Kalker | Uncalibrated) -> tuple[Note, ...]:
+def rolling_notes(
+    contact: IndentationSolution, calibration: Kalker | Uncalibrated, friction: Coulomb
+) -> tuple[Note, ...]:
     """Return what is assumed of springs that roll."""
-    notes = calibration.notes(contact.problem.bed, float(contact.radius))
-    return (*contact.validity, *notes, STRIPS)
+    bed = contact.problem.bed
+    notes = calibration.notes(bed, float(contact.radius))
+    return (*contact.validity, sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
 
 
 def check_rolling(owner: str, bed: Bed, friction: Coulomb, creepage: Creepage, load: Load) -> None:

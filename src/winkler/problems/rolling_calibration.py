@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.problems.kalker import creep_coefficients, rolling_pair
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Calibration", "Kalker", "Uncalibrated"]
@@ -70,6 +70,7 @@ class Kalker:
         if departure(bed, radius) <= HERTZIAN:
             return (
                 Note(
+                    Assumption.CALIBRATION,
                     Standing.APPROXIMATE,
                     "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his "
                     "does, and up to sliding it stays within 0.03 of mu F_N of the exact theory.",
@@ -78,6 +79,7 @@ class Kalker:
             )
         return (
             Note(
+                Assumption.CALIBRATION,
                 Standing.APPROXIMATE,
                 "The springs' stiffness is scaled by Kalker's coefficients of a round Hertzian contact; this profile "
                 f"is not Hertzian (its plane profile leaves the parabola by {departure(bed, radius):.2g} of its "
@@ -106,6 +108,7 @@ class Uncalibrated:
         """Return how much too soft they are."""
         return (
             Note(
+                Assumption.CALIBRATION,
                 Standing.OUTSIDE,
                 "The springs are not calibrated: the traction of rolling is not the same all around the contact, and "
                 "creep forces begin 41 % to 49 % (longitudinal) and 33 % to 41 % (lateral) too low, Poisson's ratio "

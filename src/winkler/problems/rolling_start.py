@@ -22,13 +22,14 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Load, ShearForce
 from winkler.numerics.rolling_kernels import push, roll
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import Creepage
 from winkler.problems.indentation import IndentationSolution
 from winkler.problems.rolling import Rolling, RollingSolution, check_rolling, rolling_notes, touching
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
 from winkler.problems.rolling_springs import springs
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RollingStart", "RollingStartSolution", "RollingState"]
@@ -100,6 +101,7 @@ class RollingStart:
     count: int = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "kalker_1990", "cattaneo_1938")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
 
     def __post_init__(self) -> None:
         check_rolling("RollingStart", self.bed, self.friction, self.creepage, self.load)
@@ -239,10 +241,11 @@ class RollingStartSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*rolling_notes(self.contact, self.problem.calibration), TRANSIENT)
+        return (*rolling_notes(self.contact, self.problem.calibration, self.problem.friction), TRANSIENT)
 
 
 TRANSIENT = Note(
+    Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "The way to the steady state: that it takes one width of the contact is the line's own; a calibration was made "
     "for the steady force, not for how it is reached.",

@@ -11,7 +11,7 @@ from winkler.given import whole_number
 from winkler.loading import Depth, Force
 from winkler.problems.rough_line import prescribed
 from winkler.profiles.spectrum import Spectrum
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["check_ensemble", "check_spectrum", "resolution_note"]
 
@@ -48,6 +48,7 @@ def resolution_note(spectrum: Spectrum, length: float, count: int) -> tuple[Note
         return ()
     return (
         Note(
+            Assumption.RESOLUTION,
             Standing.APPROXIMATE,
             f"Waves of the spectrum {' and '.join(left_out)} are left out of the line.",
             "the points of a discrete Fourier transform",

@@ -23,7 +23,7 @@ from winkler.problems.rough_line import RoughLine, ensemble, line_seeds
 from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RoughContact", "RoughContactSolution"]
@@ -75,6 +75,7 @@ class RoughContact:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.ROUGHNESS, Assumption.RESOLUTION))
 
     def __post_init__(self) -> None:
         if not isinstance(self.medium, HomogeneousMedium):
@@ -151,6 +152,7 @@ class RoughContactSolution(RoughSolution):
         return (
             *(note for note in asked.medium.notes if note.standing is not Standing.EXACT),  # of one round contact
             Note(
+                Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: "
                 "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
@@ -158,6 +160,7 @@ class RoughContactSolution(RoughSolution):
             ),
             *resolution_note(asked.spectrum, asked.length, asked.count),
             Note(
+                Assumption.ROUGHNESS,
                 Standing.OUTSIDE,
                 "The line has no true area of contact and no mean gap: springs do not know of one another. Those given "
                 "here are Persson's, of which the area is up to a third too small, the gap within 20 per cent up to "

@@ -20,6 +20,7 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_force
 from winkler.problems.persson import area_fraction
 from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
@@ -27,7 +28,7 @@ from winkler.problems.rough_line import RoughLine, ensemble, line_seeds, prescri
 from winkler.problems.rough_solution import RoughSolution
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RoughIndentation", "RoughIndentationSolution"]
@@ -77,6 +78,7 @@ class RoughIndentation:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.ROUGHNESS}
 
     def __post_init__(self) -> None:
         if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):
@@ -190,6 +192,7 @@ class RoughIndentationSolution(RoughSolution):
         return (
             *asked.bed.notes,
             Note(
+                Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "A rough body on a line of springs is exact where the body bears, and scales as the surface where "
                 "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
@@ -197,6 +200,7 @@ class RoughIndentationSolution(RoughSolution):
             ),
             *resolution_note(asked.spectrum, asked.length, asked.count),
             Note(
+                Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "The line has no true area of contact; the area given here is Persson's, under the pressures of the "
                 "smooth body, up to a third too small and less where roughness spreads the pressures of small loads. A "

@@ -22,11 +22,13 @@ from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.fastsim import mapped, rolled
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling import check_friction
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
@@ -87,6 +89,7 @@ class SimplifiedRolling:
     count: int = 32
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1982", "kalker_1990", "vollebregt_wilders_2011")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
 
     def __post_init__(self) -> None:
         check_friction("SimplifiedRolling", self.friction)
@@ -228,7 +231,8 @@ class SimplifiedRollingSolution(AtCreepages):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         turned = bool(np.any(np.asarray(self.problem.creepage.spin) != 0.0))
-        return (*self.problem.medium.notes, self._size_note, CREEP, *((SPIN,) if turned else ()))
+        coupled = sticking_note(self.problem.medium, self.problem.friction.coefficient)
+        return (*self.problem.medium.notes, self._size_note, coupled, CREEP, *((SPIN,) if turned else ()))
 
     @property
     def _size_note(self) -> Note:
@@ -245,7 +249,7 @@ class SimplifiedRollingSolution(AtCreepages):
         else:
             standing, verdict = Standing.OUTSIDE, "the bodies are no half-spaces"
         statement = f"The semi-axes are up to {ratio:.3g} of the relative radii of curvature: {verdict}."
-        return Note(standing, statement, JOHNSON)
+        return Note(Assumption.HALF_SPACE, standing, statement, JOHNSON)
 
 
 @value
@@ -275,17 +279,20 @@ class RollingTraction:
 
 
 GIVEN = Note(
+    Assumption.SHAPE,
     Standing.ASYMPTOTIC,
     "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
     JOHNSON,
 )
 CREEP = Note(
+    Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a parabolic "
     "bound; creep forces of a circle stay within 0.04 of mu F_N of the exact theory.",
     "compared with CONTACT's curves of a circle",
 )
 SPIN = Note(
+    Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "Under spin the lateral force stays within 0.11 of mu F_N of the exact theory for a circle; the moment about the "
     "normal has no coefficient of its own in the springs and is much less certain.",

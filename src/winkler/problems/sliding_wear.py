@@ -19,6 +19,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear, PairWear
 from winkler.loading import Normal
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import WORN
 from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation
 from winkler.problems.wear_checks import check_fineness, check_normal, check_wear, touching, wearable
@@ -26,7 +27,7 @@ from winkler.problems.wear_line import WearLine, WornContact, wear_line
 from winkler.problems.wear_march import Moment, first_nodes, march, scale_of
 from winkler.problems.wear_notes import sliding_notes
 from winkler.problems.wear_states import WearState, goals_of
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["SlidingSolution", "SlidingWear"]
@@ -88,6 +89,7 @@ class SlidingWear:
     tolerance: float = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "archard_1953")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def __post_init__(self) -> None:
         wearable("SlidingWear", self.bed)

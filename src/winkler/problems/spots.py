@@ -21,7 +21,7 @@ from winkler.materials.conducting_body import resistivity_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.numerics.disc_charges import currents
 from winkler.numerics.types import Array
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["SpotCluster", "SpotClusterSolution"]
@@ -71,6 +71,7 @@ class SpotCluster:
     second: ElectricalConductor
 
     references: ClassVar[tuple[str, ...]] = ("greenwood_1966", "holm_1967")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESOLUTION,))
 
     def __post_init__(self) -> None:
         for word in ("x", "y", "radii"):
@@ -187,12 +188,14 @@ class SpotClusterSolution:
         """How far the answer can be trusted."""
         return (
             Note(
+                Assumption.RESOLUTION,
                 Standing.EXACT,
                 f"All spots have one voltage; the last refinement changed the resistance by {self.uncertainty:.1g} of "
                 "itself.",
                 "W. Wolfe's eigenfunctions of the disc, Galerkin's method",
             ),
             Note(
+                Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
                 f"Greenwood's estimate, with currents in proportion to the radii, is off by "
                 f"{100.0 * (self.greenwood / self.resistance - 1.0):.2g} %.",

@@ -25,6 +25,7 @@ from winkler.numerics.slip_kernels import march_line, pull_line
 from winkler.numerics.slip_plane import march_plane
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
+from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.indentation import Indentation
 from winkler.problems.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
 from winkler.validity import Note
@@ -169,7 +170,11 @@ class SpringMarch:
     def validity(self) -> tuple[Note, ...]:
         """What is assumed of shape and medium, how exact the springs are, and how exact the rule is."""
         springs = _row(self, float(np.max(_contact(self)[2], initial=0.0)))
-        return (*self.bed.notes, *spring_notes(springs, self.law, in_plane=self.path.in_plane))
+        return (
+            *self.bed.notes,
+            sticking_note(self.bed.medium, coefficient_of(self.law)),
+            *spring_notes(springs, self.law, in_plane=self.path.in_plane),
+        )
 
 
 def march(problem: Shearing, count: int = 400) -> Iterator[SpringState]:

@@ -13,7 +13,7 @@ from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["OwnLaw", "Shearing", "SpringLaw", "SpringState", "spring_notes"]
@@ -125,6 +125,7 @@ class SpringState:
 
 
 IN_PLANE = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "In the plane every spring slips along its own displacement; forces and energies are sensible, but the traction "
     "restored over the contact is not admissible everywhere: it exceeds the coefficient times the pressure by 5 % "
@@ -134,12 +135,14 @@ IN_PLANE = Note(
 )
 
 DROPPING = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump, "
     "forces and energies are of first order in the distance of the springs, and restored tractions are singular there.",
     "property of the rule; the theory of Cattaneo and Mindlin knows one coefficient only",
 )
 OF_SPRINGS = Note(
+    Assumption.SLIP,
     Standing.APPROXIMATE,
     "The law of friction bounds the load of every spring, not the traction at every point: only where the bound is in "
     "proportion to the load are the two the same.",
@@ -163,6 +166,7 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
     count = max(springs.gap.size, 1)
     notes = [
         Note(
+            Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
             f"{count} springs: shear force and energies are of second order in their distance; under a sphere the "
             f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force.",
@@ -179,6 +183,7 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
     if spread > ALIKE:
         notes.append(
             Note(
+                Assumption.SLIP,
                 Standing.APPROXIMATE,
                 "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
                 f"{100.0 * spread:.2g} %): tangential tractions then differ in shape from pressures, and a bound for "

@@ -21,12 +21,13 @@ from winkler.given import whole_number
 from winkler.loading import Depth, Force
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.rough_contact import RoughContact, RoughContactSolution
 from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.profiles.spectrum import spectrum_of
 from winkler.profiles.topography import Topography
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
@@ -69,6 +70,11 @@ class SurfaceConduction:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "pohrt_popov_2012")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {
+        Assumption.CONDUCTION,
+        Assumption.CONTINUUM,
+        Assumption.ROUGHNESS,
+    }
 
     def __post_init__(self) -> None:
         if not isinstance(self.contact, SurfaceContact):
@@ -181,6 +187,7 @@ class SurfaceConductionSolution:
         """How far the result can be trusted: the contact, the line, the bounds."""
         line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is told here
         bounds = Note(
+            Assumption.CONDUCTION,
             Standing.EXACT,
             "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
             "same flat raised by its height; of a curved map they are wide. All spots are clean metal, wider than the "
@@ -190,6 +197,7 @@ class SurfaceConductionSolution:
         rough = self.problem.contact.topography
         shape = 0.0 if rough.periodic else 1.0 - (rough.detrended(2).rms_height / rough.rms_height) ** 2
         curved = Note(
+            Assumption.ROUGHNESS,
             Standing.OUTSIDE,
             f"A plane or paraboloid makes up {shape:.0%} of the mean square height: lines of springs know the "
             "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "

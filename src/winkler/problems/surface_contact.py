@@ -24,10 +24,11 @@ from winkler.numerics.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.punched_grid import punch
 from winkler.numerics.surface_grid import bytes_needed
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.surface_notes import surface_notes
 from winkler.problems.surface_states import SurfaceState
 from winkler.profiles.topography import Topography
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["SurfaceContact", "SurfaceContactSolution"]
@@ -93,6 +94,7 @@ class SurfaceContact:
     references: ClassVar[tuple[str, ...]] = (
         "polonsky_keer_1999", "stanley_kato_1997", "barber_2003", "yastrebov_2017", "almqvist_2007",
     )  # fmt: skip
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def __post_init__(self) -> None:
         if not isinstance(self.topography, Topography):

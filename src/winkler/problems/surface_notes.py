@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Quantity
 from winkler.profiles.topography import Topography
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["surface_notes"]
 
@@ -19,7 +19,7 @@ ALMQVIST = (
     "doi:10.1016/j.triboint.2005.11.008"
 )
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
-FEW = 300
+FEW, FEWEST = 300, 9
 """Pixels in contact below which a note says so."""
 STEEP = 0.1
 
@@ -46,12 +46,14 @@ def surface_notes(
     overlap, left = float(np.max(penetration)), float(np.max(misfit))
     notes = [
         Note(
+            Assumption.RESPONSE,
             Standing.EXACT,
             "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
             POLONSKY,
         ),
-        Note(Standing.EXACT, border, STANLEY if rough.periodic else POLONSKY),
+        Note(Assumption.RESPONSE, Standing.EXACT, border, STANLEY if rough.periodic else POLONSKY),
         Note(
+            Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
             f"Solved until surfaces overlap by at most {overlap:.1g} of the depth, and pressures do {left:.1g} "
             "of the work of the force on gaps; smooth contacts gain two digits of the force for ten times the "
@@ -63,15 +65,17 @@ def surface_notes(
     if pixels < FEW:
         notes.append(
             Note(
-                Standing.APPROXIMATE,
+                Assumption.RESOLUTION,
+                Standing.OUTSIDE if pixels < FEWEST else Standing.APPROXIMATE,
                 f"The contact covers about {max(pixels, 1.0):.0f} pixels; below {FEW} its area and stiffness are "
-                "known to some per cent only.",
+                f"known to some per cent only, below {FEWEST} not at all: take a finer map.",
                 YASTREBOV,
             )
         )
     slope = rough.rms_slope
     notes.append(
         Note(
+            Assumption.SMALL_SLOPES,
             Standing.OUTSIDE if slope > 1.0 else Standing.APPROXIMATE if slope > STEEP else Standing.ASYMPTOTIC,
             f"The heights have a root mean square slope of {slope:.2g}; half-space elasticity takes them as small"
             f"{', this is none: are heights and lengths both in m?' if slope > 1.0 else '.'}",
@@ -81,6 +85,7 @@ def surface_notes(
     if math.isfinite(hardness):
         notes.append(
             Note(
+                Assumption.ELASTIC,
                 Standing.APPROXIMATE,
                 "Pressures are cut at the hardness, and what would overlap there is thought to flow; no strain is "
                 "followed, and unloading is not described.",

@@ -23,6 +23,7 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.spring_march import march
@@ -30,7 +31,7 @@ from winkler.problems.spring_states import OwnLaw, SpringLaw, SpringState
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.tangential_march import Ways
 from winkler.problems.tangential_states import TangentialState, friction_notes, stick_radii
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["Tangential", "TangentialSolution"]
@@ -79,6 +80,7 @@ class Tangential:
     path: Path
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "cattaneo_1938", "mindlin_1949", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb | StaticKinetic | OwnLaw):

@@ -12,13 +12,14 @@ from winkler.laws.friction import Coulomb
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.closure import at_depth
 from winkler.problems.sheared_springs import sheared_by_pieces
 from winkler.problems.slip_memory import SlipMemory
 from winkler.problems.spring_states import SpringLaw, SpringState, spring_notes
 from winkler.problems.tangential_march import BENT
 from winkler.problems.trust import indentation_notes
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["TangentialState", "friction_notes", "stick_radii"]
@@ -126,7 +127,7 @@ def friction_notes(
     states : sequence
         The states of the path.
     """
-    notes = [*indentation_notes(bed, depth, force, radius)]
+    notes = [*indentation_notes(bed, depth, force, radius), sticking_note(bed.medium, coefficient_of(law))]
     last = states[-1]
     if isinstance(last, SpringState):
         notes += spring_notes(last.springs, law, in_plane=np.ndim(last.shift) == 1)
@@ -139,6 +140,7 @@ def friction_notes(
             angle = np.degrees(poisson / (4.0 - 2.0 * poisson))
             notes.append(
                 Note(
+                    Assumption.SLIP,
                     Standing.ASYMPTOTIC,
                     f"Slip is taken to be parallel to the shear force; with Poisson's ratio {poisson:.3g} it deviates "
                     f"by up to about {angle:.2g} degrees, whose effect on forces is of second order in that angle.",
@@ -149,6 +151,7 @@ def friction_notes(
 
 
 EXACT = Note(
+    Assumption.SLIP,
     Standing.EXACT,
     "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
     "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "

@@ -19,9 +19,10 @@ from winkler.materials.conducting_body import surface_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conducting_disc import pressed_disc, refuse_unknown_area, scope_notes
 from winkler.problems.conducting_solution import ConductingSolution
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
@@ -72,6 +73,7 @@ class ThermalConstriction:
     temperature_drop: float
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
 
     def __post_init__(self) -> None:
         if not isinstance(self.conductors, HeatConductors):
@@ -174,6 +176,7 @@ class ThermalConstrictionSolution(ConductingSolution):
         )
         widest = float(np.max(radius, initial=0.0))
         steady = Note(
+            Assumption.STEADY,
             Standing.ASYMPTOTIC,
             f"Steady state: within 9 % after {10.0 * widest**2 / slowest:.3g} s, ten times the square of the contact "
             "radius over the diffusivity; transients are not included.",

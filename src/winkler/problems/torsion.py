@@ -24,6 +24,7 @@ from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.gathering import rows
 from winkler.problems.torsion_bound import Press, TwistBound, twist_bound
@@ -31,7 +32,7 @@ from winkler.problems.torsion_march import LOSS, TURN, Turned, square, torque_of
 from winkler.problems.torsion_memory import TwistMemory, fresh, pieces_of
 from winkler.problems.torsion_states import TorsionState, TwistedSprings
 from winkler.problems.trust import indentation_notes
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Torsion", "TorsionSolution"]
@@ -93,6 +94,7 @@ class Torsion:
     path: Path
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.SLIP}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb):
@@ -258,6 +260,7 @@ class TorsionSolution:
 
 def _notes(solution: TorsionSolution) -> Iterator[Note]:
     yield Note(
+        Assumption.SLIP,
         Standing.EXACT,
         "Torsion of a round contact and its normal load do not act on each other, whatever the Poisson ratios are, "
         "also of elastically dissimilar bodies: for small rotations the springs give the three-dimensional solution "
@@ -268,6 +271,7 @@ def _notes(solution: TorsionSolution) -> Iterator[Note]:
     excess, index = _excess(solution)
     if bad.size or excess > ROUNDING:
         yield Note(
+            Assumption.SLIP,
             Standing.APPROXIMATE,
             f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of them: "
             "the normal load falls while the twist turns back.  There the law holds for the springs, but not on all "
@@ -276,6 +280,7 @@ def _notes(solution: TorsionSolution) -> Iterator[Note]:
         )
     moving = isinstance(solution.problem.path.lateral, Torque)
     yield Note(
+        Assumption.RESOLUTION,
         Standing.EXACT,
         "Angle, torque and slip are known without a grid; under a changing normal load "
         + (f"the angle to {TURN:g} of what friction bears." if moving else f"the loss to {LOSS:g} of the energies."),

@@ -10,10 +10,11 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.film import film_notes
 from winkler.problems.disc import rises
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["contact_notes", "indentation_notes", "size_note", "slope_note"]
+__all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
@@ -35,7 +36,14 @@ def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tu
 def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
     """Return what the widest of several contacts says about itself: slopes, size, a pinned edge, one disc."""
     if not np.any(radius > 0.0):
-        return (Note(Standing.EXACT, "The bodies do not touch under this load.", "no spring is compressed"),)
+        return (
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                "The bodies do not touch under this load.",
+                "no spring is compressed",
+            ),
+        )
     last = int(np.argmax(depth))
     widest = float(radius[last])
     notes = [slope_note(bed, widest)]
@@ -44,11 +52,14 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
     if widest >= bed.rim:
         notes.append(
             Note(
+                Assumption.SHAPE,
                 Standing.EXACT,
                 "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded.",
                 "Boussinesq's flat punch",
             )
         )
+    deepest, force = float(depth[last]), float(bed.stiffness(radius[last]) * depth[last] - bed.gap_load(radius[last]))
+    notes.extend(film_notes(bed, deepest, force, widest))
     if not bed.certain:
         notes.append(_disc_note(bed, widest))
     return tuple(notes)
@@ -63,6 +74,7 @@ def _disc_note(bed: Bed, radius: float) -> Note:
     else:
         looked = "the equivalent profile rises wherever it was looked at, and no flat punch up to this radius pulls"
     return Note(
+        Assumption.SINGLE_CONTACT,
         Standing.EXACT,
         f"That the contact is one disc was checked: {looked}; no tension inside, no overlap outside.",
         "a-posteriori check of pressure and separation, at sampled places",
@@ -71,28 +83,46 @@ def _disc_note(bed: Bed, radius: float) -> Note:
 
 def slope_note(bed: Bed, radius: float) -> Note:
     """Return what the slopes within a contact of this radius mean for the theory."""
-    inside = radius * np.linspace(0.0, 1.0, 65)[1:-1]
-    slope = float(np.max(np.abs(bed.slope(inside))))
-    if slope <= 0.1:
+    share = np.linspace(0.0, 1.0, 65)[1:]
+    inside = radius * (share[:-1] if radius >= bed.rim else share)  # a rim has no slope
+    return steepness_note(float(np.max(np.abs(bed.slope(inside)))))
+
+
+def steepness_note(slope: float) -> Note:
+    """Return what the steepest slope [-] within a contact means for the theory."""
+    if slope == 0.0:
+        standing, verdict = Standing.EXACT, "the surface is flat"
+    elif slope <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "small, as the theory assumes"
     elif slope <= 1.0:
         standing = Standing.APPROXIMATE
-        verdict = "not small: expect deviations of the order of (1 - 2 nu) times the slope"
+        verdict = (
+            "not small: expect deviations of the order of (1 - 2 nu) times the slope, and of its square, which is all "
+            "that is left where nu = 0.5"
+        )
     else:
         standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
-    return Note(standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY)
+    return Note(
+        Assumption.SMALL_SLOPES, standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY
+    )
 
 
 def size_note(bed: Bed, radius: float) -> Note:
     """Return what the size of the body means for a contact of this radius."""
-    ratio = radius / bed.size
+    return large_body_note(radius / bed.size)
+
+
+def large_body_note(ratio: float) -> Note:
+    """Return what the contact radius over that of the body [-] means for the theory."""
     if ratio <= 0.1:
         standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"
     elif ratio <= 0.5:
         standing, verdict = Standing.APPROXIMATE, "the body is hardly a half-space any more"
     else:
         standing, verdict = Standing.OUTSIDE, "the body is no half-space"
-    return Note(standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON)
+    return Note(
+        Assumption.HALF_SPACE, standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON
+    )
 
 
 @functools.lru_cache(maxsize=64)
@@ -113,10 +143,21 @@ def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
         return ()
     onset = _onset_force(bed)
     if isinstance(onset, str):
-        return (Note(Standing.APPROXIMATE, f"No onset of yield is known: {onset}", "von Mises' criterion"),)
+        return (
+            Note(
+                Assumption.ELASTIC, Standing.APPROXIMATE, f"No onset of yield is known: {onset}", "von Mises' criterion"
+            ),
+        )
     if force < onset:
         standing, verdict = Standing.EXACT, f"yielding begins at {onset:.4g} N; the contact stays elastic"
     else:
         standing = Standing.OUTSIDE
         verdict = f"yielding began at {onset:.4g} N; beyond it the result is not elastic"
-    return (Note(standing, f"By von Mises' criterion {verdict}.", "largest von Mises stress of the restored field"),)
+    return (
+        Note(
+            Assumption.ELASTIC,
+            standing,
+            f"By von Mises' criterion {verdict}.",
+            "largest von Mises stress of the restored field",
+        ),
+    )

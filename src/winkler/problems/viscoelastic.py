@@ -24,11 +24,13 @@ from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_states import ViscoelasticState
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
@@ -99,6 +101,7 @@ class ViscoelasticIndentation:
         "ting_1966",
         "argatov_popov_2016",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticIndentation", self.bed)
@@ -317,4 +320,5 @@ class ViscoelasticSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
-        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius))
+        times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
+        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), *times)

@@ -31,8 +31,9 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.viscoelastic_adhesion_crack import Crack
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
@@ -127,6 +128,7 @@ class ViscoelasticAdhesion:
         "johnson_kendall_roberts_1971",
         "ciavarella_2021",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
 
     def __post_init__(self) -> None:
         medium = self.bed.medium
@@ -255,6 +257,7 @@ class ViscoelasticAdhesionSolution:
 
 
 SEPARATED = Note(
+    Assumption.ADHESION,
     Standing.APPROXIMATE,
     "What is viscous happens at the edge alone: the body is taken as relaxed, which holds if the contact's size over "
     "the speed of the edge is far longer than the relaxation times; the edge closes without delay, and the work of "

@@ -20,10 +20,13 @@ from winkler.foundation.springs import Springs
 from winkler.given import positive_fields, whole_number
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
+from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
@@ -91,6 +94,7 @@ class ViscoelasticImpact:
         "lee_radok_1960",
         "ting_1966",
     )
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticImpact", self.bed)
@@ -268,9 +272,11 @@ class ViscoelasticImpactSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body, slowness."""
         bed = self.problem.bed
-        slow = Note(
-            Standing.ASYMPTOTIC,
-            "The inertia of the viscoelastic body is neglected: the impact must be slow against its shear waves.",
-            "K. L. Johnson, Contact Mechanics, Cambridge 1985, ch. 11, doi:10.1017/CBO9781139171731",
-        )
-        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), slow)
+        series = relaxation_of("ViscoelasticImpact", bed)
+        stiffest = series.glassy
+        if not math.isfinite(stiffest):
+            stiffest = max(series.relaxed, series.viscosity / self.duration)
+        modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
+        share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
+        times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
+        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), *times, wave_note(share))

@@ -25,11 +25,13 @@ from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.passing import pass_over
 from winkler.numerics.relaxation import Recovery
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth, at_end, at_force
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic_sliding_share import share_of_line
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
@@ -106,6 +108,7 @@ class SlidingResistance:
     count: int = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "brilliantov_poschel_1998")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
@@ -330,10 +333,13 @@ class SlidingResistanceSolution:
         bed = self.problem.bed
         assert isinstance(bed.medium, ViscoelasticHalfSpace)
         depth, radius = (np.ravel(np.asarray(column)) for column in (self.depth, self.radius))
-        return (APPROXIMATE, *bed.medium.span_notes, *contact_notes(elastic_like(bed), depth, radius))
+        passing = (2.0 * radius / np.ravel(np.asarray(self.speed)))[radius > 0.0]
+        times = times_notes(bed, float(np.min(passing)), float(np.max(passing))) if passing.size else ()
+        return (*bed.notes, APPROXIMATE, *times, *contact_notes(elastic_like(bed), depth, radius))
 
 
 APPROXIMATE = Note(
+    Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "A contact that slides is not one of revolution. For every body of revolution the line of springs resists twice as "
     "much as the body at low speed and as much at high speed; shear_force takes the difference out as if the pressure "

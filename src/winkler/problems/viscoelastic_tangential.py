@@ -25,6 +25,9 @@ from winkler.loading import Depth, ShearForce, Shift
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import RELAXING, SHEARED
+from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
 from winkler.problems.trust import contact_notes
@@ -32,7 +35,7 @@ from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
 from winkler.problems.viscoelastic_tangential_states import ViscoelasticTangentialState, stick_radius
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["ViscoelasticTangential", "ViscoelasticTangentialSolution"]
@@ -94,6 +97,7 @@ class ViscoelasticTangential:
     tolerance: float = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_willert_hess_2018", "mindlin_1949")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
@@ -284,13 +288,16 @@ class ViscoelasticTangentialSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        return (CATTANEO, *_medium(bed).span_notes, *contact_notes(elastic_like(bed), self.depth, self.radius))
+        times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
+        coupled = sticking_note(bed.medium, self.problem.law.coefficient)
+        return (*bed.notes, CATTANEO, coupled, *times, *contact_notes(elastic_like(bed), self.depth, self.radius))
 
 
 CATTANEO = Note(
+    Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "Tractions are taken parallel to the motion and the directions as independent (Cattaneo-Mindlin, bodies that are "
-    "elastically similar, or one rigid and the other incompressible); sliding is decided spring by spring at the end "
+    "Tractions are taken parallel to the motion and the directions as independent (Cattaneo-Mindlin); "
+    "sliding is decided spring by spring at the end "
     "of every step.",
     "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973",
 )

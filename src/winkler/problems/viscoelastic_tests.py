@@ -20,9 +20,12 @@ from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
 from winkler.problems.indentation import Indentation
+from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["CreepTest", "HarmonicIndentation", "HarmonicSolution", "RelaxationTest", "StepSolution"]
@@ -66,6 +69,7 @@ class CreepTest:
     time: Array
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         relaxation_of("CreepTest", self.bed)
@@ -128,6 +132,7 @@ class RelaxationTest:
     time: Array
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         relaxation_of("RelaxationTest", self.bed)
@@ -179,7 +184,10 @@ class StepSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return self.problem.bed.medium.notes
+        bed = self.problem.bed
+        depth, radius = np.broadcast_arrays(np.ravel(self.depth), np.ravel(self.radius))
+        times = times_notes(bed, float(np.min(self.time)), float(np.max(self.time)))
+        return (*bed.notes, *contact_notes(elastic_like(bed), depth, radius), *times)
 
 
 @value
@@ -221,6 +229,7 @@ class HarmonicIndentation:
     angular_frequency: Quantity
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         series = relaxation_of("HarmonicIndentation", self.bed)
@@ -306,13 +315,17 @@ class HarmonicSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
+        bed, frequency = self.problem.bed, np.asarray(self.problem.angular_frequency)
         small = Note(
+            Assumption.RESPONSE,
             Standing.ASYMPTOTIC,
             "The amplitude is small against the depth, so that the contact stays as wide as it is and no spring lets "
             "go.",
             "linearisation about the relaxed contact",
         )
-        return (*self.problem.bed.medium.notes, small)
+        place = np.array([self.depth]), np.array([self.radius])
+        times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
+        return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small)
 
 
 def _checked_row(owner: str, word: str, given: Array, unit: str) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -9,9 +10,10 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.problems.assumptions.coupling import sliding_note, sticking_note
 from winkler.problems.trust import indentation_notes
 from winkler.problems.wear_states import WearState
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["debris_note", "fretting_notes", "sliding_notes", "slip_note"]
 
@@ -22,6 +24,7 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1
 def debris_note() -> Note:
     """Return what is said of debris."""
     return Note(
+        Assumption.WEAR,
         Standing.APPROXIMATE,
         "Debris leaves the contact at once and the law of wear never changes; a layer of debris or oxide bears and "
         "slips by itself, and is not described.",
@@ -37,11 +40,13 @@ def slip_note(bed: Bed) -> Note:
         poisson = max(body.poisson for body in (medium.first, medium.second) if isinstance(body, Elastic))
     if poisson == 0.0 and isinstance(medium, HalfSpace):
         return Note(
+            Assumption.SLIP,
             Standing.EXACT,
             "Slip is parallel to the motion and the same all around the axis, as without lateral contraction.",
             JOHNSON,
         )
     return Note(
+        Assumption.SLIP,
         Standing.APPROXIMATE,
         "Slip is taken to be parallel to the motion and the same all around the axis (Cattaneo-Mindlin): with lateral "
         "contraction the worn profile would not be quite round.",
@@ -55,6 +60,7 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> lis
     notes = [*indentation_notes(bed, *first), debris_note()]
     notes.append(
         Note(
+            Assumption.RESOLUTION,
             Standing.APPROXIMATE,
             f"The worn profile is known at {states[-1].radii.size} radii; each jump over many cycles errs by at most "
             f"{tolerance:.0e} of the depth. Take a finer grid or a smaller tolerance to see what that changes.",
@@ -64,25 +70,30 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> lis
     return notes
 
 
-def fretting_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
+def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a fretting contact can be trusted.
 
     Parameters
     ----------
     bed : Bed
         Before wear.
+    coefficient : float
+        Of friction [-].
     tolerance : float
         Of each jump.
     states : sequence of WearState
     """
-    return (*_march_notes(bed, tolerance, states), slip_note(bed))
+    coupled = sticking_note(bed.medium, coefficient)
+    return (*_march_notes(bed, tolerance, states), coupled, slip_note(bed))
 
 
 def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a sliding contact can be trusted; parameters as `fretting_notes`."""
     return (
         *_march_notes(bed, tolerance, states),
+        sliding_note(bed.medium, math.nan),
         Note(
+            Assumption.WEAR,
             Standing.APPROXIMATE,
             "Every point of the contact slides the whole distance: so does a body that stays in contact; on one that "
             "is rubbed along a track of many contact lengths the wear is spread, and is not counted.",

@@ -13,9 +13,10 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.peak import Place, greatest
 from winkler.media.stress import von_mises
 from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_end, flat_radius
 from winkler.problems.disc import refuse_unless_disc
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["YieldOnset", "YieldOnsetSolution", "can_yield"]
@@ -61,6 +62,7 @@ class YieldOnset:
     bed: Bed
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, HalfSpace):
@@ -131,6 +133,7 @@ class YieldOnsetSolution:
         return (
             *self.problem.bed.notes,
             Note(
+                Assumption.ELASTIC,
                 Standing.EXACT,
                 "Yielding begins where the von Mises stress of the elastic field first reaches the strength.",
                 "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",

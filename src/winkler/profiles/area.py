@@ -21,7 +21,7 @@ from winkler.numerics.roots import invert
 from winkler.numerics.settling import settled
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AreaFunction"]
@@ -142,6 +142,7 @@ class AreaFunction(Shape):
         """That the indenter is taken for its axisymmetric equivalent."""
         return (
             Note(
+                Assumption.SHAPE,
                 Standing.APPROXIMATE,
                 "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
                 "force at a given depth is then 3 to 7 % low.",

@@ -15,7 +15,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.check import angle
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.profiles.profile import Shape
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Berkovich", "Cone", "CubeCorner", "RoundedCone", "SpheroConical", "TruncatedCone", "Vickers"]
@@ -232,6 +232,7 @@ class _EqualAreaCone(PowerPieces):
         """That a cone stands for a pyramid, and what it costs."""
         return (
             Note(
+                Assumption.SHAPE,
                 Standing.APPROXIMATE,
                 f"The pyramid is replaced by the cone of equal cross-section (half-angle "
                 f"{math.degrees(self.half_angle):.2f} deg): on an elastic half-space its force at a given depth is "

@@ -17,7 +17,7 @@ from winkler.numerics import abel
 from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["Designed"]
@@ -96,7 +96,7 @@ class Designed(Shape):
             "value."
         )
         standing = Standing.ASYMPTOTIC if self.tolerance < 1e-4 else Standing.APPROXIMATE
-        return (Note(standing, text, "misfit of the convex curve through the prescribed points"),)
+        return (Note(Assumption.SHAPE, standing, text, "misfit of the convex curve through the prescribed points"),)
 
     @property
     def gap_tolerance(self) -> float:

@@ -24,7 +24,7 @@ from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
 __all__ = ["Measured"]
@@ -111,13 +111,13 @@ class Measured(Shape):
         apex = ", with a round apex" if curve.rounded else ""
         if curve.through:
             text = f"The shape is the cubic spline through {self.radii.size} points{apex}; its transform is exact."
-            return (Note(Standing.ASYMPTOTIC, text, "cross-validation found no scatter to smooth"),)
+            return (Note(Assumption.SHAPE, Standing.ASYMPTOTIC, text, "cross-validation found no scatter to smooth"),)
         text = (
             f"The {self.radii.size} points were smoothed by a cubic spline of {curve.pieces} pieces{apex}; they "
             f"scatter about it by {curve.residual:.3g} m (root mean square). Pressure and stress follow the curvature "
             "of that curve and are less certain than depth and force."
         )
-        return (Note(Standing.APPROXIMATE, text, "number of pieces by generalised cross-validation"),)
+        return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "number of pieces by generalised cross-validation"),)
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""

@@ -24,7 +24,7 @@ from winkler.study.fitting import FitStudy
 from winkler.study.pool import pooled
 from winkler.study.run import ERRORS, provenance
 from winkler.study.study import Study
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces", "seen_from"]
 
@@ -168,7 +168,11 @@ def _notes(found: AnyFit) -> tuple[Note, ...]:
     try:
         return found.validity
     except WinklerError as error:  # the fit stands; what cannot be told about its largest depth is said
-        return (Note(Standing.OUTSIDE, f"At the largest depth of the fit: {error}", "the model's own check"),)
+        return (
+            Note(
+                Assumption.CURVE, Standing.OUTSIDE, f"At the largest depth of the fit: {error}", "the model's own check"
+            ),
+        )
 
 
 def _hash(study: FitStudy) -> str:

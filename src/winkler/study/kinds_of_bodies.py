@@ -27,6 +27,7 @@ from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
+from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
 from winkler.study.kind import Kind, kind
@@ -49,6 +50,9 @@ BODIES: dict[str, dict[str, Kind]] = {
         "power_law": kind(PowerLaw, "galin_1946", "sneddon_1965", coefficient="1e6 m^-3", exponent=4.0),
         "cone": kind(Cone, "love_1939", "sneddon_1965", half_angle="70.3 deg"),
         "ellipsoid": kind(Ellipsoid, "popov_hess_willert_2019", radial_semi_axis="10 mm", axial_semi_axis="5 mm"),
+        "ball_in_socket": kind(
+            BallInSocket, "popov_hess_willert_2019", curvature_radius="10 mm", socket_radius="10.1 mm"
+        ),
         "hyperboloid": kind(Hyperboloid, "popov_hess_willert_2019", curvature_radius="1 mm", half_angle="70 deg"),
         "flat_punch": kind(FlatPunch, "boussinesq_1885", "sneddon_1965", radius="1 mm"),
         "rounded_punch": kind(RoundedPunch, "ciavarella_1998", flat_radius="0.5 mm", edge_radius="1 mm"),

@@ -20,7 +20,7 @@ from winkler.study.judging import judge
 from winkler.study.points import Failed, Recalled, Solved, Verdict
 from winkler.study.study import Expectation
 from winkler.study.tasks import Task
-from winkler.validity import Note, Standing
+from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
 
 __all__ = ["light", "recalled", "written"]
@@ -68,7 +68,9 @@ def written(point: Recalled | Failed) -> str:
             "at": point.index,
             "answer": point.answer_type.__name__,
             "found": {name: _plain(numbers) for name, numbers in point.found},
-            "validity": [[note.standing.value, note.statement, note.source] for note in point.validity],
+            "validity": [
+                [note.assumption.value, note.standing.value, note.statement, note.source] for note in point.validity
+            ],
         }
         more = {
             "events": dict(point.told),
@@ -132,7 +134,10 @@ def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...
         problem,
         tuple((name, _number(numbers)) for name, numbers in content["found"].items()),
         _answer_type(problem.__class__, content["answer"]),
-        tuple(Note(Standing(standing), statement, source) for standing, statement, source in content["validity"]),
+        tuple(
+            Note(Assumption(assumption), Standing(standing), statement, source)
+            for assumption, standing, statement, source in content["validity"]
+        ),
         tuple((name, _rows(rows)) for name, rows in content.get("events", {}).items()),
         tuple(verdicts),
         tuple(_number(fields) for fields in content.get("surface", [])),

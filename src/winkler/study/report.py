@@ -209,7 +209,7 @@ def trust(notes: tuple[Note, ...]) -> str:
     ranked = sorted(notes, key=lambda note: -order.index(note.standing))
     items = "".join(
         f"<li><div>{_badge(note.standing)}</div><div>{safe(note.statement)}"
-        f'<div class="source">{safe(note.source)}</div></div></li>'
+        f'<div class="source">{safe(note.assumption.value)}; {safe(note.source)}</div></div></li>'
         for note in ranked
     )
     legend = "; ".join(f"{standing.value}: {meaning}" for standing, meaning in MEANINGS.items())

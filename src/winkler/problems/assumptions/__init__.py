@@ -1,0 +1,1 @@
+"""The assumptions of contact problems: which problem makes which, and one module for the check of each."""

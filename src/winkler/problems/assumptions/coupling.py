@@ -1,0 +1,175 @@
+r"""Whether pressure and traction act on each other: Dundurs' second constant against the coefficient of friction.
+
+Bodies that are elastically dissimilar (:math:`\beta\ne0`) are drawn along the surface by the pressure itself.  While
+they are pressed together, friction resists that: what sticks and what slips then depends on :math:`\beta/\mu`, and full
+sticking makes a flat punch stiffer by :math:`\mathrm{artanh}(\beta)/\beta` (Mossakovskii, Spence).  While they slide,
+the traction changes the pressure by terms of the order :math:`\beta\mu`.
+"""
+
+from __future__ import annotations
+
+import math
+
+from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.halfspace import HalfSpace
+from winkler.media.medium import Medium
+from winkler.media.proportional import RelaxingInProportion
+from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["coefficient_of", "dundurs", "mismatch", "sliding_note", "sticking_note", "stuck_stiffening"]
+
+ALIKE = 1e-12
+"""Dundurs' constant [-] that is rounding."""
+SMALL, LARGE = 0.1, 1.0
+"""beta/mu, or beta mu, up to which the theory without coupling is the limit, and from which on it is none."""
+FLOWN = 1e-6
+"""Of the glassy modulus, what stands for that of a solid that flows."""
+SPENCE = (
+    "D. A. Spence, J. Elast. 5 (1975) 297-319, doi:10.1007/BF00126993; K. L. Johnson, Contact Mechanics, Cambridge "
+    "1985, sec. 5.4, doi:10.1017/CBO9781139171731"
+)
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.1, doi:10.1017/CBO9781139171731"
+
+
+def mismatch(medium: Medium) -> float:
+    """Return Dundurs' second constant beta [-] of the two surfaces; nan where the medium has none.
+
+    Of viscoelastic bodies the greater of its values right after a step and after all time; of layers that of the
+    outermost one and the other body.
+    """
+    if isinstance(medium, RelaxingInProportion):
+        medium = medium.medium
+    if isinstance(medium, HalfSpace):
+        return medium.mismatch
+    if isinstance(medium, CoatedHalfSpace):
+        return dundurs(medium.layers[0].solid, medium.second)
+    if isinstance(medium, ViscoelasticHalfSpace):
+        pairs = ([_elastic(body, early) for body in (medium.first, medium.second)] for early in (True, False))
+        return max((dundurs(*pair) for pair in pairs), key=abs)
+    return math.nan
+
+
+def dundurs(first: Solid, second: Solid) -> float:
+    """Return Dundurs' second constant beta [-] of two bodies, not both rigid."""
+    elastic = [body for body in (first, second) if isinstance(body, Elastic)]
+    return HalfSpace(first, second).mismatch if elastic else 0.0
+
+
+def _elastic(body: ViscoelasticSolid | Solid, early: bool) -> Solid:
+    """Return a body as it is right after a step, or after all time; one that flows is almost without stiffness."""
+    if not isinstance(body, ViscoelasticSolid):
+        return body
+    glassy = body.series.glassy
+    shear = glassy if early else max(body.series.relaxed, FLOWN * glassy)
+    return Elastic(2.0 * (1.0 + body.poisson) * shear, body.poisson)
+
+
+def coefficient_of(law: object) -> float:
+    """Return the coefficient of friction that holds before anything slips [-]; nan for a law of one's own."""
+    match law:
+        case Coulomb(coefficient):
+            return coefficient
+        case StaticKinetic(static):
+            return static
+        case _:
+            return math.nan
+
+
+def stuck_stiffening(beta: float) -> float:
+    """Return by which part a flat punch that sticks is stiffer than one without friction [-].
+
+    Parameters
+    ----------
+    beta : float
+        Dundurs' second constant [-], between -1/2 and 1/2.
+
+    Examples
+    --------
+    A rigid punch on a body with Poisson's ratio 0: ln(3 - 4 nu) (1 - nu)/(1 - 2 nu) - 1.
+
+    >>> round(stuck_stiffening(0.5), 4)
+    0.0986
+    """
+    return math.atanh(beta) / beta - 1.0 if abs(beta) > 1e-4 else beta * beta / 3.0
+
+
+def sticking_note(medium: Medium, coefficient: float) -> Note:
+    """Return whether what sticks and slips may be computed as if pressing drew nothing along the surface.
+
+    Parameters
+    ----------
+    medium : Medium
+    coefficient : float
+        Coefficient of friction mu [-]; infinity where nothing slips, nan if the law has none.
+    """
+    beta = mismatch(medium)
+    known = _without_number(medium, beta, coefficient)
+    if known is not None:
+        return known
+    ratio = abs(beta) / coefficient
+    stiffer = 100.0 * stuck_stiffening(beta)
+    fact = (
+        f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}, {ratio:.3g} of the coefficient of "
+        f"friction: pressing alone causes shear tractions, which are left out. Full sticking makes the contact "
+        f"{stiffer:.2g} % stiffer, and the greatest pressure changes more than that, by tens of per cent where it was "
+        "computed in increments"
+    )
+    if ratio <= SMALL:
+        standing, verdict = Standing.ASYMPTOTIC, "they use up a small part of the friction"
+    elif ratio <= LARGE:
+        standing, verdict = Standing.APPROXIMATE, "zones of stick and slip are off by terms of the order of beta/mu"
+    else:
+        standing = Standing.OUTSIDE
+        verdict = "they use up the friction over most of the contact before the bodies are sheared"
+    return Note(Assumption.UNCOUPLED, standing, f"{fact}; {verdict}.", SPENCE)
+
+
+def sliding_note(medium: Medium, coefficient: float) -> Note:
+    """Return whether the pressure may be computed as if there were no traction of sliding; parameters as above."""
+    beta = mismatch(medium)
+    known = _without_number(medium, beta, coefficient)
+    if known is not None:
+        return known
+    product = abs(beta) * coefficient
+    standing = (
+        Standing.ASYMPTOTIC if product <= SMALL else Standing.APPROXIMATE if product <= LARGE else Standing.OUTSIDE
+    )
+    return Note(
+        Assumption.UNCOUPLED,
+        standing,
+        f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}: sliding changes the pressure by terms of "
+        f"the order of beta times the coefficient of friction, {product:.2g}, which are left out.",
+        JOHNSON,
+    )
+
+
+def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | None:
+    """Return the note where there is nothing to compare; None where beta and the coefficient are numbers."""
+    if coefficient == 0.0:
+        return Note(Assumption.UNCOUPLED, Standing.EXACT, "There is no friction.", "the problem")
+    if abs(beta) < ALIKE:
+        return Note(
+            Assumption.UNCOUPLED,
+            Standing.ASYMPTOTIC if isinstance(medium, CoatedHalfSpace) else Standing.EXACT,
+            "The surfaces are elastically similar (Dundurs' beta = 0): pressure causes no traction, and traction along "
+            "the surface no pressure"
+            + (", as far as the outermost layer goes." if isinstance(medium, CoatedHalfSpace) else "."),
+            SPENCE,
+        )
+    if math.isnan(beta) or math.isnan(coefficient):
+        what = (
+            f"{type(medium).__name__} knows no Dundurs' constant"
+            if math.isnan(beta)
+            else f"Dundurs' beta is {beta:.3g}, and this law has no coefficient of friction to compare it with"
+        )
+        return Note(
+            Assumption.UNCOUPLED,
+            Standing.APPROXIMATE,
+            f"{what}: that pressure and traction do not act on each other is assumed, the error is not known.",
+            SPENCE,
+        )
+    return None

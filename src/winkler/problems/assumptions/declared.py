@@ -1,0 +1,54 @@
+"""Which assumptions the answers of each class of problems rest on.
+
+A problem names its set in ``assumptions``; a note of its solution that speaks of another one is a mistake, which a test
+over all kinds finds.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from winkler.validity import Assumption
+
+__all__ = ["ADHESIVE", "CONDUCTING", "HEATED", "MAPPED", "PRESSED", "RELAXING", "ROLLING", "SHEARED", "WORN"]
+
+PRESSED: Final = frozenset(
+    (
+        Assumption.RESPONSE,
+        Assumption.SHAPE,
+        Assumption.HALF_SPACE,
+        Assumption.FILM,
+        Assumption.SMALL_SLOPES,
+        Assumption.ELASTIC,
+        Assumption.SINGLE_CONTACT,
+        Assumption.EQUILIBRIUM,
+        Assumption.RESOLUTION,
+    )
+)
+"""Normal contact without friction or adhesion."""
+
+MAPPED: Final = frozenset(
+    (Assumption.RESPONSE, Assumption.SMALL_SLOPES, Assumption.ELASTIC, Assumption.RESOLUTION, Assumption.EQUILIBRIUM)
+)
+"""Normal contact of height maps by boundary elements."""
+
+ADHESIVE: Final = PRESSED | {Assumption.ADHESION}
+"""Normal contact of bodies that attract each other."""
+
+SHEARED: Final = PRESSED | {Assumption.UNCOUPLED, Assumption.SLIP}
+"""Contact with friction, sticking or slipping in parts."""
+
+ROLLING: Final = SHEARED | {Assumption.CALIBRATION}
+"""Contact that rolls."""
+
+RELAXING: Final = PRESSED | {Assumption.KNOWN_TIMES}
+"""Contact of viscoelastic bodies."""
+
+CONDUCTING: Final = PRESSED | {Assumption.CONDUCTION, Assumption.CONTINUUM}
+"""Flow of current or heat through a pressed contact."""
+
+HEATED: Final = PRESSED | {Assumption.CONDUCTION, Assumption.TEMPERATURE, Assumption.UNCOUPLED}
+"""A contact that friction heats."""
+
+WORN: Final = SHEARED | {Assumption.WEAR}
+"""A contact that friction wears."""

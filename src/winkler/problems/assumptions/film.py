@@ -1,0 +1,67 @@
+r"""How far layers are compressed against their thickness.
+
+Linear elasticity needs strains that are small.  In bonded layers of total thickness h the mean strain is the depth less
+what the bodies on either side of them yield, over h.  A half-space yields :math:`0.75\,F/(E^*a)` under the middle of a
+Hertzian pressure, a rigid body nothing; on a rigid base under a rigid body the number is d/h.
+"""
+
+from __future__ import annotations
+
+from winkler.foundation.bed import Bed
+from winkler.materials.elastic import Elastic
+from winkler.media.coated import CoatedHalfSpace
+from winkler.media.relaxing import RelaxingMedium
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["film_notes", "film_strain"]
+
+SMALL, LARGE = 0.1, 0.5
+"""Mean strain [-] up to which linear elasticity describes a layer, and from which on it does not."""
+DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10.1016/S0006-3495(02)75620-8"
+LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
+
+
+def film_strain(medium: CoatedHalfSpace, depth: float, force: float, radius: float) -> float:
+    """Return the mean compression of the layers over their thickness [-].
+
+    Parameters
+    ----------
+    medium : CoatedHalfSpace
+    depth, force, radius : float
+        d [m], F_N [N] and a [m], positive.
+    """
+    yielding = sum(
+        (1.0 - body.poisson**2) / body.young for body in (medium.on, medium.second) if isinstance(body, Elastic)
+    )
+    return max(depth - 0.75 * max(force, 0.0) * yielding / radius, 0.0) / medium.thickness
+
+
+def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Note, ...]:
+    """Return what the depth means for the layers of a coated body; nothing for other bodies.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth, force, radius : float
+        d [m], F_N [N] and a [m] of the deepest contact.
+    """
+    medium = bed.medium.elastic if isinstance(bed.medium, RelaxingMedium) else bed.medium
+    if not isinstance(medium, CoatedHalfSpace) or radius <= 0.0 or depth <= 0.0:
+        return ()
+    strain = film_strain(medium, depth, force, radius)
+    if strain <= SMALL:
+        standing, verdict = Standing.ASYMPTOTIC, "small, as linear elasticity assumes"
+    elif strain <= LARGE:
+        standing, verdict = Standing.APPROXIMATE, "not small: expect forces that are wrong by about as much"
+    else:
+        standing = Standing.OUTSIDE
+        verdict = "far from small: press less, or take a thicker layer; linear elasticity does not describe this"
+    return (
+        Note(
+            Assumption.FILM,
+            standing,
+            f"The depth is {depth / medium.thickness:.3g} of the thickness of the layers, which are compressed by "
+            f"{strain:.3g} of it: {verdict}.",
+            f"{DIMITRIADIS}; {LONG}",
+        ),
+    )

@@ -1,0 +1,40 @@
+"""Whether a viscoelastic solid is known at the times of a problem."""
+
+from __future__ import annotations
+
+from winkler.foundation.bed import Bed
+from winkler.media.relaxing import RelaxingMedium
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["times_notes"]
+
+SERIES = "sum of exponentials over a span of time"
+
+
+def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
+    """Return whether the series of the solid stand for it at these times; nothing if they do at all times.
+
+    Parameters
+    ----------
+    bed : Bed
+        On a medium that relaxes.
+    shortest, longest : float
+        The shortest time between two moments of the problem, and the longest memory that is asked for [s].
+    """
+    medium = bed.medium
+    if not isinstance(medium, RelaxingMedium):
+        return ()
+    first, last = medium.span
+    if first == 0.0:
+        return ()
+    span = f"The solid is known between {first:.3g} s and {last:.3g} s"
+    if longest > last or longest < first:
+        standing = Standing.OUTSIDE
+        verdict = f"{longest:.3g} s are asked for, where its series is not the solid: give it for such times"
+    elif shortest < first:
+        standing = Standing.APPROXIMATE
+        verdict = f"the steps of {shortest:.3g} s are answered by its series, as if nothing relaxed faster"
+    else:
+        standing = Standing.ASYMPTOTIC
+        verdict = f"the times asked for, {shortest:.3g} s to {longest:.3g} s, are within"
+    return (Note(Assumption.KNOWN_TIMES, standing, f"{span}; {verdict}.", SERIES),)
