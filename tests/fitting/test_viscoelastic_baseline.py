@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 
 import numpy as np
 import pytest
@@ -68,6 +69,9 @@ def test_what_is_said_about_creep_stands_along_the_whole_curve():
     assert found.count == one.count
     assert np.all(found.depth[before] < 0.0)
     assert not found.radius[before].any()
+    told = [note.statement for note in found.validity if note.statement.startswith("Baseline")]
+    assert len(told) == 1
+    assert re.search(r"on approach; the scatter is 0\.0(08|09|1)\d* of the range of forces: enough", told[0])
     assert np.std(found.residuals[before]) == pytest.approx(found.noise, rel=0.3)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from winkler.fitting.checks import Flag
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.estimate import Estimate
+from winkler.fitting.outline import FEWEST, outline
 from winkler.fitting.trust import free_notes
 from winkler.numerics.types import Array
 from winkler.problems.trust import contact_notes
@@ -162,4 +163,7 @@ class CreepFit(_RelaxingFit):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the fitted contact can be trusted."""
-        return (*self._contact_notes, QUASISTATIC)
+        if np.count_nonzero(self.curve.direction > 0.0) < FEWEST:
+            return (*self._contact_notes, QUASISTATIC)
+        error = outline(self.curve.approach).noise / max(float(np.ptp(self.curve.force)), 1e-300)
+        return (*self._contact_notes, *free_notes(self.curve, self.radius > 0.0, error), QUASISTATIC)
