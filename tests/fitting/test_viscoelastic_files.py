@@ -30,7 +30,7 @@ def measured():
 
 def test_creep_of_a_polymer_gel(measured, shared_data):
     """The free way tells 0.43 nN, and the modulus does not depend on when it is subtracted; a bead's first touch is
-    sharper than this one, and the flags say that.  A fit of the hold alone gives 413 Pa and a baseline of 1.04 nN.
+    sharper than this one, and the flags say that.  Above a tenth of the force alone it was 413 Pa with 1.04 nN.
     """
     curve = measured(shared_data, "fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force")
     assert [(int(part.direction[0]), part.count) for part in curve.parts] == [(1, 3000), (0, 3000), (-1, 3000)]
