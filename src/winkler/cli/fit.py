@@ -34,6 +34,12 @@ def fit(
         float | None,
         typer.Option(help=r"The longest that the fit of one curve may take \[s]; that of the study if not given."),
     ] = None,
+    segments: Annotated[
+        str,
+        typer.Option(
+            "--segments", help="Where the curves are loaded, held, unloaded: 'loading 0 s, hold 12 s, unloading 17 s'."
+        ),
+    ] = "",
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
@@ -55,7 +61,7 @@ def fit(
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
-    asked = read_fit_study(study)
+    asked = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
     if time_limit is not None:
         asked = dataclasses.replace(asked, time_limit=time_limit)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)

@@ -134,12 +134,12 @@ def plain_numbers(content: Any) -> Any:
     return content
 
 
-def marching(*, hidden: bool) -> Callable[[Iterable[T], int], Iterator[T]]:
+def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
     """Return what shows a bar over the points of a path."""
     return functools.partial(_marching, hidden=hidden)
 
 
-def _marching(states: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
+def _marching(states: Iterable[T], total: int | None, *, hidden: bool) -> Iterator[T]:
     yield from tracked(states, total, hidden=hidden, doing="marching")
 
 
@@ -154,7 +154,12 @@ class _Spoken:
 
 
 def tracked(
-    points: Iterable[T], total: int, *, hidden: bool, doing: str | Callable[[], str] = "solving", before: int = 0
+    points: Iterable[T],
+    total: int | None,
+    *,
+    hidden: bool,
+    doing: str | Callable[[], str] = "solving",
+    before: int = 0,
 ) -> Iterator[T]:
     """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches.
 
@@ -163,7 +168,7 @@ def tracked(
     points
         What is waited for.
     total
-        How many there will be.
+        How many there will be; None if nobody knows: then the bar counts.
     hidden
         Whether nothing is shown.
     doing
@@ -171,7 +176,8 @@ def tracked(
     before
         How many of them are known already: they do not count in the time that is left.
     """
-    if hidden or (total < 2 and not callable(doing)) or not sys.stderr.isatty():
+    alone = total is not None and total < 2
+    if hidden or (alone and not callable(doing)) or not sys.stderr.isatty():
         yield from points
         return
     from rich.progress import (
@@ -187,8 +193,8 @@ def tracked(
 
     text = RenderableColumn(_Spoken(doing)) if callable(doing) else TextColumn("{task.description}")
     bar = (text, BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    alone = (SpinnerColumn(), text, TimeElapsedColumn())
-    with Progress(*(bar if total > 1 else alone), console=console(stderr=True), transient=True) as progress:
+    one = (SpinnerColumn(), text, TimeElapsedColumn())
+    with Progress(*(one if alone else bar), console=console(stderr=True), transient=True) as progress:
         task = progress.add_task("" if callable(doing) else doing, total=total, completed=before)
         for number, point in enumerate(points):
             yield point

@@ -15,10 +15,12 @@ from winkler.media.conduction import BARBER, HOLM
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.strong_parts import strong_parts
 from winkler.problems.trust import size_note, slope_note
+from winkler.problems.yield_statement import yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["mean_free_path_note", "pressed_disc", "refuse_unknown_area", "scope_notes"]
+__all__ = ["disc_yield_notes", "mean_free_path_note", "pressed_disc", "refuse_unknown_area", "scope_notes"]
 
 
 def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
@@ -39,6 +41,14 @@ def refuse_unknown_area(bed: Bed, bodies: tuple[ConductingBody, ConductingBody],
             "A MeasuredBed tells how stiff the contact is, not how large its area; a film or a plating needs the area: "
             "leave it out, or give the shape as a Foundation."
         )
+
+
+def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
+    """Return whether the contact that conducts stays elastic; nothing where no body has a strength."""
+    if not strong_parts(bed.medium):
+        return ()
+    contact = pressed_disc(bed, load)
+    return yield_notes_of_bed(bed, np.ravel(contact.depth), np.ravel(contact.radius))
 
 
 def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
