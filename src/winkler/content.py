@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import functools
+import inspect
 import math
 import re
 import typing
@@ -20,7 +21,17 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.vocabulary import word
 
-__all__ = ["FAULTS", "Expected", "careful", "expected_of", "guarded", "guarded_stream", "refuse_wrong"]
+__all__ = [
+    "FAULTS",
+    "Expected",
+    "careful",
+    "expected_of",
+    "guarded",
+    "guarded_stream",
+    "refuse_outline",
+    "refuse_unless_round",
+    "refuse_wrong",
+]
 
 SMALLEST, LARGEST = 1e-60, 1e60
 """Numbers in SI units of what is given lie between these; squares and cubes of them are still numbers."""
@@ -98,7 +109,7 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
     """
     for field in expected:
         inside = getattr(content, field.name)
-        if _wrong(inside, field.sort):
+        if _wrong(inside, field.sort) or not _fits(type(content), field, inside):
             wanted = _wanted(type(content), field)
             if field.sort == "part":
                 raise InvalidInput(
@@ -110,6 +121,41 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
                 f"{type(content).__name__}: {field.name} is {_shown(inside)}; numbers in SI units are between "
                 f"{SMALLEST:g} and {LARGEST:g} in size: check the unit."
             )
+
+
+def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
+    """Refuse a question about the outline of a contact that is not known to be a disc.
+
+    Parameters
+    ----------
+    holder
+        A bed, or what holds one; what has no footprint passes.
+    owner : str
+        Who asks.
+    needed : str
+        What of the question needs a disc.
+
+    Raises
+    ------
+    OutsideValidity
+        With what the bed stands for, and what to use instead.
+    """
+    known = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
+    if why := getattr(known, "unlike_disc", ""):
+        raise OutsideValidity(f"{owner}: {needed} needs a round contact, and {why}.")
+
+
+def refuse_outline(content: Any) -> None:
+    """Refuse the beds in the fields of a value whose class says, in `needs_round`, what of it needs a disc.
+
+    Raises
+    ------
+    OutsideValidity
+        As `refuse_unless_round`.
+    """
+    needed = getattr(type(content), "needs_round", "")
+    for field in dataclasses.fields(content) if needed else ():
+        refuse_unless_round(getattr(content, field.name), type(content).__name__, needed)
 
 
 def _wrong(inside: Any, sort: str) -> bool:
@@ -125,6 +171,46 @@ def _wrong(inside: Any, sort: str) -> bool:
     if sort == "parts":
         return kind is not tuple or any(type(part) in NO_PART for part in inside)
     return kind is not {"str": str, "bool": bool}[sort]
+
+
+def _fits(cls: type, field: Expected, inside: Any) -> bool:
+    """Return whether the parts in a field are of the kinds that it names: of its classes, or with all of a protocol."""
+    if field.sort not in ("part", "parts"):
+        return True
+    kinds = _kinds(cls, field.name)
+    return not kinds or all(
+        any(_has_all(part, kind) if getattr(kind, "_is_protocol", False) else isinstance(part, kind) for kind in kinds)
+        for part in (inside if field.sort == "parts" else (inside,))
+    )
+
+
+@functools.cache
+def _kinds(cls: type, name: str) -> tuple[type, ...]:
+    """Return the classes and protocols that a field names; none if they are known to type checkers only."""
+    try:
+        hint = typing.get_type_hints(cls)[name]
+    except (NameError, TypeError):
+        return ()
+    if typing.get_origin(hint) is tuple:
+        hint = typing.get_args(hint)[0]
+    kinds = typing.get_args(hint) or (hint,)
+    return kinds if all(isinstance(kind, type) for kind in kinds) else ()
+
+
+def _has_all(part: Any, protocol: type) -> bool:
+    """Return whether a value has each public member of a protocol, without asking for any of them."""
+    known = _members(protocol)
+    missing = known - set(dir(type(part)))
+    return not any(inspect.getattr_static(part, name, missing) is missing for name in missing)
+
+
+@functools.cache
+def _members(protocol: type) -> frozenset[str]:
+    """Return the public members of a protocol."""
+    parts = [base for base in protocol.__mro__ if getattr(base, "_is_protocol", False) and base is not typing.Protocol]
+    return frozenset(
+        name for base in parts for name in (*vars(base), *vars(base).get("__annotations__", {})) if name[0] != "_"
+    )
 
 
 def _sized(inside: Any, smallest: float = SMALLEST) -> bool:

@@ -25,9 +25,9 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import AtCreepages, Creepage
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling import check_friction
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 

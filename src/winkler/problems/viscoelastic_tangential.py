@@ -164,7 +164,7 @@ class ViscoelasticTangential:
         elastic = elastic_like(self.bed)
         _, reach = at_depth(elastic, np.array([deepest]))
         springs = Springs.of(elastic, float(reach[0]), self.count)
-        normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed))
+        normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed), self.bed.footprint.shear_share)
         by_depth, by_shift = isinstance(self.path.normal, Depth), isinstance(self.path.lateral, Shift)
         row = Dragged(Row(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
         row.row.motion[0] = min(float(self.path.across[0]), 0.0) if by_depth else row.row.depth
