@@ -97,6 +97,11 @@ class EllipticFoundation(UnderProfile):
         return DISC if equal else Ellipse(bodies.slenderness)
 
     @property
+    def size(self) -> float:
+        """Radius of the disc as stiff as an ellipse that is as long as a curvature radius [m]."""
+        return 1.0 / float(self.slope(np.ones(1))[0])
+
+    @property
     def notes(self) -> tuple[Note, ...]:
         """What the springs stand for."""
         return (
