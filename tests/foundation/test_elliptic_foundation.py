@@ -185,6 +185,13 @@ def test_beds_know_their_footprint():
     )
 
 
+def test_a_path_in_the_plane_is_refused():
+    path = wk.Path([0.0, 1.0], wk.Force(10.0), wk.Shift([[0.0, 0.0], [1e-8, 1e-8]]))
+    for asked in (wk.Tangential, wk.SpringMarch):
+        with pytest.raises(wk.OutsideValidity, match="the path leaves its line, and an ellipse gives way differently"):
+            asked(SLENDER, wk.Coulomb(0.2), path)
+
+
 def test_media_that_know_no_ellipse_are_refused():
     coated = wk.CoatedHalfSpace([Layer(STEEL, 1e-6)], on=STEEL)
     with pytest.raises(wk.InvalidInput, match="homogeneous half-spaces alone"):
