@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import functools
-import inspect
 import math
 import re
 import typing
@@ -18,6 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.contract import fits, lacking, listed
 from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.vocabulary import word
 
@@ -112,8 +112,9 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
         if _wrong(inside, field.sort) or not _fits(type(content), field, inside):
             wanted = _wanted(type(content), field)
             if field.sort == "part":
+                lacks = lacking(type(content), field.name, inside)
                 raise InvalidInput(
-                    f"{type(content).__name__}: the {field.name} is a {type(inside).__name__}; give {wanted}."
+                    f"{type(content).__name__}: the {field.name} is a {type(inside).__name__}{lacks}; give {wanted}."
                 )
             raise InvalidInput(f"{type(content).__name__}: {field.name} is {_shown(inside)}; give {wanted}.")
         if field.sized and not _sized(inside, SMALLEST if field.name in NEVER_ZERO else 0.0):
@@ -174,43 +175,8 @@ def _wrong(inside: Any, sort: str) -> bool:
 
 
 def _fits(cls: type, field: Expected, inside: Any) -> bool:
-    """Return whether the parts in a field are of the kinds that it names: of its classes, or with all of a protocol."""
-    if field.sort not in ("part", "parts"):
-        return True
-    kinds = _kinds(cls, field.name)
-    return not kinds or all(
-        any(_has_all(part, kind) if getattr(kind, "_is_protocol", False) else isinstance(part, kind) for kind in kinds)
-        for part in (inside if field.sort == "parts" else (inside,))
-    )
-
-
-@functools.cache
-def _kinds(cls: type, name: str) -> tuple[type, ...]:
-    """Return the classes and protocols that a field names; none if they are known to type checkers only."""
-    try:
-        hint = typing.get_type_hints(cls)[name]
-    except (NameError, TypeError):
-        return ()
-    if typing.get_origin(hint) is tuple:
-        hint = typing.get_args(hint)[0]
-    kinds = typing.get_args(hint) or (hint,)
-    return kinds if all(isinstance(kind, type) for kind in kinds) else ()
-
-
-def _has_all(part: Any, protocol: type) -> bool:
-    """Return whether a value has each public member of a protocol, without asking for any of them."""
-    known = _members(protocol)
-    missing = known - set(dir(type(part)))
-    return not any(inspect.getattr_static(part, name, missing) is missing for name in missing)
-
-
-@functools.cache
-def _members(protocol: type) -> frozenset[str]:
-    """Return the public members of a protocol."""
-    parts = [base for base in protocol.__mro__ if getattr(base, "_is_protocol", False) and base is not typing.Protocol]
-    return frozenset(
-        name for base in parts for name in (*vars(base), *vars(base).get("__annotations__", {})) if name[0] != "_"
-    )
+    """Return whether the parts in a field are of the kinds that it names."""
+    return field.sort not in ("part", "parts") or fits(cls, field.name, inside if field.sort == "parts" else (inside,))
 
 
 def _sized(inside: Any, smallest: float = SMALLEST) -> bool:
@@ -236,14 +202,8 @@ def _wanted(cls: type, field: Expected) -> str:
         hint = field.written
     inner = typing.get_args(hint)
     if field.sort == "parts":
-        return f"a list of {_listed(inner[0])}"
-    return _listed(hint)
-
-
-def _listed(hint: Any) -> str:
-    """Return the names of a union as a sentence lists them."""
-    names = [getattr(part, "__name__", str(part)) for part in typing.get_args(hint)]
-    return f"{', '.join(names[:-1])} or {names[-1]}" if names else str(getattr(hint, "__name__", hint))
+        return f"a list of {listed(inner[0])}"
+    return listed(hint)
 
 
 def _shown(inside: Any) -> str:
