@@ -21,8 +21,17 @@ OFFERED = {
 
 def fits(cls: type, name: str, parts: tuple[Any, ...]) -> bool:
     """Return whether parts are of the kinds that a field of a class names."""
+    return all(_surely(cls, name, type(part)) or any(_is(part, kind) for kind in _kinds(cls, name)) for part in parts)
+
+
+@functools.cache
+def _surely(cls: type, name: str, given: type) -> bool:
+    """Return whether values of a class are of the kinds that a field names, which their class alone tells of most."""
     kinds = _kinds(cls, name)
-    return not kinds or all(any(_is(part, kind) for kind in kinds) for part in parts)
+    protocols = [kind for kind in kinds if getattr(kind, "_is_protocol", False)]
+    return not kinds or any(
+        not _unknown(given, kind) if kind in protocols else issubclass(given, kind) for kind in kinds
+    )
 
 
 def _is(part: Any, kind: type) -> bool:
@@ -52,14 +61,15 @@ def _kinds(cls: type, name: str) -> tuple[type, ...]:
 
 def _missing(part: Any, protocol: type) -> set[str]:
     """Return the public members of a protocol that a value has not, without asking for any of them."""
-    unknown = _unknown(type(part), protocol)
+    given: type = type(part)
+    unknown = _unknown(given, protocol)
     return {name for name in unknown if inspect.getattr_static(part, name, unknown) is unknown}
 
 
 @functools.cache
-def _unknown(cls: type, protocol: type) -> frozenset[str]:
+def _unknown(given: type, protocol: type) -> frozenset[str]:
     """Return the public members of a protocol of which a class does not tell that its values have them."""
-    return _members(protocol) - {*dir(cls), *getattr(cls, "__dataclass_fields__", ())}
+    return _members(protocol) - {*dir(given), *getattr(given, "__dataclass_fields__", ())}
 
 
 @functools.cache

@@ -204,3 +204,19 @@ def test_media_that_know_no_ellipse_are_refused():
     crystal = wk.EllipticFoundation(wk.CurvedBodies(1e-2, 1e-3), wk.TransverselyIsotropicHalfSpace(zinc))
     with pytest.raises(wk.OutsideValidity, match="along an ellipse is not known"):
         crystal.tangential_stiffness(np.ones(1))
+
+
+def test_the_direction_of_a_stiffness_is_stated():
+    """On an ellipse the direction, on an unknown outline that the ratio is a mean; of a disc there is nothing to say."""
+    a = np.geomspace(1e-6, 1e-3, 12)
+    spots = wk.MeasuredBed(a, 2.0 * PAIR.modulus * a, a**2 / 1e-2, mindlin_ratio=0.8)
+    path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
+    for bed, said in (
+        (SLENDER, "The shear is along x, where the semi-axis of the ellipse is 4.5 of that across"),
+        (spots, "ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known"),
+    ):
+        notes = wk.Tangential(bed, wk.Coulomb(0.3), path).solve().validity
+        assert any(said in note.statement for note in notes)
+        swing = wk.FrictionDamping(bed, wk.Coulomb(0.3), wk.Force(1.0), wk.Shift(1e-9)).solve()
+        assert any(said in note.statement for note in swing.validity)
+        assert not any(said in note.statement for note in wk.Indentation(bed, wk.Force(1.0)).solve().validity)

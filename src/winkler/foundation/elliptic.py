@@ -110,7 +110,7 @@ class EllipticFoundation(UnderProfile):
                 Assumption.SHAPE,
                 Standing.EXACT,
                 f"The springs stand for an ellipse of b/a = {self.bodies.slenderness:.4g}: force, depth and "
-                "stiffness are Hertz's; the radius is that of the disc of equal stiffness. A shear is along x.",
+                "stiffness are Hertz's; the radius is that of the disc of equal stiffness.",
                 JOHNSON,
             ),
         )

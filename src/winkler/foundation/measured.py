@@ -35,15 +35,6 @@ ANY = Unknown(
 )
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
-SHEARED = Note(
-    Assumption.SLIP,
-    Standing.ASYMPTOTIC,
-    "The Mindlin ratio is that of a disc. The outline of the contact is not known, and if it is no disc, the stiffness "
-    "along the surface depends on the direction: on an ellipse the ratio belongs to the mean of both compliances, and "
-    "for nu = 0.3 and curvature radii of 1:10 each direction deviates from it by 6 %.",
-    "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973",
-)
-
 
 @value
 class MeasuredBed:
@@ -202,7 +193,6 @@ class MeasuredBed:
                 "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, "
                 "doi:10.1007/978-3-642-53876-6",
             ),
-            *((SHEARED,) if self.mindlin_ratio and not self.disc else ()),
         )
 
     def height(self, r: Array) -> Array:

@@ -24,6 +24,7 @@ from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.closure import at_depth
 from winkler.problems.impact_curve import deepest, normal_curve, stiffness_ratio
@@ -356,5 +357,5 @@ class ImpactSolution:
         share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
         notes = [*indentation_notes(bed, depth, force, radius), wave_note(share), gravity_note(force)]
         if problem.law.coefficient > 0.0 and problem.sliding_velocity != 0.0:
-            notes += [PLANAR, sticking_note(bed.medium, problem.law.coefficient)]
+            notes += [PLANAR, sticking_note(bed.medium, problem.law.coefficient), *direction_notes(bed)]
         return tuple(notes)

@@ -26,6 +26,7 @@ from winkler.numerics.slip_plane import march_plane
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.indentation import Indentation
 from winkler.problems.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
 from winkler.problems.stiffness_ratio import refuse_plane
@@ -175,6 +176,7 @@ class SpringMarch:
         return (
             *self.bed.notes,
             sticking_note(self.bed.medium, coefficient_of(self.law)),
+            *direction_notes(self.bed),
             *spring_notes(springs, self.law, in_plane=self.path.in_plane),
         )
 

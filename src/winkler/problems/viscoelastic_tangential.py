@@ -27,6 +27,7 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import RELAXING, SHEARED
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
@@ -290,7 +291,14 @@ class ViscoelasticTangentialSolution:
         bed = self.problem.bed
         times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
         coupled = sticking_note(bed.medium, self.problem.law.coefficient)
-        return (*bed.notes, CATTANEO, coupled, *times, *contact_notes(elastic_like(bed), self.depth, self.radius))
+        coupled_and_along = (coupled, *direction_notes(bed))
+        return (
+            *bed.notes,
+            CATTANEO,
+            *coupled_and_along,
+            *times,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+        )
 
 
 CATTANEO = Note(
