@@ -21,7 +21,9 @@ OFFERED = {
 
 def fits(cls: type, name: str, parts: tuple[Any, ...]) -> bool:
     """Return whether parts are of the kinds that a field of a class names."""
-    return all(_surely(cls, name, type(part)) or any(_is(part, kind) for kind in _kinds(cls, name)) for part in parts)
+    return all(
+        _surely(cls, name, part.__class__) or any(_is(part, kind) for kind in _kinds(cls, name)) for part in parts
+    )
 
 
 @functools.cache
@@ -29,9 +31,8 @@ def _surely(cls: type, name: str, given: type) -> bool:
     """Return whether values of a class are of the kinds that a field names, which their class alone tells of most."""
     kinds = _kinds(cls, name)
     protocols = [kind for kind in kinds if getattr(kind, "_is_protocol", False)]
-    return not kinds or any(
-        not _unknown(given, kind) if kind in protocols else issubclass(given, kind) for kind in kinds
-    )
+    classes = tuple(kind for kind in kinds if kind not in protocols)
+    return not kinds or issubclass(given, classes) or any(not _unknown(given, kind) for kind in protocols)
 
 
 def _is(part: Any, kind: type) -> bool:
@@ -61,8 +62,7 @@ def _kinds(cls: type, name: str) -> tuple[type, ...]:
 
 def _missing(part: Any, protocol: type) -> set[str]:
     """Return the public members of a protocol that a value has not, without asking for any of them."""
-    given: type = type(part)
-    unknown = _unknown(given, protocol)
+    unknown = _unknown(part.__class__, protocol)
     return {name for name in unknown if inspect.getattr_static(part, name, unknown) is unknown}
 
 

@@ -207,7 +207,7 @@ def test_media_that_know_no_ellipse_are_refused():
 
 
 def test_the_direction_of_a_stiffness_is_stated():
-    """On an ellipse the direction, on an unknown outline that the ratio is a mean; of a disc there is nothing to say."""
+    """On an ellipse the direction, on an unknown outline that the ratio is a mean."""
     a = np.geomspace(1e-6, 1e-3, 12)
     spots = wk.MeasuredBed(a, 2.0 * PAIR.modulus * a, a**2 / 1e-2, mindlin_ratio=0.8)
     path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))

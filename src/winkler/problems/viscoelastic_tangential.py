@@ -290,15 +290,9 @@ class ViscoelasticTangentialSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
-        coupled = sticking_note(bed.medium, self.problem.law.coefficient)
-        coupled_and_along = (coupled, *direction_notes(bed))
-        return (
-            *bed.notes,
-            CATTANEO,
-            *coupled_and_along,
-            *times,
-            *contact_notes(elastic_like(bed), self.depth, self.radius),
-        )
+        along = (sticking_note(bed.medium, self.problem.law.coefficient), *direction_notes(bed))
+        pressed = contact_notes(elastic_like(bed), self.depth, self.radius)
+        return (*bed.notes, CATTANEO, *along, *times, *pressed)
 
 
 CATTANEO = Note(
