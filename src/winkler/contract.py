@@ -32,7 +32,7 @@ def _surely(cls: type, name: str, given: type) -> bool:
     kinds = _kinds(cls, name)
     protocols = [kind for kind in kinds if getattr(kind, "_is_protocol", False)]
     classes = tuple(kind for kind in kinds if kind not in protocols)
-    return not kinds or issubclass(given, classes) or any(not _unknown(given, kind) for kind in protocols)
+    return not kinds or any(not _unknown(given, kind) for kind in protocols) or issubclass(given, classes)
 
 
 def _is(part: Any, kind: type) -> bool:

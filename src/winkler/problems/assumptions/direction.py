@@ -30,7 +30,7 @@ def direction_notes(bed: Bed) -> tuple[Note, ...]:
         Note(
             Assumption.SLIP,
             Standing.EXACT,
-            f"The shear is along x, where the semi-axis of the ellipse is {1.0 / outline.slenderness:.3g} of that across: "
+            f"The shear is along x, where the semi-axis is {1.0 / outline.slenderness:.3g} of that across: "
             "the tangential stiffness is that of this direction, and sticking and slipping parts are "
             "similar ellipses (Cattaneo, Mindlin).",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.2, doi:10.1017/CBO9781139171731",
