@@ -8,7 +8,9 @@ import re
 import pytest
 
 import winkler as wk
+from winkler.study.build import build
 from winkler.study.catalogue import CATALOGUE
+from winkler.study.explain import example_study
 
 
 @pytest.mark.parametrize("slot", ["problem", "profile", "medium", "bed"])
@@ -41,6 +43,23 @@ def test_the_interface_names_the_whole_front_door(root):
     page = conf.front_door()
     told = re.findall(r"^\.\. (?:autoclass|autofunction|py:data):: winkler\.(\w+)$", page, re.MULTILINE)
     assert sorted(told) == sorted(name for name in wk.__all__ if not name.startswith("__"))
+
+
+@pytest.mark.parametrize("column", [1, 2, 3])
+def test_the_page_on_coatings_says_which_problems_take_which_medium(root, column):
+    rows = re.findall(r"^\|(.*)\|$", (root / "docs" / "coatings.md").read_text(encoding="utf-8"), re.MULTILINE)
+    table = [[cell.strip().strip("`") for cell in row.split("|")] for row in rows]
+    head = next(row for row in table if row[0] == "kind of problem")
+    stated = {row[0]: row[column] for row in table if row[0] in CATALOGUE["problem"]}
+
+    def takes(kind):
+        try:
+            build(example_study(kind, medium=head[column])["problem"])
+        except wk.WinklerError:
+            return "refused"
+        return "taken"
+
+    assert stated == {kind: takes(kind) for kind in CATALOGUE["problem"] if takes(kind) == "taken" or kind in stated}
 
 
 def test_pages_lead_on_to_pages_that_are_there(root):

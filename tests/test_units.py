@@ -102,6 +102,26 @@ REFUSED = [
         "m",
         "'1,234,567 mm' has a comma; write decimals with a point and thousands without, as '1234567 mm'.",
     ),
+    (
+        "1,000 N",
+        "N",
+        "'1,000 N' has a comma, which is ambiguous; write '1000 N' if it groups thousands, '1.000 N' if it is the "
+        "decimal sign.",
+    ),
+    (
+        "-12,345e3 N",
+        "N",
+        "'-12,345e3 N' has a comma, which is ambiguous; write '-12345e3 N' if it groups thousands, '-12.345e3 N' if it "
+        "is the decimal sign.",
+    ),
+    ("0,500 N", "N", "'0,500 N' has a comma; write decimals with a point and thousands without, as '0.500 N'."),
+    (
+        "1234,567 N",
+        "N",
+        "'1234,567 N' has a comma; write decimals with a point and thousands without, as '1234.567 N'.",
+    ),
+    ("1.234,5 N", "N", "'1.234,5 N' has a comma; write decimals with a point and thousands without, as '1234.5 N'."),
+    ("1 N,5", "N", "'1 N,5' has a comma; write decimals with a point and thousands without, as '1234.5'."),
     ("nan mm", "m", "'nan mm' is not a finite number; give one, or leave the key out."),
     ("NaN", "m", "'NaN' is not a finite number; give one, or leave the key out."),
     ("inf", "m", "'inf' is not a finite number; give one, or leave the key out."),

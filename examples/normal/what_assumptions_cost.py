@@ -40,7 +40,7 @@ jkr, dmt = 1.5 * unit / np.array(true), 2.0 * unit / np.array(true)
 # A film on something rigid
 # -------------------------
 # A gel of 5 um on glass under a bead of the same radius. Who fits Hertz' formula for a thick body finds a modulus that
-# is too high by the ratio of the forces; and from half the thickness on linear elasticity itself is no longer the theory.
+# is too high by the ratio of the forces; from half the thickness on linear elasticity itself is no longer the theory.
 
 gel, thickness = wk.Elastic(1e3, 0.49), 5e-6
 film = wk.CoatedHalfSpace([wk.Layer(gel, thickness)], on=wk.Rigid())

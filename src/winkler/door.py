@@ -13,9 +13,17 @@ from winkler.fields import (
     restore_shift,
 )
 from winkler.fitting.compare import Comparison, compare
+from winkler.fitting.contact_reading import (
+    CalibratedArea,
+    ContactReading,
+    contact_reading,
+    intercept_factor,
+    sample_young,
+)
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.fit import Fit, fit
-from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution, intercept_factor, sample_young
+from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution
+from winkler.fitting.segments import Segment, SegmentKind
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic_terms import compare_terms
@@ -167,10 +175,10 @@ __all__ = [
     "Assumption", "AtTemperature",
     "BallImpacts", "BallImpactsSolution", "BallInSocket", "Berkovich", "BimodalDamping", "BimodalDampingSolution",
     "BodyFields",
-    "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison", "ConductanceBounds",
-    "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse", "ContactLaw",
-    "ContactLawSolution", "ContactTrace", "Contacts", "Coulomb", "CreepData", "CreepFit", "CreepTest", "Creepage",
-    "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
+    "CalibratedArea", "CappedCylinder", "CappedParaboloid", "Circle", "CoatedHalfSpace", "Comparison",
+    "ConductanceBounds", "ConductanceBoundsSolution", "Cone", "Constriction", "ConstrictionSolution", "ContactEllipse",
+    "ContactLaw", "ContactLawSolution", "ContactReading", "ContactTrace", "Contacts", "Coulomb", "CreepData",
+    "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
@@ -196,8 +204,9 @@ __all__ = [
     "RelaxationDamper", "RelaxationDamperSolution", "RelaxationData", "RelaxationTest", "RelaxingInProportion",
     "Rigid", "Rod", "Rolling", "RollingSolution", "RollingStart", "RollingStartSolution", "RoughContact",
     "RoughContactSolution", "RoughIndentation", "RoughIndentationSolution", "RoughLine", "RoundedCone", "RoundedPunch",
-    "SaturatingWork", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift", "ShortRange", "SigmoidalGrading",
-    "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance", "SlidingResistanceSolution",
+    "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
+    "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
+    "SlidingResistanceSolution",
     "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "SpotCluster", "SpotClusterSolution", "SpringMarch",
     "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields",
     "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
@@ -213,7 +222,7 @@ __all__ = [
     "Wavy", "WiedemannFranz", "WilliamsLandelFerry", "WinklerError",
     "YieldOnset", "YieldOnsetSolution",
     "area_fraction",
-    "compare", "compare_terms", "creep_coefficients",
+    "compare", "compare_terms", "contact_reading", "creep_coefficients",
     "design_for_pressure", "design_profile",
     "fit",
     "intercept_factor",

@@ -16,7 +16,7 @@ from fractions import Fraction
 from winkler.errors import InvalidInput
 from winkler.unit_grammar import COMMON, POWERS, Unit, Unreadable, unit_of
 
-__all__ = ["format_quantity", "quantity", "scale", "to_si"]
+__all__ = ["comma_hint", "comma_readings", "format_quantity", "quantity", "scale", "to_si"]
 
 LONGEST = 100
 """Most characters of a quantity."""
@@ -49,6 +49,10 @@ KINDS = (
 )
 """Unit, what it measures, and how such a quantity is written."""
 
+WITH_COMMA = re.compile(r"([+-]?)([\d.,]*,[\d.,]*)(.*)", re.ASCII | re.DOTALL)
+THOUSANDS = re.compile(r"[1-9]\d{0,2}(,\d{3})+(\.\d*)?", re.ASCII)
+DECIMALS = re.compile(r"(\d*|[1-9]\d{0,2}(\.\d{3})+),\d+", re.ASCII)
+
 PREFIXED = re.compile(r"(m|N|Pa|J|W|Hz|s|V|A)(?:\^([23]))?(?![\w^])(.*)")
 LARGEST = {"m": 3, "s": 0}
 PREFIXES = ((9, "G"), (6, "M"), (3, "k"), (0, ""), (-3, "m"), (-6, "u"), (-9, "n"), (-12, "p"))
@@ -64,6 +68,42 @@ def _kind(unit: str) -> tuple[str, str]:
     return _kinds().get(unit_of(unit).dimension, (f"a quantity in {unit}", f"1 {unit}"))
 
 
+def comma_readings(text: str) -> tuple[str, ...]:
+    """Return what a number with a comma may mean, each written with a point; empty if it is no such number.
+
+    Examples
+    --------
+    >>> comma_readings("1,000 N"), comma_readings("10,5 mm"), comma_readings("1,234.5")
+    (('1000 N', '1.000 N'), ('10.5 mm',), ('1234.5',))
+    """
+    match = WITH_COMMA.fullmatch(text.strip())
+    if match is None:
+        return ()
+    sign, number, rest = match.groups()
+    plain = [number.replace(",", "")] if THOUSANDS.fullmatch(number) else []
+    if DECIMALS.fullmatch(number):
+        plain.append(number.replace(".", "").replace(",", "."))
+    return tuple(sign + one + rest for one in plain)
+
+
+def comma_hint(text: str) -> str:
+    """Return what to do about a number with a comma, as the end of a sentence: "a comma, ...".
+
+    Examples
+    --------
+    >>> comma_hint("1,000 N")
+    "a comma, which is ambiguous; write '1000 N' if it groups thousands, '1.000 N' if it is the decimal sign"
+    """
+    found = comma_readings(text)
+    if len(found) > 1:
+        whole, broken = found
+        return (
+            f"a comma, which is ambiguous; write '{whole}' if it groups thousands, '{broken}' if it is the decimal sign"
+        )
+    example = found[0] if found else "1234.5"
+    return f"a comma; write decimals with a point and thousands without, as '{example}'"
+
+
 def _read(text: str, what: str) -> tuple[Fraction, Unit, str]:
     """Return the number, the unit and the unit's text of a quantity."""
     if len(text) > LONGEST:
@@ -72,10 +112,7 @@ def _read(text: str, what: str) -> tuple[Fraction, Unit, str]:
         )
     plain = text.translate(POWERS).replace("−", "-").strip()
     if "," in plain:
-        point = plain.replace(",", "." if plain.count(",") == 1 and "." not in plain else "")
-        raise InvalidInput(
-            f"{what}: '{text}' has a comma; write decimals with a point and thousands without, as '{point}'."
-        )
+        raise InvalidInput(f"{what}: '{text}' has {comma_hint(plain)}.")
     match = QUANTITY.fullmatch(plain)
     if match is None:
         if re.match(r"[+-]?(nan|inf)", plain, re.IGNORECASE):

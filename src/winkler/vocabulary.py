@@ -173,6 +173,7 @@ GLOSSARY: dict[str, Word] = {
     "springs": Word("", None, "the springs, with what they remember"),
     "states": Word("", None, "the states along the path, one by one"),
     "memory": Word("", None, "what the springs remember"),
+    "total": Word("n", "", "how many states a march has, at most"),
     # impact
     "mass": Word("m", "kg", "mass of the body; of two free bodies m1 m2 / (m1 + m2)"),
     "inertia": Word("I", "kg m^2", "moment of inertia about the centre of mass"),
@@ -635,6 +636,14 @@ OWNED: dict[tuple[str, str], Word] = {
     ("OliverPharrSolution", "exponent"): Word("m", "", "exponent of the unloading"),
     ("OliverPharrSolution", "modulus"): Word("E_r", "Pa", "reduced modulus, that of the pair"),
     ("OliverPharrSolution", "scatter"): Word("s", "N", "standard deviation of the forces about the power law"),
+    ("OliverPharrSolution", "fitted_force"): Word("F", "N", "force of the fitted law at the depth of the peak"),
+    ("OliverPharrSolution", "fitted_points"): Word("", None, "indices of the points that were fitted"),
+    ("CalibratedArea", "shallowest"): Word("h_c", "m", "smallest contact depth of the calibration"),
+    ("CalibratedArea", "deepest"): Word("h_c", "m", "greatest contact depth of the calibration"),
+    ("ContactReading", "modulus"): Word("E_r", "Pa", "reduced modulus, that of the pair"),
+    ("Segment", "kind"): Word("", None, "loading, hold, partial unloading or last unloading"),
+    ("Segment", "first"): Word("", None, "index of the first point"),
+    ("Segment", "last"): Word("", None, "index of the last point"),
     ("HeatSource", "fast"): Word("", "W/m", "what conductivity, temperature and root of the speed tend to, for 1 W"),
     ("FrettingHeatSolution", "flux"): Word("q", None, "mean heat per area and time"),
     ("FrettingHeatSolution", "max_temperature"): Word(

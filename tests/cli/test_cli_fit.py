@@ -67,6 +67,21 @@ def names(folder: Path) -> list[str]:
 CURVES = ["curves/gel_curve1.csv", "curves/gel_curve2.csv", "curves/gel_curve3.csv"]
 
 
+def test_segments_on_the_command_line_are_those_of_the_study(here, capsys):
+    """They overrule the file's, and the study that is kept with the results says them."""
+    stated = STUDY.replace('part = "approach"', 'part = "approach"\nsegments = ["loading 0", "hold 90"]')
+    (here / "stated.toml").write_text(stated.replace('"gel"', '"gel/curve1.csv"'), encoding="utf-8")
+    (here / "plain.toml").write_text(STUDY.replace('"gel"', '"gel/curve1.csv"'), encoding="utf-8")
+    assert main(["fit", "stated.toml", "--output", "a"]) == 0
+    assert main(["fit", "plain.toml", "--output", "b", "--segments", "loading 0, hold 90"]) == 0
+    assert main(["fit", "plain.toml", "--output", "c"]) == 0
+    numbers = [(here / name / "fit.csv").read_text(encoding="utf-8") for name in "abc"]
+    assert numbers[0] == numbers[1] != numbers[2]
+    assert main(["fit", "b/study.toml", "--output", "d"]) == 2  # the curve lies elsewhere, but the segments are there
+    assert 'segments = [\n    "loading 0",' in (here / "b" / "study.toml").read_text(encoding="utf-8")
+    capsys.readouterr()
+
+
 def test_a_batch(here, capsys):
     assert main(["fit", "gel.toml"]) == 0
     folder = here / "results" / "gel"

@@ -88,6 +88,13 @@ def test_a_file_that_is_not_there(tmp_path):
         read_curve(3)
 
 
+def test_a_spring_constant_with_a_comma(tmp_path):
+    path = tmp_path / "curve.txt"
+    path.write_text("k (N/m) 1,000\nPiezo (nm)\tLoad (uN)\n0\t0\n1\t1\n", encoding="utf-8")
+    with pytest.raises(wk.InvalidInput, match="'1,000' has a comma, which is ambiguous; write '1000'"):
+        read_curve(path)
+
+
 def test_a_file_of_noughts(tmp_path):
     path = tmp_path / "curve.jpk-force"
     path.write_bytes(bytes(100))
@@ -124,7 +131,12 @@ FILES = {
         [(1, 1015), (-1, 1015)],
         4.2406828e-6,
     ),
-    "nanoindentation/RobinSteel0000LC.txt": ({}, math.inf, [(1, 3003), (-1, 2301)], 3.000027e-3),
+    "nanoindentation/RobinSteel0000LC.txt": (
+        {},
+        math.inf,
+        [(0, 303), (1, 1998), (0, 1005), (-1, 1998)],
+        3.000027e-3,
+    ),
 }
 
 

@@ -100,7 +100,7 @@ NEITHER = ": the header has no radius (radius, r, x) and no height (height, h, z
 NO_HEADER = " without a header above them; write one, as 'radius [um], height [nm]'."
 NO_UNIT = "; write it in the header, as 'radius [um], height [nm]'."
 EMPTY = ": the file is empty; it needs a header such as 'radius [um], height [nm]', and numbers below."
-POINTS = "save the file with decimal points."
+POINTS = "a comma; write decimals with a point and thousands without, as "
 MISSING = ": a number is missing or not finite; complete or delete the line"
 UTF16 = ": the file is written in UTF-16; save it as UTF-8."
 SPREADSHEET = ": this is a spreadsheet or an archive; save the table as text (CSV)."
@@ -142,13 +142,20 @@ REFUSED = [
     ("r [um],h [nm]\n1,2\n3,4 nm\n", ", line 3: '4 nm' in the column 'h [nm]' is not a number."),
     ("r [um],h [nm]\n1_0,2\n", ", line 2: '1_0' in the column 'r [um]' is not a number."),
     ("r [um],h [nm]\n0x10,2\n", ", line 2: '0x10' in the column 'r [um]' is not a number."),
-    ("r [um];h [nm]\n0.5;1\n0,5;1,25\n", ", line 3: '0,5' has a decimal comma; " + POINTS),
-    ("r [um]\th [nm]\n1\t-1,5e-3\n", ", line 2: '-1,5e-3' has a decimal comma; " + POINTS),
-    ("r [um] h [nm]\n0,5 1,2\n", ", line 2: '0,5' has a decimal comma; " + POINTS),
+    ("r [um];h [nm]\n0.5;1\n0,5;1,25\n", ", line 3: '0,5' has " + POINTS + "'0.5'."),
+    ("r [um]\th [nm]\n1\t-1,5e-3\n", ", line 2: '-1,5e-3' has " + POINTS + "'-1.5e-3'."),
+    ("r [um] h [nm]\n0,5 1,2\n", ", line 2: '0,5' has " + POINTS + "'0.5'."),
     (
         "r [um],h [nm]\n0,5,1,25\n",
-        ", line 2: the line has 4 and the header 2 cells; if the comma is the decimal sign, " + POINTS,
+        ", line 2: the line has 4 and the header 2 cells; if commas mark decimals or group thousands, write 1.5 and "
+        "1000.",
     ),
+    (
+        "r [um];h [nm]\n0.5;1\n1,000;2\n",
+        ", line 3: '1,000' has a comma, which is ambiguous; write '1000' if it groups thousands, '1.000' if it is the "
+        "decimal sign.",
+    ),
+    ("r [um];h [nm]\n0.5;1\n1;2,345.5\n", ", line 3: '2,345.5' has " + POINTS + "'2345.5'."),
     ("r [um];h [nm]\n1;2\n1\n", ", line 3: the line has 1 and the header 2 cells."),
     ("r [um];h [nm]\n1;2\n1;2;3\n", ", line 3: the line has 3 and the header 2 cells."),
     ("r [um],h [nm]\n1,2\nnan,3\n", ": line 3" + MISSING + "."),

@@ -113,7 +113,15 @@ MATRIX = [
         rows(",").replace("1.25", "high"),
         ", line 2: 'high' is no height; give a matrix of numbers, nan where they are missing.",
     ),
-    (rows(";").replace("1.25", "1,25"), ", line 2: '1,25' has a decimal comma; save the file with decimal points."),
+    (
+        rows(";").replace("1.25", "1,25"),
+        ", line 2: '1,25' has a comma; write decimals with a point and thousands without, as '1.25'.",
+    ),
+    (
+        rows(";").replace("1.25", "1,250"),
+        ", line 2: '1,250' has a comma, which is ambiguous; write '1250' if it groups thousands, '1.250' if it is the "
+        "decimal sign.",
+    ),
     (
         rows(",", HEIGHTS[:, :2]),
         ": a matrix of 5 x 2 numbers is no map, but a scan or a list of points; give at least 4 x 4 heights.",

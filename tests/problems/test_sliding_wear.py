@@ -6,10 +6,19 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.problems.wear_line import WearLine, wear_line
+from winkler.problems.wear_march import march
 
 MEDIUM = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 BALL = wk.Foundation(wk.Paraboloid(1e-3), MEDIUM)
 RATE = 1e-14
+
+
+class Squared:
+    """Wears with the square of the pressure; as much as Archard at a gigapascal."""
+
+    def depth_per_slip(self, pressure):
+        return RATE * pressure**2 / 1e9
 
 
 def worn(distance, *, bed=BALL, normal=None, wear=None, count=100, tolerance=1e-3):
@@ -43,6 +52,40 @@ def test_a_ball_wears_to_a_cap():
     inside = last.radii < 0.8 * last.radius
     # flat but for what is elastic: pressure is that of all the cap
     np.testing.assert_allclose(last.pressure[inside], run.mean_pressure[-1], rtol=0.05)
+
+
+def test_a_ball_wears_over_any_distance(monkeypatch):
+    # a hundred kilometres, over which the contact grows to forty times its radius: V = kappa F s is a cap of the ball
+    looks = 0
+    press = WearLine.press
+
+    def counted(line, worn, load):
+        nonlocal looks
+        looks += 1
+        return press(line, worn, load)
+
+    monkeypatch.setattr(WearLine, "press", counted)
+    curvature, force, distance = 1e-2, 10.0, np.array([1e2, 1e3, 1e4, 1e5])
+    bed = wk.Foundation(wk.Paraboloid(curvature), MEDIUM)
+    run = worn(distance, bed=bed, normal=wk.Force(force))
+    volume = RATE * force * distance
+    np.testing.assert_allclose(run.worn_volume, volume, rtol=1e-9)
+    for state, lost in zip(run.states, volume, strict=True):
+        assert state.radius == pytest.approx((4.0 * curvature * lost / math.pi) ** 0.25, abs=1.5 * state.radii[1])
+    np.testing.assert_allclose(run.worn_depth[1:], np.sqrt(volume[1:] / (math.pi * curvature)), rtol=2e-3)
+    # explicit jumps need more than a million
+    assert looks < 10_000
+
+
+@pytest.mark.parametrize("wear", [wk.Archard(RATE), Squared()], ids=["Archard", "own"])
+def test_implicit_jumps_go_where_explicit_ones_go(wear):
+    problem = wk.SlidingWear(BALL, wear, wk.Force(1.0), np.array([0.3, 1.0, 3.0]), count=50)
+    begun = next(wk.SlidingWear(BALL, wear, wk.Force(1.0), 1e-4, count=50).steps()).moment
+    short = list(march(problem, problem.goals, begun))
+    for moment, state in zip(short, problem.steps(), strict=True):
+        same = wear_line(BALL, moment.nodes).press(moment.worn.sum(axis=0), wk.Force(1.0))
+        assert state.depth == pytest.approx(same.depth, rel=1e-3)
+        np.testing.assert_allclose(state.first_worn, moment.worn[0], atol=5e-3 * same.depth)
 
 
 def test_a_flat_punch_wears_until_its_pressure_is_even():

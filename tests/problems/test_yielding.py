@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import mpmath as mp
 import numpy as np
@@ -101,7 +102,6 @@ def test_scaling(factor):
         (wk.Cone(1.3), "the apex is pointed"),
         (wk.PowerLaw(1.0, 0.7), "the apex is pointed"),
         (wk.TruncatedCone(1.3, 1e-3), "the slope of the profile jumps"),
-        (wk.CappedParaboloid(R, 2.0 * R, 1e-4), "the slope of the profile jumps"),
         (wk.FlatPunch(1e-3), "the rim is sharp"),
     ],
 )
@@ -134,7 +134,7 @@ def test_a_profile_that_ends_before():
     ):
         wk.YieldOnset(short).solve()
     notes = wk.Indentation(short, wk.Depth(1e-9)).solve().validity
-    assert any("does not yield before the profile ends" in note.statement for note in notes)
+    assert any("stays elastic" in note.statement for note in notes)
 
 
 def test_a_rim_yields_when_it_is_reached():
@@ -148,7 +148,9 @@ def test_a_rim_yields_when_it_is_reached():
     before = wk.Indentation(pinned, wk.Force(0.9 * full.force)).solve()
     after = wk.Indentation(pinned, wk.Force(1.1 * full.force)).solve()
     assert any("stays elastic" in note.statement for note in before.validity)
-    assert any("beyond it the result is not elastic" in note.statement for note in after.validity)
+    (sharp,) = (note for note in after.validity if "of the strength" in note.statement)
+    assert sharp.statement.startswith("The rim is sharp, so the elastic stress is infinite there")
+    assert sharp.standing is wk.Standing.APPROXIMATE
 
 
 def test_an_onset_where_the_contact_is_no_disc_is_refused():
@@ -167,9 +169,11 @@ def test_an_onset_where_the_contact_is_no_disc_is_refused():
         found = onset(strength)
         contact = wk.Indentation(bed_of(strength), wk.Radius(found.radius)).solve()
         assert wk.peak_stress(contact).von_mises == pytest.approx(strength, rel=1e-6)
-        assert any("yielding begins at" in n.statement or "yielding began at" in n.statement for n in contact.validity)
+        assert any(
+            re.search(r"greatest (elastic )?stress is 1 (of|times)", note.statement) for note in contact.validity
+        )
     contact = wk.Indentation(bed_of(0.118), wk.Radius(0.05)).solve()
-    assert any("No onset of yield is known" in note.statement for note in contact.validity)
+    assert any("the contact stays elastic" in note.statement for note in contact.validity)
 
 
 def test_what_must_be_given():

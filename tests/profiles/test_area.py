@@ -149,3 +149,20 @@ def test_an_area_that_shrinks_from_the_apex_on(bad):
 def test_coefficients_that_are_no_numbers(bad):
     with pytest.raises(wk.InvalidInput, match="^AreaFunction: coefficients are"):
         wk.AreaFunction(bad)
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-6, 1e3])
+@pytest.mark.parametrize(
+    "coefficients", [(24.5, 1e-7), TIP, (24.5, 2e-6, 3e-6), (-math.pi, 2.0 * math.pi * 3e-6), (24.5, -1e-6, 5e-9)]
+)
+def test_a_tip_knows_no_absolute_height(coefficients, size):
+    grown = tuple(c * size ** (2.0 - 2.0 ** (1 - n) if n else 0.0) for n, c in enumerate(coefficients))
+    before, after = wk.AreaFunction(coefficients), wk.AreaFunction(grown)
+    assert after.reach == pytest.approx(size * before.reach, rel=1e-12)
+    assert after.rising == before.rising
+    medium = wk.HalfSpace(wk.Elastic(1e9, 0.3))
+    for depth in (2e-9, 1e-7):
+        one = wk.Indentation(wk.Foundation(before, medium), wk.Depth(depth)).solve()
+        other = wk.Indentation(wk.Foundation(after, medium), wk.Force(one.force * size**2)).solve()
+        assert other.depth == pytest.approx(size * depth, rel=1e-11)
+        assert other.radius == pytest.approx(size * one.radius, rel=1e-11)

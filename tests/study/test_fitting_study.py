@@ -196,6 +196,54 @@ def test_corrections_are_made_in_their_order_and_told(here):
     assert result.fit.value("bed.medium.first.young") == pytest.approx(4e3, rel=0.005)
 
 
+def held_and_back():
+    """Return a curve of 60 points in, 40 held, and 60 out, with times, in which the hold is plain."""
+    way = np.concatenate([np.linspace(-1e-6, 1e-6, 60), np.full(40, 1e-6), np.linspace(1e-6, -1e-6, 61)[1:]])
+    rows = (
+        f"{1e9 * d!r}, {1e9 * f!r}, {0.1 * k!r}\n" for k, (d, f) in enumerate(zip(way, hertz(way, 4e3), strict=True))
+    )
+    return "depth [nm], force [nN], time [s]\n" + "".join(
+        row.replace("np.float64(", "").replace(")", "") for row in rows
+    )
+
+
+@pytest.mark.parametrize(
+    ("segments", "fitted"),
+    [
+        ("", 60),
+        ('segments = "found"', 60),
+        ('segments = ["loading 0", "hold 50", "unloading 100"]', 50),
+        ('segments = ["loading 0 s", "hold 5.5 s", "last unloading 10 s"]', 55),
+    ],
+)
+def test_segments_are_found_or_stated(here, segments, fitted):
+    (here / "curve.csv").write_text(held_and_back(), encoding="utf-8")
+    asked = STUDY.replace('part = "approach"', f'part = "approach"\n{segments}').replace("baseline = true\n", "")
+    (result,) = fit_study(parse_fit_study(asked, file="gel.toml", folder=here)).fitted
+    assert result.fit.curve.count == pytest.approx(fitted, abs=1)
+    assert result.steps[0].startswith(
+        f"segments: by the numbers of their points, loading (0 to {result.fit.curve.count - 1})"
+    )
+
+
+@pytest.mark.parametrize(
+    ("segments", "sentence"),
+    [
+        ("3", "fit.segments is 3; give 'found', or a list of kinds with their beginnings"),
+        ("[]", "fit.segments is \\[\\]; give 'found'"),
+        ('["loading"]', "fit.segments holds 'loading', which has no beginning"),
+        ('["loading 0", "holding 30"]', "line 1 is a 'holding' .*; give loading, hold or unloading"),
+        ('["loading 0", "hold 500"]', "line 1 begins at the point 500; .* below 120"),
+        ('["loading 0", "hold 3 s"]', "fit.segments: 'hold 3 s' is a time, and the curve has none"),
+        ('["loading 0", "hold 3 N"]', "fit.segments, 'hold 3 N': .* give a time such as '2 ms'"),
+    ],
+)
+def test_segments_that_are_refused(here, segments, sentence):
+    asked = STUDY.replace('part = "approach"', f'part = "approach"\nsegments = {segments}')
+    with pytest.raises(InvalidInput, match=sentence):
+        fit_study(parse_fit_study(asked, file="gel.toml", folder=here))
+
+
 def test_a_frame_that_gives_way(here):
     stiffness = 0.05
     curve = curve_of(4e3, 6)

@@ -110,6 +110,27 @@ def test_sheets_come_although_one_looks_and_takes_a_file(tmp_path):
     assert kinds.index((1, "Shown")) > kinds.index((2, "Frame"))
 
 
+@pytest.mark.parametrize(("kind", "total"), [("impact", 201), ("reduction", None)])
+def test_a_march_tells_how_far_it_is_and_gives_way_to_another_study(kind, total, tmp_path, monkeypatch):
+    monkeypatch.setattr("winkler.web.worker.BEAT", 0.0)
+    mine, theirs = multiprocessing.Pipe()
+    worker = threading.Thread(target=_worked, args=(theirs,), daemon=True)
+    worker.start()
+    assert mine.recv() == (0, Done())
+    mine.send(Solve(1, tomli_w.dumps(form.begun(kind)), Path(tmp_path), True))
+    assert mine.recv() == (1, Progress(1, total))
+    mine.send(Solve(2, tomli_w.dumps(form.begun("indentation")), Path(tmp_path), True))
+    said = []
+    while (2, "Frame") not in said:
+        assert mine.poll(60.0)
+        number, reply = mine.recv()
+        said.append((number, type(reply).__name__))
+    mine.close()
+    worker.join(20.0)
+    assert {kind for number, kind in said if number == 1} <= {"Progress", "Done"}
+    assert (1, "Done") in said
+
+
 def _worked(pipe):
     import signal
 

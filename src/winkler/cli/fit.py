@@ -24,6 +24,12 @@ def fit(
     output: Output = None,
     overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
+    segments: Annotated[
+        str,
+        typer.Option(
+            "--segments", help="Where the curves are loaded, held, unloaded: 'loading 0 s, hold 12 s, unloading 17 s'."
+        ),
+    ] = "",
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
@@ -43,7 +49,7 @@ def fit(
     from winkler.study.writing import holds_results, placed
 
     started = time.perf_counter()
-    asked = read_fit_study(study)
+    asked = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     if holds_results(folder) and not overwrite:
         overwrite = may_overwrite(folder)

@@ -134,16 +134,18 @@ def plain_numbers(content: Any) -> Any:
     return content
 
 
-def marching(*, hidden: bool) -> Callable[[Iterable[T], int], Iterator[T]]:
+def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
     """Return what shows a bar over the points of a path."""
     return functools.partial(_marching, hidden=hidden)
 
 
-def _marching(states: Iterable[T], total: int, *, hidden: bool) -> Iterator[T]:
+def _marching(states: Iterable[T], total: int | None, *, hidden: bool) -> Iterator[T]:
     yield from tracked(states, total, hidden=hidden, doing="marching")
 
 
-def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solving", before: int = 0) -> Iterator[T]:
+def tracked(
+    points: Iterable[T], total: int | None, *, hidden: bool, doing: str = "solving", before: int = 0
+) -> Iterator[T]:
     """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches.
 
     Parameters
@@ -151,7 +153,7 @@ def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solv
     points
         What is waited for.
     total
-        How many there will be.
+        How many there will be; None if nobody knows: then the bar counts.
     hidden
         Whether nothing is shown.
     doing
@@ -159,7 +161,7 @@ def tracked(points: Iterable[T], total: int, *, hidden: bool, doing: str = "solv
     before
         How many of them are known already: they do not count in the time that is left.
     """
-    if hidden or total < 2 or not sys.stderr.isatty():
+    if hidden or (total is not None and total < 2) or not sys.stderr.isatty():
         yield from points
         return
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn

@@ -13,10 +13,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.fitting.directions import found_directions
+from winkler.fitting.segments import Segment, segments_of, stated_directions
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -44,8 +47,8 @@ class ForceCurve:
     time : ndarray, (n,) or (0,), optional
         [s], never falling; empty (unless given) where it is unknown.
     direction : ndarray, (n,), optional
-        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, everything up to the
-        largest position goes in, and everything after it comes out.
+        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it is found from position
+        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` overrules it.
     name : str, optional
         Where the curve comes from.
 
@@ -77,7 +80,7 @@ class ForceCurve:
         if self.position.size < FEWEST:
             raise InvalidInput(f"ForceCurve: there are {self.position.size} points; give at least {FEWEST}.")
         if not self.direction.size:
-            object.__setattr__(self, "direction", _directions(self.position))
+            object.__setattr__(self, "direction", _directions(self.position, self.force))
         for word in ("force", "time", "direction"):
             count = getattr(self, word).size
             if count != self.position.size and not (word == "time" and count == 0):
@@ -138,6 +141,33 @@ class ForceCurve:
         )
 
     @property
+    def segments(self) -> tuple[Segment, ...]:
+        """Loading, holds, partial unloadings and the last unloading, in the order in which they were measured."""
+        return segments_of(self.direction, self.force)
+
+    def with_segments(self, stated: Sequence[tuple[str, int]]) -> ForceCurve:
+        """Return the curve with the segments that are stated, whatever was found.
+
+        Parameters
+        ----------
+        stated : sequence of (str, int)
+            "loading", "hold" or "unloading", and the index of its first point; each lasts until the next one begins.
+
+        Raises
+        ------
+        InvalidInput
+            If a kind is unknown, or the first points do not begin at 0 and grow.
+
+        Examples
+        --------
+        >>> curve = ForceCurve([0.0, 1.0, 2.0, 2.0, 1.0, 0.0], [0.0, 1.0, 2.0, 1.9, 0.9, 0.0])
+        >>> told = curve.with_segments([("loading", 0), ("hold", 2), ("unloading", 4)])
+        >>> [(segment.kind.value, segment.first, segment.last) for segment in told.segments]
+        [('loading', 0, 1), ('hold', 2, 3), ('last unloading', 4, 5)]
+        """
+        return dataclasses.replace(self, direction=stated_directions(stated, self.count))
+
+    @property
     def approach(self) -> ForceCurve:
         """The points where the tip goes in."""
         return self._part(1.0, "approach")
@@ -187,11 +217,8 @@ def _column(word: str, unit: str, given: object) -> Array:
     return column
 
 
-def _directions(position: Array) -> Array:
-    """Return +1 up to the largest position and -1 after it; a curve that starts there only comes out."""
-    highest = int(np.argmax(position))
-    direction = np.where(np.arange(position.size) <= highest, 1.0, -1.0)
-    if highest == 0:
-        direction[0] = -1.0
+def _directions(position: Array, force: Array) -> Array:
+    """Return the directions that position and force show; nothing where they do not belong together."""
+    direction = found_directions(position, force) if position.size == force.size else np.zeros(position.size)
     direction.flags.writeable = False
     return direction

@@ -13,43 +13,35 @@ exponent m
           {\sqrt\pi\,\Gamma\bigl(\frac1{2(m-1)}\bigr)}\right) :
 
 3/4 for a paraboloid, 0.727 for a cone.  For an elastic contact of either shape the reading is exact.
+
+The unloading is the last one of the curve's `segments`, from (nearly) the greatest force; holds do not enter the fit.
+The peak is where it begins: after a hold, force and depth are those measured at the end of the hold; after a turn, the
+depth is that of the turn, and the force that of the fitted law there.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import InvalidInput
+from winkler.fitting.contact_reading import Tip, contact_reading, intercept_factor
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.noise import memory, spread
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.fitting.segments import SegmentKind
+from winkler.fitting.unloading_law import fitted_power_law
+from winkler.fitting.unloading_notes import UnloadingFacts, unloading_notes
 from winkler.numerics.types import Array
-from winkler.profiles.profile import Profile
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
-__all__ = ["OliverPharr", "OliverPharrSolution", "intercept_factor", "sample_young"]
+__all__ = ["OliverPharr", "OliverPharrSolution"]
 
 FEWEST = 10
 STEP = 1e-6
-LONGEST = 200
-
-
-def intercept_factor(exponent: float) -> float:
-    """Return epsilon [-] of a body that unloads with an exponent m > 1; 1 for m = 1.
-
-    Examples
-    --------
-    >>> intercept_factor(1.5), round(intercept_factor(2.0), 6)
-    (0.75, 0.72676)
-    """
-    if exponent - 1.0 < 1e-6:
-        return 1.0
-    half = 0.5 / (exponent - 1.0)
-    ratio = math.exp(math.lgamma(exponent * half) - math.lgamma(half))
-    return exponent * (1.0 - 2.0 * (exponent - 1.0) * ratio / math.sqrt(math.pi))
+END_OF_HOLD = 0.1
+"""Part of a hold at whose end the peak is read."""
 
 
 @value
@@ -59,9 +51,11 @@ class OliverPharr:
     Parameters
     ----------
     curve : ForceCurve
-        What was measured; the points that come out are read.
-    profile : Profile
-        The tip: AreaFunction(coefficients), or any profile.
+        What was measured; the last unloading of its `segments` is read.  Where these were found wrongly, state them:
+        ``curve.with_segments([("loading", 0), ("hold", 120), ("unloading", 180)])``.
+    profile : Profile or CalibratedArea
+        The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), of which A(h_c) is all that is needed, or
+        any profile.
     contact_point : float, optional
         Position of first touch [m]; zero unless given.
     upper, lower : float, optional
@@ -72,15 +66,17 @@ class OliverPharr:
     References
     ----------
     W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564
-    G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671
+    G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386
     """
 
     curve: ForceCurve
-    profile: Profile
+    profile: Tip
     contact_point: float = 0.0
     upper: float = 0.98
     lower: float = 0.4
     shape_factor: float = 1.0
+
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.CURVE, Assumption.SHAPE, Assumption.RESPONSE))
 
     def __post_init__(self) -> None:
         if not 0.0 <= self.lower < self.upper <= 1.0:
@@ -103,23 +99,23 @@ class OliverPharr:
         NotConverged
             If no power law fits the unloading.
         """
-        depth, force = self._unloading()
-        highest, deepest = float(force.max()), float(depth.max())
-        law = _power_law(depth / deepest, force / highest, self._between(force / highest))
-        law = _power_law(depth / deepest, force / highest, self._between(law.fitted / law.fitted.max()))
-        numbers = self._read(law.numbers, deepest, highest)
+        way = self._unloading()
+        law = fitted_power_law(way.depth, way.force, self._between(way.force))
+        chosen = self._between(law.fitted / math.exp(law.numbers[0]))
+        law = fitted_power_law(way.depth, way.force, chosen)
+        numbers = self._read(law.numbers, way)
         turned = np.empty((numbers.size, law.numbers.size))
         for i in range(law.numbers.size):
             step = np.zeros(law.numbers.size)
             step[i] = STEP
-            ahead, behind = (self._read(law.numbers + sign * step, deepest, highest) for sign in (1.0, -1.0))
+            ahead, behind = (self._read(law.numbers + sign * step, way) for sign in (1.0, -1.0))
             turned[:, i] = (ahead - behind) / (2.0 * STEP)
         errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", turned, law.covariance, turned), 0.0))
-        top = math.exp(law.numbers[0]) * highest
+        fitted = math.exp(law.numbers[0]) * way.highest
         return OliverPharrSolution(
             self,
-            top,
-            deepest,
+            way.highest if way.held else fitted,
+            way.deepest,
             exponent=float(numbers[0]),
             final_depth=float(numbers[1]),
             stiffness=float(numbers[2]),
@@ -128,20 +124,44 @@ class OliverPharr:
             modulus=float(numbers[5]),
             hardness=float(numbers[6]),
             standard_errors=errors,
-            scatter=law.scatter * highest,
+            scatter=law.scatter * way.highest,
+            fitted_force=fitted,
+            fitted_points=way.points[chosen],
         )
 
-    def _unloading(self) -> tuple[Array, Array]:
-        """Return depths and forces from the greatest depth on."""
-        curve = self.curve.retract
-        depth = curve.depth(self.contact_point)
-        summit = int(np.argmax(depth))
-        if not curve.force[summit] > 0.0 or not depth[summit] > 0.0:
+    @property
+    def unloading(self) -> Array:
+        """Indices of the points of the last unloading in the curve, holds within it left out."""
+        parts = [part for part in self.curve.segments if part.kind is SegmentKind.LAST_UNLOADING]
+        return np.concatenate([np.arange(part.first, part.last + 1) for part in parts]) if parts else np.arange(0)
+
+    @property
+    def peak_hold(self) -> Array:
+        """Indices of the points at which the tip was held just before the last unloading; empty if it was not."""
+        way = self.unloading
+        held = [part for part in self.curve.segments if way.size and part.last == way[0] - 1]
+        hold = [part for part in held if part.kind is SegmentKind.HOLD]
+        return np.arange(hold[0].first, hold[0].last + 1) if hold else np.arange(0)
+
+    def _unloading(self) -> _Unloading:
+        """Return the last unloading in parts of its peak."""
+        points, hold = self.unloading, self.peak_hold
+        if points.size < FEWEST:
             raise InvalidInput(
-                f"OliverPharr: at the greatest depth, {depth[summit]:.3g} m, the force is {curve.force[summit]:.3g} N; "
-                "both must be positive: look at signs and contact_point."
+                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; look at its "
+                "segments, and state them by with_segments where they were found wrongly."
             )
-        return depth[summit:], curve.force[summit:]
+        depth, force = self.curve.depth(self.contact_point), self.curve.force
+        end = hold[-max(1, int(END_OF_HOLD * hold.size)) :] if hold.size else np.array([max(points[0] - 1, 0)])
+        if not hold.size:
+            points = np.union1d(end, points)
+        deepest, highest = float(np.median(depth[end])), float(np.median(force[end]))
+        if not highest > 0.0 or not deepest > 0.0:
+            raise InvalidInput(
+                f"OliverPharr: at the peak, {deepest:.3g} m deep, the force is {highest:.3g} N; both must be positive: "
+                "look at signs and contact_point."
+            )
+        return _Unloading(points, depth[points] / deepest, force[points] / highest, deepest, highest, bool(hold.size))
 
     def _between(self, share: Array) -> Array:
         """Return the points between the limits."""
@@ -153,39 +173,39 @@ class OliverPharr:
             )
         return np.asarray(chosen)
 
-    def _read(self, law: Array, deepest: float, highest: float) -> Array:
+    def _read(self, law: Array, way: _Unloading) -> Array:
         """Return m, h_f, S, h_c, A, E_r and H from the numbers of the power law."""
-        top, final, exponent = math.exp(law[0]), float(law[1]), 1.0 + math.exp(law[2])
-        force = top * highest
-        slope = exponent * force / ((1.0 - final) * deepest)
-        contact = deepest - intercept_factor(exponent) * force / slope
-        area = math.pi * self._radius(contact) ** 2
-        modulus = 0.5 * math.sqrt(math.pi) * slope / (self.shape_factor * math.sqrt(area))
-        return np.array([exponent, final * deepest, slope, contact, area, modulus, force / area])
+        top, final, exponent = math.exp(law[0]) * way.highest, float(law[1]), 1.0 + math.exp(law[2])
+        slope = exponent * top / ((1.0 - final) * way.deepest)
+        force = way.highest if way.held else top
+        found = contact_reading(
+            slope,
+            force,
+            way.deepest,
+            self.profile,
+            intercept=intercept_factor(exponent),
+            shape_factor=self.shape_factor,
+        )
+        read = (found.contact_depth, found.area, found.modulus, found.hardness)
+        return np.array([exponent, final * way.deepest, slope, *read])
 
-    def _radius(self, height: float) -> float:
-        """Return the radius of the tip's cross-section at a height [m]."""
-        end = min(self.profile.reach, self.profile.rim)
-        if not height > 0.0:
-            raise OutsideValidity(f"OliverPharr: the contact depth is {height:.3g} m; look at contact_point.")
 
-        def high(radius: float) -> float:
-            return float(self.profile.height(np.array([radius]))[0]) - height
+def _rate(time: Array, column: Array) -> float:
+    """Return the slope of a straight line through a column over time."""
+    about = time - time.mean()
+    spread = float(about @ about)
+    return float(about @ column) / spread if spread else 0.0
 
-        from scipy.optimize import brentq
 
-        low = min(1e-9, 0.5 * end)
-        while high(low) > 0.0 and low > 1e-30:
-            low *= 0.5
-        far = low
-        while far < end and high(far) < 0.0:
-            far = min(2.0 * far, end)
-        if high(far) < 0.0:
-            raise OutsideValidity(
-                f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is known up to a radius of "
-                f"{end:.3g} m."
-            )
-        return float(brentq(high, low, far, xtol=1e-300, rtol=1e-14))
+class _Unloading(NamedTuple):
+    """The last unloading: indices in the curve, depths and forces in parts of the peak, and the peak [m, N]."""
+
+    points: Array
+    depth: Array
+    force: Array
+    deepest: float
+    highest: float
+    held: bool
 
 
 @value
@@ -197,15 +217,15 @@ class OliverPharrSolution:
     problem : OliverPharr
         What was asked.
     force : float
-        Force of the fitted unloading at the greatest depth [N].
+        Force at the peak [N], where the unloading begins: measured at the end of a hold, or that of the fitted law.
     depth : float
-        Greatest depth [m].
+        Depth at the peak [m].
     exponent : float
         m of the unloading [-].
     final_depth : float
         h_f [m], where the fitted unloading ends.
     stiffness : float
-        S [N/m] at the greatest depth.
+        S [N/m] at the peak.
     contact_depth : float
         h_c [m].
     area : float
@@ -219,6 +239,10 @@ class OliverPharrSolution:
         the unloading alone.
     scatter : float
         Standard deviation of the forces about the power law [N].
+    fitted_force : float
+        Force of the fitted law at the peak's depth [N].
+    fitted_points : ndarray
+        Indices of the points of the curve that were fitted.
     """
 
     problem: OliverPharr
@@ -233,82 +257,36 @@ class OliverPharrSolution:
     hardness: float
     standard_errors: Array
     scatter: float
+    fitted_force: float
+    fitted_points: Array
 
-
-class _PowerLaw(NamedTuple):
-    """Numbers (ln of the force at the top, h_f, ln(m - 1)), their covariance, scatter, and the force at all depths."""
-
-    numbers: Array
-    covariance: Array
-    scatter: float
-    fitted: Array
-
-
-def _power_law(all_depths: Array, forces: Array, chosen: Array) -> _PowerLaw:
-    """Return the fitted law F = T ((h - h_f)/(1 - h_f))^m, everything in parts of the greatest."""
-    from scipy.optimize import least_squares
-
-    depth, force = all_depths[chosen], forces[chosen]
-    least = float(depth.min())
-
-    def law(numbers: Array, depth: Array = depth) -> tuple[Array, Array]:
-        share = (depth - numbers[1]) / (1.0 - numbers[1])
-        power = 1.0 + np.exp(numbers[2])
-        value_ = np.exp(numbers[0]) * np.maximum(share, 1e-12) ** power
-        log = np.log(np.maximum(share, 1e-12))
-        final = value_ * power * (1.0 / (1.0 - numbers[1]) - 1.0 / np.maximum(depth - numbers[1], 1e-12))
-        return value_, np.stack([value_, final, value_ * log * (power - 1.0)], axis=1)
-
-    best = None
-    for share in (0.0, 0.5, 0.9):
-        start = np.array([0.0, min(share * least, least - 1e-6), math.log(0.5)])
-        found = least_squares(
-            lambda at: law(at)[0] - force,
-            start,
-            jac=lambda at: law(at)[1],
-            bounds=([-5.0, -10.0, -12.0], [5.0, least - 1e-9, 3.0]),
-            x_scale="jac",
-            max_nfev=LONGEST,
-            ftol=1e-14,
-            xtol=1e-14,
-            gtol=1e-15,
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the reading can be trusted: pile-up, creep, exponent, area, number of points."""
+        return unloading_notes(
+            UnloadingFacts(
+                final_share=self.final_depth / self.depth,
+                exponent=self.exponent,
+                creep_share=self._creep_share(),
+                force=self.force,
+                fitted_force=self.fitted_force,
+                points=self.fitted_points.size,
+                error_share=float(self.standard_errors[5]) / self.modulus,
+                contact_depth=self.contact_depth,
+                tip=self.problem.profile,
+                shape_factor=self.problem.shape_factor,
+            )
         )
-        if best is None or found.cost < best.cost:
-            best = found
-    if best is None or not best.success:
-        raise NotConverged("OliverPharr: no power law fits the unloading; fit another part of it (upper, lower).")
-    kept = memory(best.fun)
-    covariance, used = spread(law(best.x)[1], kept.correlations)
-    scatter = math.sqrt(2.0 * best.cost / max(depth.size - used, 1.0))
-    return _PowerLaw(best.x, scatter**2 * covariance, scatter, law(best.x, all_depths)[0])
 
-
-def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
-    """Return the sample's Young's modulus from the reduced modulus of the pair.
-
-    Parameters
-    ----------
-    modulus : float
-        E_r [Pa].
-    poisson : float
-        Of the sample [-].
-    indenter : Elastic or Rigid
-        Of diamond: Elastic(young=1141e9, poisson=0.07).
-
-    Returns
-    -------
-    float
-        E [Pa], 1/E_r = (1 - nu^2)/E + (1 - nu_i^2)/E_i.
-
-    Raises
-    ------
-    OutsideValidity
-        If the pair is as stiff as the indenter alone, or stiffer.
-    """
-    own = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
-    left = 1.0 / modulus - own
-    if not isinstance(indenter, Elastic | Rigid) or not left > 0.0:
-        raise OutsideValidity(
-            f"sample_young: the pair's modulus {modulus:.4g} Pa leaves nothing for the sample; the indenter is softer."
+    def _creep_share(self) -> float:
+        """Return the creep rate at the end of the hold, over that of the unloading, in parts of the compliance [-]."""
+        curve, hold = self.problem.curve, self.problem.peak_hold
+        end, start = (
+            hold[-max(FEWEST, hold.size // 4) :],
+            self.fitted_points.astype(int)[: max(2, self.fitted_points.size // 2)],
         )
-    return (1.0 - poisson**2) / left
+        if not curve.timed or end.size < FEWEST:
+            return math.nan
+        creep = _rate(curve.time[end], curve.depth(self.problem.contact_point)[end])
+        unloading = _rate(curve.time[start], curve.force[start])
+        return creep * self.stiffness / abs(unloading) if unloading else math.nan

@@ -17,6 +17,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curve import ForceCurve
 from winkler.io.segments import directions
 from winkler.io.table import ABOVE, Column, names_columns, read_table
+from winkler.units import comma_hint
 
 __all__ = ["is_curve_table", "read_curve_table"]
 
@@ -27,7 +28,7 @@ DEFLECTION = Column("deflection", ("deflection", "cantilever"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection"), "V")
 TIME = Column("time", ("time", "t"), "s")
 SEGMENT = Column("segment", ("segment",), "")
-CANTILEVER = re.compile(r"^\s*(?:k|spring constant)\s*[\[(]N/m[\])]\s*[:=]?\s*([0-9.eE+-]+)\s*$", re.MULTILINE)
+CANTILEVER = re.compile(r"^\s*(?:k|spring constant)\s*[\[(]N/m[\])]\s*[:=]?\s*([0-9.,eE+-]+)\s*$", re.MULTILINE)
 
 
 def is_curve_table(path: str | os.PathLike[str]) -> bool:
@@ -138,4 +139,6 @@ def _stated_cantilever(path: str | os.PathLike[str]) -> float | None:
     with Path(path).open(encoding="latin-1") as file:
         head = "".join(line for line, _ in zip(file, range(ABOVE), strict=False))
     found = CANTILEVER.search(head)
+    if found and "," in found[1]:
+        raise InvalidInput(f"{path}: the spring constant '{found[1]}' has {comma_hint(found[1])}.")
     return float(found[1]) if found else None

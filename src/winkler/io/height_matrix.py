@@ -12,7 +12,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.text_file import lines_of
 from winkler.numerics.types import Array
-from winkler.units import quantity
+from winkler.units import comma_hint, comma_readings, quantity
 
 __all__ = ["FoundMap", "array_map", "text_map"]
 
@@ -105,8 +105,8 @@ def _height(cell: str, where: str) -> float:
         return float(cell)
     except ValueError:
         pass
-    if re.fullmatch(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?", cell):
-        raise InvalidInput(f"{where}: '{cell}' has a decimal comma; save the file with decimal points.")
+    if comma_readings(cell):
+        raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
     raise InvalidInput(f"{where}: '{cell[:40]}' is no height; give a matrix of numbers, nan where they are missing.")
 
 

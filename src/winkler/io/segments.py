@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.fitting.directions import HELD, IN, OUT, found_directions
 from winkler.numerics.types import Array
 
 __all__ = ["directions"]
 
-IN, HELD, OUT = 1.0, 0.0, -1.0
+FEWEST = 10
+"""Of a segment of fewer points the ends are compared."""
 TRAVELLED = 0.1
-"""Part of the whole way that the tip goes in a segment in which it is not held."""
+"""Part of the whole way between the ends of such a segment, if the tip is not held."""
 STEADY = 0.02
 """A force that changes by less of itself is held."""
 
@@ -23,16 +25,19 @@ def directions(position: Array, force: Array, segment: Array) -> Array:
     position, force : ndarray, (n,)
         [m] and [N].
     segment : ndarray, (n,) or (0,)
-        A number for each segment.  Where segments are not told, the tip is held if the force or the position is steady
-        all the time, and nothing is returned otherwise.
+        A number for each segment: what most of its points do counts for all of them.  Where segments are not told, the
+        tip is held if the force or the position is steady all the time, and nothing is returned otherwise.
     """
-    span = np.ptp(position)
     if not segment.size:
-        steady = np.ptp(force) < STEADY * np.abs(force).max(initial=0.0) or span == 0.0
+        steady = np.ptp(force) < STEADY * np.abs(force).max(initial=0.0) or np.ptp(position) == 0.0
         return np.full(position.size, HELD) if steady else np.zeros(0)
-    direction = np.zeros(position.size)
+    found, direction = found_directions(position, force), np.empty(position.size)
     for part in np.unique(segment):
-        (members,) = np.nonzero(segment == part)
-        travel = position[members[-1]] - position[members[0]]
-        direction[members] = (IN if travel > 0.0 else OUT) if abs(travel) > TRAVELLED * span else HELD
+        (mine,) = np.nonzero(segment == part)
+        ways = [np.count_nonzero(found[mine] == way) for way in (IN, OUT, HELD)]
+        if mine.size >= FEWEST:
+            direction[mine] = (IN, OUT, HELD)[int(np.argmax(ways))]
+        else:
+            travel = position[mine[-1]] - position[mine[0]]
+            direction[mine] = np.sign(travel) if abs(travel) > TRAVELLED * np.ptp(position) else HELD
     return direction

@@ -23,7 +23,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.text_file import lines_of
 from winkler.numerics.types import Array
-from winkler.units import scale
+from winkler.units import comma_hint, comma_readings, scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "names_columns", "read_table"]
@@ -42,7 +42,6 @@ NAME_AND_UNIT = (
     r"(.+)_([^_]+)",
     r"(\S+)\s+(\S+)",
 )
-DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
 
 
 @value
@@ -132,7 +131,7 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
         if len(cells) != len(header.cells):
-            hint = "; if the comma is the decimal sign, save the file with decimal points" if "," in line else ""
+            hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
             raise InvalidInput(f"{shown}, line {index + 1}: {size}{hint}.")
         try:
@@ -211,7 +210,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _like_number(cell: str) -> bool:
-    return _is_number(cell) or DECIMAL_COMMA.fullmatch(cell) is not None
+    return _is_number(cell) or any(map(_is_number, comma_readings(cell)))
 
 
 def _number(cell: str, where: str, column: str) -> float:
@@ -219,8 +218,8 @@ def _number(cell: str, where: str, column: str) -> float:
         return float(cell)
     if cell.lower() in MISSING:
         return float("nan")
-    if DECIMAL_COMMA.fullmatch(cell):
-        raise InvalidInput(f"{where}: '{cell}' has a decimal comma; save the file with decimal points.")
+    if _like_number(cell):
+        raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
     raise InvalidInput(f"{where}: '{cell[:40]}' in the column '{column}' is not a number.")
 
 

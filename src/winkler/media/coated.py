@@ -131,6 +131,7 @@ class LayeredMedium:
             displacement.radius,
             r,
             lambda r, x: fredholm.push(response, r, x),
+            response.precision,
         )
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:

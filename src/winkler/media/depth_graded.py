@@ -9,6 +9,8 @@ feel the very top alone.
 
 from __future__ import annotations
 
+import functools
+
 from winkler.errors import InvalidInput
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Elastic, Rigid, Solid
@@ -78,12 +80,12 @@ class DepthGradedHalfSpace(LayeredMedium):
                 f"DepthGradedHalfSpace: tolerance is {number!r}; give a number between {TIGHTEST:g} and {LOOSEST:g}."
             )
 
-    @property
+    @functools.cached_property
     def response(self) -> NormalDepthResponse:
         """How the pair answers a pressure."""
         return NormalDepthResponse(self.grading, self.second, self.tolerance)
 
-    @property
+    @functools.cached_property
     def tangential_response(self) -> TangentialDepthResponse:
         """How the pair answers a shear load."""
         return TangentialDepthResponse(self.grading, self.second, self.tolerance)

@@ -62,19 +62,19 @@ class _Response:
         """Compliance of the surface of the graded body in that of the pair."""
         raise NotImplementedError
 
-    @property
+    @functools.cached_property
     def length(self) -> float:
         """Delta [m]: M tends to zero like exp(-2 xi length)."""
         return _rounding(cast(Hashable, self))
 
-    @property
+    @functools.cached_property
     def span(self) -> float:
         """Length [m] beyond which the body is what it is far below."""
         depths = np.geomspace(1e-3 * shallowest(self.grading), self.grading.settled_at(self.tolerance), 200)
         young = self.grading.young_at(depths)
         return float(depths[-1] * np.max(young) / np.min(young))
 
-    @property
+    @functools.cached_property
     def smooth(self) -> float:
         """The kernel is smooth on this length [m], but for its logarithm."""
         return max(0.5 * shallowest(self.grading), self.length)

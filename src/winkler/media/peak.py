@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -36,34 +37,60 @@ class Spot(NamedTuple):
     z: float
 
 
-def greatest(field: Callable[[Array, Array], Array], radius: float) -> Place:
+def greatest(
+    field: Callable[[Array, Array], Array],
+    radius: float,
+    *,
+    top: float = 0.0,
+    bottom: float = math.inf,
+    both_sides: bool = False,
+    zooms: int = ZOOMS,
+) -> Place:
     """Return the greatest value of `field` below a contact.
 
     Parameters
     ----------
     field
-        Takes r and z of one shape [m], z >= 0 into the body; returns the quantity.
+        Takes r and z of one shape [m], z >= 0 into the body; returns the quantity.  Values that are not finite do not
+        count.
     radius
         Contact radius [m]; the search goes to 1.2 radii from the axis and 3 radii deep.
+    top, bottom
+        Depths between which is searched [m].
+    both_sides
+        Whether r is a coordinate along a line through the axis, also negative.
+    zooms
+        Rounds of refinement; each narrows the box to about a third.
     """
     r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 0.98, 1.0, 1.02, 1.05, 1.2]]) * radius
+    if both_sides:
+        r = np.concatenate([-r[:0:-1], r])
     z = np.concatenate([[0.0], np.geomspace(0.01, 3.0, 24)]) * radius
+    if top > 0.0 or bottom < math.inf:
+        z = _within(z, top, bottom, radius)
+    least = -math.inf if both_sides else 0.0
     dr, dz = 0.1 * radius, 0.25
     best = _best(field, r, z)
     depth_step = max(dz * best.z, 0.01 * radius)
-    for _ in range(ZOOMS):
-        around_r = np.unique(np.clip(best.r + dr * np.linspace(-1.0, 1.0, 7), 0.0, None))
-        around_z = np.unique(np.clip(best.z + depth_step * np.linspace(-1.0, 1.0, 7), 0.0, None))
+    for _ in range(zooms):
+        around_r = np.unique(np.clip(best.r + dr * np.linspace(-1.0, 1.0, 7), least, None))
+        around_z = np.unique(np.clip(best.z + depth_step * np.linspace(-1.0, 1.0, 7), top, bottom))
         found = _best(field, around_r, around_z)
         best = found if found.value >= best.value else best
         dr, depth_step = 0.36 * dr, 0.36 * depth_step
     return best
 
 
+def _within(z: Array, top: float, bottom: float, radius: float) -> Array:
+    """Return depths between two faces of a layer, of which both count."""
+    end = min(bottom, top + 3.0 * radius)
+    return np.unique(np.concatenate([z[(z > top) & (z < end)][::2], np.linspace(top, end, 5)]))
+
+
 def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Place:
     rr, zz = (grid.ravel() for grid in np.meshgrid(r, z, indexing="ij"))
     values = field(rr, zz)
-    place = int(np.nanargmax(values))
+    place = int(np.argmax(np.where(np.isfinite(values), values, -np.inf)))
     return Place(float(values[place]), float(rr[place]), float(zz[place]))
 
 

@@ -48,7 +48,7 @@ def facts(response: Response, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
     pull, least, most = math.inf, -FAINT, 1.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
-        if _weight(response, punch_tables.first_radius(response) * 2.0**octave) < NARROW:
+        if _weight(cast(Hashable, response), octave) < NARROW:
             break  # and so are all narrower ones
         first, low, high = _octave(cast(Hashable, response), octave)
         pull, least, most = min(pull, first), min(least, low), max(most, high)
@@ -64,8 +64,11 @@ def _octave(given: Hashable, octave: int) -> tuple[float, float, float]:
     return pull, *_outside(response, tables[-1])
 
 
-def _weight(response: Response, a: float) -> float:
-    """Return a times the largest |C| that a punch of radius a meets."""
+@functools.lru_cache(maxsize=512)
+def _weight(given: Hashable, octave: int) -> float:
+    """Return the end a of an octave of radii times the largest |C| that its widest punch meets."""
+    response = cast(Response, given)
+    a = punch_tables.first_radius(response) * 2.0**octave
     return a * float(np.max(np.abs(transform(response, 2.0 * a)(np.linspace(0.0, 2.0 * a, 65)))))
 
 

@@ -117,7 +117,9 @@ class _Walk(NamedTuple):
                 if len(arguments) == 1 and name in FUNCTIONS and not isinstance(arguments[0], ast.Starred):
                     return called(name, self.node(arguments[0], depth + 1))
                 raise Refused(self.misused(name))
-        raise Refused("a comma or a bracket is out of place; decimal numbers take a point, as 2.5")
+        raise Refused(
+            "a comma or a bracket is out of place; write decimals with a point, as 2.5, thousands without, as 2500"
+        )
 
     def magnitude(self, tree: ast.expr) -> Array:
         match tree:

@@ -157,7 +157,8 @@ def _towards(place: Array, low: float, high: float, response: Response) -> tuple
     if response.smooth > response.length:
         rounded = min(ROUNDED * response.length, step)
         first = [(np.array([0.0, rounded]), 1), (np.array([rounded, step]), POWER)]
-    parts = [_pieces(place, low, high, sign * edges, p) for sign in (1.0, -1.0) for edges, p in [*first, (steps, 1)]]
+    signs = [sign for sign, wide in ((1.0, high - np.min(place)), (-1.0, np.max(place) - low)) if wide > 0.0]
+    parts = [_pieces(place, low, high, sign * edges, p) for sign in signs for edges, p in [*first, (steps, 1)]]
     distance, weights = (np.concatenate(part, axis=1) for part in zip(*parts, strict=True))
     return distance, weights
 

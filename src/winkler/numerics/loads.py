@@ -26,7 +26,9 @@ def _one(r: Array, x: Array) -> Array:
     return np.ones(np.broadcast_shapes(np.shape(r), np.shape(x)))
 
 
-def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array, weight: Weight = _one) -> Array:
+def pressure(
+    slope: Curve, kinks: Kinks, edge: float, end: float, r: Array, weight: Weight = _one, known: float = 0.0
+) -> Array:
     """Return T4 for unit modulus: the pressure under springs displaced by u(x), zero beyond `end`.
 
     Parameters
@@ -44,6 +46,8 @@ def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array, weig
     weight
         Takes r and x of one shape, returns how much more than 1 / (pi sqrt(x^2 - r^2)) a flat punch of radius x and
         unit depth presses at r; one on a homogeneous half-space.
+    known
+        To which relative precision slope and weight are known: changes of that size count as settled.
 
     Returns
     -------
@@ -60,7 +64,7 @@ def pressure(slope: Curve, kinks: Kinks, edge: float, end: float, r: Array, weig
     near = 1e-9 * min([end] + [b for b, _ in kinks if b > 0.0])
     sample = np.abs(slope(np.linspace(0.0, end, 66)[1:-1]))
     steepest = float(np.max(sample[np.isfinite(sample)], initial=0.0))
-    total[open_] = _tail(slope, kinks, end, np.maximum(radii[open_], near), steepest, weight)
+    total[open_] = _tail(slope, kinks, end, np.maximum(radii[open_], near), steepest, weight, known)
     (axis,) = np.nonzero(radii < near)
     total[axis] += _towards_axis(slope, near, radii[axis], steepest)
     if edge != 0.0:
@@ -91,7 +95,7 @@ def _towards_axis(slope: Curve, near: float, r: Array, steepest: float) -> Array
     return np.asarray(float(there) * factor * gain)
 
 
-def _tail(slope: Curve, kinks: Kinks, end: float, r: Array, steepest: float, weight: Weight) -> Array:
+def _tail(slope: Curve, kinks: Kinks, end: float, r: Array, steepest: float, weight: Weight, known: float) -> Array:
     """Integrate -u'(x) weight(r, x) / sqrt(x^2 - r^2) over x from r > 0 to `end`."""
     total = np.zeros_like(r)
     strengths = dict(kinks)
@@ -103,12 +107,19 @@ def _tail(slope: Curve, kinks: Kinks, end: float, r: Array, steepest: float, wei
         (before,) = np.nonzero(r < low)
         for own, places in ((True, inside), (False, before)):
             strength = strengths.get(low, 0.0)
-            total[places] += _tail_piece(slope, (low, top), strength, r[places], own, least, weight)
+            total[places] += _tail_piece(slope, (low, top), strength, r[places], own, least, weight, known)
     return total
 
 
 def _tail_piece(
-    slope: Curve, piece: tuple[float, float], strength: float, r: Array, own: bool, least: float, weight: Weight
+    slope: Curve,
+    piece: tuple[float, float],
+    strength: float,
+    r: Array,
+    own: bool,
+    least: float,
+    weight: Weight,
+    known: float,
 ) -> Array:
     # y = sqrt(x^2 - low^2) removes the square root of the kink below; y = scale cosh(w) (own: r >= low) or
     # scale sinh(w) (r < low) that of the kernel, dx / sqrt(x^2 - r^2) = y dw / x, however close r is to the kink
@@ -128,7 +139,9 @@ def _tail_piece(
         turned = weight(np.broadcast_to(r[index, None], x.shape), x)
         return np.asarray((strength + y * regular) / x * turned * reach[index, None])
 
-    return settled(integrand, r.size, "pressure", noise(np.full(r.shape, top), low), least)
+    rounding = noise(np.full(r.shape, top), low)
+    rough = np.full(r.shape, known) if rounding is None else np.maximum(rounding, known)
+    return settled(integrand, r.size, "pressure", rough, least)
 
 
 def line_load(pressure: Curve, edges: Sequence[float], end: float, x: Array) -> Array:

@@ -32,6 +32,8 @@ LAST = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
 FINEST = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
+FINEST_ROUNDED = 4.0
+"""The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 HALVINGS = 4
 """How often an octave of radii may be halved."""
 
@@ -107,7 +109,8 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
 
 def _panels(response: Response, high: float) -> Array:
     """Return panels of x/a that halve towards the edge."""
-    halvings = max(0, math.ceil(math.log2(high / (FINEST * response.length))))
+    finest = min((FINEST_ROUNDED if response.smooth > response.length else FINEST) * response.length, response.smooth)
+    halvings = max(0, math.ceil(math.log2(high / max(finest, FINEST * response.length))))
     return halving_panels(halvings)
 
 
@@ -137,26 +140,32 @@ def _solve(response: Response, low: float, high: float) -> tuple[Punches, float]
 @functools.cache
 def _to_pressure(count: int, degree: int) -> Array:
     """Return the matrix from series of phi on `count` panels to series of edge - sigma on the same panels."""
+    edges = halving_panels(count - 1).tolist()
+    panels = list(itertools.pairwise(edges))
+    matrix = np.zeros((count, degree, count, degree))
+    for panel, other in itertools.combinations_with_replacement(range(count), 2):
+        matrix[panel, :, other] = _from_panel(panels[panel], panels[other], degree)
+    return matrix
+
+
+@functools.cache
+def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: int) -> Array:
+    """Return what phi on one panel of x/a adds on another; the same however many panels follow."""
     cheb = np.polynomial.chebyshev
-    edges = np.array([1.0 - 0.5**k for k in range(count)] + [1.0])
     places, _ = gauss_legendre(degree)
     shares, weights = gauss_legendre(2 * degree)
     slopes = cheb.chebder(np.eye(degree))
-    matrix = np.zeros((count, degree, count, degree))
-    for panel in range(count):
-        ratio = edges[panel] + (edges[panel + 1] - edges[panel]) * places
-        span = np.sqrt((1.0 - ratio) * (1.0 + ratio))
-        for other in range(panel, count):
-            low, high = np.maximum(edges[other], ratio), edges[other + 1]
-            # y = sqrt(x^2 - r^2): phi is even in x, so that phi'(x)/x is smooth in y
-            start, stop = (np.sqrt((x - ratio) * (x + ratio)) for x in (low, high))
-            y = start[:, None] + (stop - start)[:, None] * shares
-            x = np.hypot(ratio[:, None], y)
-            width = high - edges[other]
-            basis = cheb.chebvander((2.0 * x - edges[other] - high) / width, degree - 2) @ slopes * (2.0 / width)
-            rule = span[:, None] * (stop - start)[:, None] * weights / x
-            matrix[panel, :, other] = legendre_to_chebyshev(degree) @ np.einsum("ij,ijk->ik", rule, basis)
-    return matrix
+    ratio = panel[0] + (panel[1] - panel[0]) * places
+    span = np.sqrt((1.0 - ratio) * (1.0 + ratio))
+    low, high = np.maximum(other[0], ratio), other[1]
+    # y = sqrt(x^2 - r^2): phi is even in x, so that phi'(x)/x is smooth in y
+    start, stop = (np.sqrt((x - ratio) * (x + ratio)) for x in (low, high))
+    y = start[:, None] + (stop - start)[:, None] * shares
+    x = np.hypot(ratio[:, None], y)
+    width = high - other[0]
+    basis = cheb.chebvander((2.0 * x - other[0] - high) / width, degree - 2) @ slopes * (2.0 / width)
+    rule = span[:, None] * (stop - start)[:, None] * weights / x
+    return np.asarray(legendre_to_chebyshev(degree) @ np.einsum("ij,ijk->ik", rule, basis))
 
 
 def _settled(response: Response) -> float:

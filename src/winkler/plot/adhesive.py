@@ -136,17 +136,18 @@ def _followed(solution: AdhesiveCycleSolution) -> _Way:
 
 
 def _refined(solution: AdhesiveCycleSolution) -> AdhesiveCycle:
-    """Return the same cycle in small steps, dense towards its jumps, from where the bodies are apart."""
-    problem = solution.problem
+    """Return the same cycle, as far as the answer goes, in small steps, from where the bodies are apart."""
+    problem, reached = solution.problem, solution.depth.size
     match problem.path:
         case Depth(levels):
-            row = np.asarray(levels, dtype=float)
+            row = np.asarray(levels, dtype=float)[:reached]
             apart = min(float(row[0]), -0.1 * float(np.ptp(np.append(row, 0.0))))
             jumps = [jump.before.position for jump in solution.jumps]
             return dataclasses.replace(problem, path=Depth(_steps(np.append(apart, row), jumps)))
         case Force(levels):
             jumps = [jump.before.force for jump in solution.jumps]
-            return dataclasses.replace(problem, path=Force(_steps(np.asarray(levels, dtype=float), jumps)))
+            row = np.asarray(levels, dtype=float)[:reached]
+            return dataclasses.replace(problem, path=Force(_steps(row, jumps)))
 
 
 def _steps(levels: Array, jumps: list[float]) -> Array:

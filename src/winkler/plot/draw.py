@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.oliver_pharr import OliverPharrSolution
 from winkler.fitting.outcome import Fit
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
@@ -56,10 +58,12 @@ from winkler.plot.medium import (
 )
 from winkler.plot.method import Contact, draw_bed_makeup, headline
 from winkler.plot.outline import draw_profile
+from winkler.plot.particle import particle_sheet
 from winkler.plot.punches import draw_pressures, draw_steps
 from winkler.plot.sheets import SHEETS, contact_sheet
 from winkler.plot.springs import at_first_touch, draw_springs
 from winkler.plot.stresses import draw_stress
+from winkler.plot.unloading import segments_sheet, unloading_sheet
 from winkler.problems.adhesive import AdhesiveSolution
 from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
 from winkler.problems.adhesive_shear import AdhesiveShearSolution
@@ -69,6 +73,7 @@ from winkler.problems.equilibrium import EquilibriumCurve
 from winkler.problems.impact import ImpactSolution
 from winkler.problems.impact_adhesive import AdhesiveImpactSolution
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.particle import ParticleSolution
 from winkler.problems.pull_off import PullOffSolution
 from winkler.problems.relaxation import RelaxationDamperSolution
 from winkler.problems.spring_states import SpringState
@@ -89,7 +94,8 @@ __all__ = ["draw"]
 
 DRAWN = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
-    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, or a Fit"
+    "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, or "
+    "a Fit"
 )
 CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
 
@@ -117,6 +123,7 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
           contact sticks and slips; of one state of ``Tangential`` the springs, traction, slip and stress
         - solutions of ``FrictionDamping``, ``BimodalDamping``, ``RelaxationDamper``: the loss over amplitude or phase
         - solutions of ``Impact`` and ``AdhesiveImpact``: forces, velocities, contact and energies over time
+        - a solution of ``ElasticPlasticParticle``: force and contact radius over the depth, and where yield begins
         - solutions of ``Rolling``, ``SimplifiedRolling``: creep forces, and what springs or the surface bear
         - solutions of ``RollingStart``, ``OscillatingRolling``: force on the way, shift over cycles, and the springs
         - a solid that relaxes, ``ViscoelasticHalfSpace``, ``RelaxingInProportion``: relaxation, creep, storage and loss
@@ -125,6 +132,7 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
         - ``SurfaceFields``, ``SubsurfaceFields``, ``ShearedFields``, ``BodyFields``: what was restored
         - ``Staircase``: Jaeger's picture of flat punches
         - ``Topography``, spectra, answers for rough surfaces: maps, cuts, spectra, what they bear over the load
+        - a ``ForceCurve``: its segments with their names; a solution of ``OliverPharr``: the unloading that was read
         - a ``Fit``: the curve with its model, and the residuals
     extent : float, optional
         Distance from the axis up to which is drawn [m]; chosen to show what matters if left out.
@@ -302,7 +310,7 @@ def _sticking(item: Any, *, extent: float | None = None) -> Picture:
     return SHEETS[type(item)](item)
 
 
-FRICTION: dict[type, Callable[[Any], Picture]] = {
+WITHOUT_EXTENT: dict[type, Callable[[Any], Picture]] = {
     TangentialSolution: tangential_sheet,
     TorsionSolution: torsion_sheet,
     TorsionState: twist_sheet,
@@ -311,20 +319,23 @@ FRICTION: dict[type, Callable[[Any], Picture]] = {
     RelaxationDamperSolution: relaxation_sheet,
     ImpactSolution: impact_sheet,
     AdhesiveImpactSolution: adhesive_impact_sheet,
+    ParticleSolution: particle_sheet,
     ShearedFields: sheared_sheet,
     BodyFields: body_sheet,
+    ForceCurve: segments_sheet,
+    OliverPharrSolution: unloading_sheet,
 }
-"""Sheets of answers with friction that have no extent."""
+"""Sheets that have no extent."""
 
 
-def _rubbing(item: Any, *, extent: float | None = None) -> Picture:
+def _without_extent(item: Any, *, extent: float | None = None) -> Picture:
     if extent is not None:
         raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
-    return FRICTION[type(item)](item)
+    return WITHOUT_EXTENT[type(item)](item)
 
 
-for _kind in FRICTION:
-    draw.register(_kind)(_rubbing)
+for _kind in WITHOUT_EXTENT:
+    draw.register(_kind)(_without_extent)
 
 
 @draw.register(TangentialState)

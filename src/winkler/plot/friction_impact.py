@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 __all__ = ["adhesive_impact_sheet", "impact_sheet"]
 
 
+STOPPED = "stopped before the bodies part"
+
+
 def impact_sheet(item: ImpactSolution) -> Picture:
     """Return forces, velocities, the contact and the energies over time; shaded while the edge slides."""
     time = _told(item, "time")
@@ -85,8 +88,8 @@ def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Picture:
         draw_lines(panels[3], time, energies, "energy")
         for axes, title in zip(panels, ("force over depth", "velocity", "contact", "energy"), strict=True):
             axes.set_title(title)
-        kept = "the body stays" if item.captured else f"restitution $e$ = {item.restitution:.4g}"
-        figure.suptitle(kept)
+        left = STOPPED if math.isnan(item.restitution) else f"restitution $e$ = {item.restitution:.4g}"
+        figure.suptitle("the body stays" if item.captured else left)
     return figure
 
 
@@ -95,6 +98,8 @@ def _told(item: Any, name: str) -> Series:
 
 
 def _told_restitution(item: ImpactSolution) -> str:
+    if math.isnan(item.restitution):
+        return STOPPED
     text = f"restitution $e$ = {item.restitution:.4g}"
     if item.problem.sliding_velocity != 0.0:
         text += f"   of the touching points $e_x$ = {item.lateral_restitution:.4g}"

@@ -13,7 +13,7 @@ depends on the turning points of the path alone, not on how many points lie betw
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -28,6 +28,7 @@ from winkler.problems.adhesive_edge import AdhesiveEdge, DeadLoad, Machine, adhe
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
+from winkler.problems.gathering import rows
 from winkler.problems.ranged_edge import RangedEdge, ranged_edge
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -133,6 +134,11 @@ class AdhesiveCycle:
             return adhesive_edge(self.bed, self.law, self._control, highest)
         return ranged_edge(self.bed, self.law, self._control, highest)
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return int(self._levels.size)
+
     def steps(self) -> Iterator[AdhesiveState]:
         """Yield the state at every point of the path.
 
@@ -163,6 +169,12 @@ class AdhesiveCycle:
                 position = levels[index] if isinstance(edge.control, Machine) else depths[i]
                 yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
 
+    def gathered(self, states: Iterable[AdhesiveState]) -> AdhesiveCycleSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = list(states)
+        jumps = tuple(jump for state in every for jump in state.jumps)
+        return AdhesiveCycleSolution(self, **rows(AdhesiveCycleSolution, every), jumps=jumps)
+
     def solve(self) -> AdhesiveCycleSolution:
         """Return the whole path.
 
@@ -175,17 +187,7 @@ class AdhesiveCycle:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        states = list(self.steps())
-        return AdhesiveCycleSolution(
-            self,
-            position=np.array([state.position for state in states]),
-            depth=np.array([state.depth for state in states]),
-            force=np.array([state.force for state in states]),
-            radius=np.array([state.radius for state in states]),
-            dissipation=np.array([state.dissipation for state in states]),
-            hysteresis=np.array([state.hysteresis for state in states]),
-            jumps=tuple(jump for state in states for jump in state.jumps),
-        )
+        return self.gathered(self.steps())
 
 
 @value

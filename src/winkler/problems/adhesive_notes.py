@@ -13,7 +13,9 @@ from winkler.problems import griffith
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.edge_states import states_of
+from winkler.problems.strong_parts import strong_parts
 from winkler.problems.trust import size_note, slope_note
+from winkler.problems.yield_statement import FRICTIONLESS, Rubbing, yield_notes
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["adhesive_notes"]
@@ -25,7 +27,9 @@ TINY = 1e-9
 SAMPLES = 512
 
 
-def adhesive_notes(bed: Bed, law: AdhesionLaw, depth: Array, radius: Array) -> tuple[Note, ...]:
+def adhesive_notes(
+    bed: Bed, law: AdhesionLaw, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS
+) -> tuple[Note, ...]:
     """Return the notes of adhesive contacts `(m,)`; of several, those of the widest one.
 
     Parameters
@@ -34,6 +38,8 @@ def adhesive_notes(bed: Bed, law: AdhesionLaw, depth: Array, radius: Array) -> t
     law : AdhesionLaw
     depth, radius : ndarray, (m,)
         [m].
+    rubbing : Rubbing, optional
+        What is known of friction, for the onset of yield.
     """
     last = int(np.argmax(radius))
     widest = float(radius[last])
@@ -56,6 +62,8 @@ def adhesive_notes(bed: Bed, law: AdhesionLaw, depth: Array, radius: Array) -> t
         )
     elif not bed.rising:
         notes.append(_overlap_note(bed, law, float(depth[last]), widest))
+    if strong_parts(bed.medium):
+        notes += yield_notes([states_of(bed, law).pressed(float(depth[last]), widest)], rubbing)
     return tuple(notes)
 
 

@@ -32,6 +32,7 @@ from winkler.problems.adhesive_edge import DeadLoad, Machine
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -208,7 +209,7 @@ class AdhesiveShearSolution:
         """How far the result can be trusted: it is approximate."""
         problem = self.problem
         return (
-            *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius)),
+            *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius), Rubbing(math.inf)),
             sticking_note(problem.bed.medium, math.inf),
             Note(
                 Assumption.ADHESION,

@@ -33,6 +33,7 @@ from winkler.problems.damping_notes import STEADY, damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.spring_cycle import SpringCycle
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -306,7 +307,7 @@ class BimodalDampingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (
-            *self.contact.validity,
+            *self.contact.notes_with(Rubbing(self.problem.law.coefficient)),
             STEADY,
             *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
         )

@@ -26,6 +26,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
+from winkler.problems.yield_statement import unknown_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -81,7 +82,7 @@ class ConductanceBounds:
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003",)
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
-        (Assumption.RESPONSE, Assumption.RESOLUTION, Assumption.CONDUCTION)
+        (Assumption.RESPONSE, Assumption.ELASTIC, Assumption.RESOLUTION, Assumption.CONDUCTION)
     )
 
     def __post_init__(self) -> None:
@@ -208,6 +209,7 @@ class ConductanceBoundsSolution:
         """How far the bounds can be trusted."""
         return (
             *self.problem.bed.medium.notes,
+            *unknown_yield(self.problem.bed.medium, "it depends on the shape of the roughness"),
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,

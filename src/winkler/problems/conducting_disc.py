@@ -16,10 +16,12 @@ from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.strong_parts import strong_parts
 from winkler.problems.trust import size_note, slope_note
+from winkler.problems.yield_statement import yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["mean_free_path_note", "pressed_disc", "resistances_of", "scope_notes"]
+__all__ = ["disc_yield_notes", "mean_free_path_note", "pressed_disc", "resistances_of", "scope_notes"]
 
 
 def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
@@ -45,6 +47,14 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
     touching = radius > 0.0
     a = np.where(touching, radius, 1.0)
     return parts._replace(film=parts.film * math.pi * a**2 / bed.footprint.area(a))
+
+
+def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
+    """Return whether the contact that conducts stays elastic; nothing where no body has a strength."""
+    if not strong_parts(bed.medium):
+        return ()
+    contact = pressed_disc(bed, load)
+    return yield_notes_of_bed(bed, np.ravel(contact.depth), np.ravel(contact.radius))
 
 
 def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:

@@ -23,6 +23,7 @@ from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conducting_disc import (
+    disc_yield_notes,
     mean_free_path_note,
     pressed_disc,
     resistances_of,
@@ -169,6 +170,7 @@ class ConstrictionSolution(ConductingSolution):
         problem, radius = self.problem, np.asarray(self.radius, dtype=float)
         return (
             *scope_notes(problem.bed, radius),
+            *disc_yield_notes(problem.bed, problem.load),
             *problem.conductors.notes,
             *mean_free_path_note(radius, problem.mean_free_path),
         )

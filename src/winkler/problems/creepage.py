@@ -11,6 +11,7 @@ force.
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 import numpy as np
@@ -21,8 +22,8 @@ from winkler.values import value
 
 __all__ = ["AtCreepages", "Creepage", "Creeping"]
 
-MOST = 1e9
-"""Beyond it nothing rolls any more."""
+MOST = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
+"""Beyond it nothing rolls any more; of spin only the size of the contact tells."""
 UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
 
@@ -44,7 +45,7 @@ class Creepage:
     Raises
     ------
     InvalidInput
-        If a number is not finite or beyond 1e9, or the shapes do not fit.
+        If a number is not finite, a slip beyond 1e9, or the shapes do not fit.
 
     References
     ----------
@@ -58,10 +59,11 @@ class Creepage:
     def __post_init__(self) -> None:
         for word, unit in UNITS.items():
             given = np.asarray(getattr(self, word))
-            if given.dtype.kind not in "fiu" or given.size == 0 or not np.all(np.abs(given) <= MOST):
+            good = given.dtype.kind in "fiu" and given.size > 0 and np.all(np.isfinite(given))
+            if not good or np.any(np.abs(given) > MOST[word]):
+                most = f", of at most {MOST[word]:g}" if math.isfinite(MOST[word]) else ""
                 raise InvalidInput(
-                    f"Creepage: {word} is {getattr(self, word)!r}; give a number{unit}, or an array of "
-                    f"them, of at most {MOST:g}."
+                    f"Creepage: {word} is {getattr(self, word)!r}; give a number{unit}, or an array of them{most}."
                 )
         try:
             np.broadcast_shapes(*(np.shape(getattr(self, word)) for word in UNITS))

@@ -30,6 +30,7 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.yield_statement import Rubbing, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -239,9 +240,12 @@ class FrictionDampingSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
+        mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
+        depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
+        rubbing = Rubbing(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
         return (
-            *self.contact.validity,
-            *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
+            *self.contact.notes_with(rubbing),
+            *damping_notes(self.problem.bed, float(self.contact.radius), mu),
         )
 
 

@@ -23,6 +23,7 @@ from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.yield_of_pressure import ellipse_yield_notes
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -206,7 +207,7 @@ class EllipticSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted: assumptions, and slopes."""
+        """How far the result can be trusted: assumptions, slopes, onset of yield."""
         bodies = self.problem.bodies
         slope = max(
             float(np.max(self.longitudinal_semi_axis)) / bodies.longitudinal_curvature_radius,
@@ -222,5 +223,8 @@ class EllipticSolution:
                 Standing.ASYMPTOTIC if small else Standing.APPROXIMATE,
                 f"The steepest slope within the contact is {slope:.3g}: {verdict}.",
                 HERTZ,
+            ),
+            *ellipse_yield_notes(
+                self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
             ),
         )

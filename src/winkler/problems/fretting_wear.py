@@ -12,7 +12,7 @@ more (`winkler.problems.limiting_profile`).  In gross slip the contact grows wit
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -159,6 +159,11 @@ class FrettingWear:
         nodes = first_nodes(self.bed, self.normal, radius, core if core < radius else 0.0, self.count)
         return Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
     def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
         """Yield the contact at every number of cycles that was asked for.
 
@@ -199,6 +204,10 @@ class FrettingWear:
             rubbed.shift, rubbed.shear_force, rubbed.stick_radius, rubbed.slip, lost,
         )  # fmt: skip
 
+    def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return FrettingSolution.of(self, list(states))
+
     def solve(self) -> FrettingSolution:
         """Return the contact over all cycles.
 
@@ -211,7 +220,7 @@ class FrettingWear:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        return FrettingSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 @value

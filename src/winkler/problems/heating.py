@@ -37,6 +37,7 @@ from winkler.problems.heating_limits import fast, shared, stationary, tian_kenne
 from winkler.problems.heating_notes import heating_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.picking import single
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -330,4 +331,5 @@ class FrictionHeatingSolution:
         notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
         problem = self.problem
         coupled = sliding_note(problem.bed.medium, problem.law.coefficient)
-        return (*self.contact.validity, coupled, *notes)
+        contact = self.contact.notes_with(Rubbing(problem.law.coefficient, math.inf))
+        return (*contact, coupled, *notes)

@@ -32,6 +32,7 @@ from winkler.problems.heating_input import all_finite, checked_heating, load_num
 from winkler.problems.heating_limits import shared
 from winkler.problems.heating_notes import STEADY_SOURCE
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
@@ -137,10 +138,16 @@ class TransientHeating:
         parts = [np.zeros(self.time.shape)] * 4
         if contact.radius > 0.0:
             source = heat_source(contact.pressed).source
+            # two bodies of one diffusivity warm up alike
+            rises = {
+                rate: [
+                    np.array([grown(math.sqrt(rate * time)) for time in self.time])
+                    for grown in (partial(_greatest, source), source.risen_mean)
+                ]
+                for rate in {body.diffusivity for body in self._bodies}
+            }
             first, first_mean, second, second_mean = (
-                np.array([grown(math.sqrt(body.diffusivity * time)) for time in self.time]) * heat / body.conductivity
-                for body in self._bodies
-                for grown in (partial(_greatest, source), source.risen_mean)
+                rise * heat / body.conductivity for body in self._bodies for rise in rises[body.diffusivity]
             )
             if heat > 0.0:
                 share = _share(self.partition, (first, second), (first_mean, second_mean))
@@ -234,7 +241,8 @@ class TransientHeatingSolution:
         """How far the result can be trusted."""
         hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
         coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
-        return (*self.contact.validity, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
+        contact = self.contact.notes_with(Rubbing(self.problem.law.coefficient, math.inf))
+        return (*contact, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
 
     @property
     def _rest(self) -> Note:

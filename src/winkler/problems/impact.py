@@ -12,7 +12,7 @@ The shear force of the springs is followed through sticking, sliding and turning
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -27,11 +27,13 @@ from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.closure import at_depth
+from winkler.problems.gathering import rows
 from winkler.problems.impact_curve import deepest, normal_curve, stiffness_ratio
 from winkler.problems.impact_march import Moment, Motion, stages, turning
 from winkler.problems.impact_notes import PLANAR, checked_count, gravity_note
 from winkler.problems.impact_states import ImpactStage, ImpactState
 from winkler.problems.trust import indentation_notes
+from winkler.problems.yield_statement import FRICTIONLESS, Rubbing, slid_depth
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -155,6 +157,11 @@ class Impact:
         mobility, sliding = self.mobility, self.sliding_velocity
         return Motion(curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient))
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: `count`."""
+        return self.count
+
     def steps(self) -> Iterator[ImpactState]:
         """Yield the state at `count` moments, evenly spaced from first touch to the end of contact.
 
@@ -166,26 +173,24 @@ class Impact:
         NotConverged
             If the profile is too rough, or the march comes to a halt.
         """
-        for _, states in self._run():
-            yield from states
-
-    def _run(self) -> Iterator[tuple[ImpactStage, list[ImpactState]]]:
         motion = self._motion
         turn = turning(motion)
         times = np.linspace(0.0, 2.0 * turn, self.count)
-        done = 0
+        done, begun = 0, tuple[ImpactStage, ...]()
         for stage in stages(motion, turn):
+            begun = (*begun, ImpactStage(stage.start, stage.end, stage.sign))
             stop = int(np.searchsorted(times, stage.end, side="right"))
             asked = times[done:stop]
             moments = [stage.moment(time) for time in asked.tolist()]
             if stop == self.count:
                 moments[-1] = _parted(moments[-1])
-            yield ImpactStage(stage.start, stage.end, stage.sign), self._states(asked, moments, stage.sign)
-            done = stop
+            if moments:
+                yield from self._states(asked, moments, begun, 2.0 * turn)
+                done, begun = stop, ()
 
-    def _states(self, times: Array, moments: list[Moment], side: int) -> list[ImpactState]:
-        if not moments:
-            return []
+    def _states(
+        self, times: Array, moments: list[Moment], begun: tuple[ImpactStage, ...], duration: float
+    ) -> list[ImpactState]:
         gaps = np.array([(max(moment.depth, 0.0), max(moment.stuck, 0.0)) for moment in moments])
         _, radii = at_depth(self.bed, gaps.ravel())
         return [
@@ -202,12 +207,20 @@ class Impact:
                 energy=moment.pressed,
                 stored_energy=moment.stored,
                 dissipation=moment.loss,
-                side=side,
+                side=begun[-1].side,
+                stages=() if place else begun,
+                duration=duration,
             )
-            for time, moment, (depth, _), (radius, stick) in zip(
-                times.tolist(), moments, gaps.tolist(), radii.reshape(-1, 2).tolist(), strict=True
+            for place, (time, moment, (depth, _), (radius, stick)) in enumerate(
+                zip(times.tolist(), moments, gaps.tolist(), radii.reshape(-1, 2).tolist(), strict=True)
             )
         ]
+
+    def gathered(self, states: Iterable[ImpactState]) -> ImpactSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = list(states)
+        stages = _joined([stage for state in every for stage in state.stages], every[-1].time)
+        return ImpactSolution(self, **rows(ImpactSolution, every), duration=every[-1].duration, stages=stages)
 
     def solve(self) -> ImpactSolution:
         """Return the whole impact.
@@ -221,24 +234,7 @@ class Impact:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        found = list(self._run())
-        states = [state for _, some in found for state in some]
-        return ImpactSolution(
-            self,
-            time=np.array([state.time for state in states]),
-            depth=np.array([state.depth for state in states]),
-            shift=np.array([state.shift for state in states]),
-            velocity=np.array([state.velocity for state in states]),
-            sliding_velocity=np.array([state.sliding_velocity for state in states]),
-            force=np.array([state.force for state in states]),
-            shear_force=np.array([state.shear_force for state in states]),
-            radius=np.array([state.radius for state in states]),
-            stick_radius=np.array([state.stick_radius for state in states]),
-            energy=np.array([state.energy for state in states]),
-            stored_energy=np.array([state.stored_energy for state in states]),
-            dissipation=np.array([state.dissipation for state in states]),
-            stages=_joined([stage for stage, _ in found]),
-        )
+        return self.gathered(self.steps())
 
 
 def _parted(end: Moment) -> Moment:
@@ -247,14 +243,15 @@ def _parted(end: Moment) -> Moment:
     return end._replace(depth=0.0, loss=loss, force=0.0, shear=0.0, pressed=0.0, stored=0.0, stuck=0.0)
 
 
-def _joined(stages: list[ImpactStage]) -> tuple[ImpactStage, ...]:
-    """Return the stages, those of one side after the other as one."""
-    joined = stages[:1]
-    for stage in stages[1:]:
-        if stage.side == joined[-1].side:
-            joined[-1] = ImpactStage(joined[-1].start, stage.end, stage.side)
+def _joined(stages: list[ImpactStage], last: float) -> tuple[ImpactStage, ...]:
+    """Return the stages up to a time [s], those of one side after the other as one."""
+    joined: list[ImpactStage] = []
+    for stage in stages:
+        end = min(stage.end, last)
+        if joined and stage.side == joined[-1].side:
+            joined[-1] = ImpactStage(joined[-1].start, end, stage.side)
         else:
-            joined.append(stage)
+            joined.append(ImpactStage(stage.start, end, stage.side))
     return tuple(joined)
 
 
@@ -282,6 +279,8 @@ class ImpactSolution:
         Energy lost since first touch [J].
     stages : tuple of ImpactStage
         When nothing slides, and when the edge of the contact slides to which side.
+    duration : float
+        How long the bodies touch [s], also of an answer that was stopped before.
     """
 
     problem: Impact
@@ -298,6 +297,7 @@ class ImpactSolution:
     stored_energy: Array
     dissipation: Array
     stages: tuple[ImpactStage, ...]
+    duration: float
 
     @property
     def _impulse(self) -> Array:
@@ -331,20 +331,15 @@ class ImpactSolution:
         return np.asarray(total / total[0])
 
     @property
-    def duration(self) -> float:
-        """How long the bodies touch [s]."""
-        return float(self.time[-1])
-
-    @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]."""
-        return -float(self.velocity[-1]) / self.problem.velocity
+        """Velocity of parting over that of approach [-]; nan if the answer was stopped before."""
+        return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
 
     @property
     def lateral_restitution(self) -> float:
         """The same of the touching points along the surface [-]: -1 without friction, at most 1; nan if they rest."""
         before = self.problem.sliding_velocity
-        return -float(self.sliding_velocity[-1]) / before if before else math.nan
+        return -float(self.sliding_velocity[-1]) / before if before and self.time[-1] == self.duration else math.nan
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -355,7 +350,10 @@ class ImpactSolution:
         bed = problem.bed
         modulus = float(bed.normal_stiffness(radius)[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
-        notes = [*indentation_notes(bed, depth, force, radius), wave_note(share), gravity_note(force)]
-        if problem.law.coefficient > 0.0 and problem.sliding_velocity != 0.0:
-            notes += [PLANAR, sticking_note(bed.medium, problem.law.coefficient), *direction_notes(bed)]
+        mu = problem.law.coefficient
+        rubs = mu > 0.0 and problem.sliding_velocity != 0.0
+        rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
+        notes = [*indentation_notes(bed, depth, radius, rubbing), wave_note(share), gravity_note(force)]
+        if rubs:
+            notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
         return tuple(notes)

@@ -13,7 +13,8 @@ and not at all if it arrives more slowly than that.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -30,9 +31,10 @@ from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.cycle_states import AdhesiveJump
+from winkler.problems.gathering import rows
 from winkler.problems.impact_notes import checked_count, gravity_note
 from winkler.problems.impact_states import AdhesiveImpactState
-from winkler.problems.impact_swing import Swing, swing
+from winkler.problems.impact_swing import swing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -101,6 +103,11 @@ class AdhesiveImpact:
         positive_fields(self, mass="kg", velocity="m/s")
         checked_count("AdhesiveImpact", self.count)
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: `count`, and that at the greatest depth if it is none of them."""
+        return self.count + 1
+
     def steps(self) -> Iterator[AdhesiveImpactState]:
         """Yield the state at `count` moments, evenly spaced, and at the greatest depth.
 
@@ -112,9 +119,6 @@ class AdhesiveImpact:
             If the profile is too rough, or the march comes to a halt.
         """
         moved = swing(self.bed, self.law, self.mass, self.velocity)
-        yield from self._states(moved)
-
-    def _states(self, moved: Swing) -> Iterator[AdhesiveImpactState]:
         times = np.union1d(np.linspace(0.0, moved.duration, self.count), [moved.turn]).tolist()
         motion = [moved.at(time) for time in times]
         depths = np.array([depth for depth, _ in motion])
@@ -133,7 +137,20 @@ class AdhesiveImpact:
                 energy=elastic - self.law.work_closing * np.pi * state.radius**2,
                 dissipation=state.dissipation,
                 jumps=state.jumps,
+                duration=moved.duration,
+                captured=moved.captured,
             )
+
+    def gathered(self, states: Iterable[AdhesiveImpactState]) -> AdhesiveImpactSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = list(states)
+        return AdhesiveImpactSolution(
+            self,
+            **rows(AdhesiveImpactSolution, every),
+            jumps=tuple(jump for state in every for jump in state.jumps),
+            duration=every[-1].duration,
+            captured=every[-1].captured,
+        )
 
     def solve(self) -> AdhesiveImpactSolution:
         """Return the impact until the bodies part, or turn back in contact.
@@ -147,20 +164,7 @@ class AdhesiveImpact:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        moved = swing(self.bed, self.law, self.mass, self.velocity)
-        states = list(self._states(moved))
-        return AdhesiveImpactSolution(
-            self,
-            time=np.array([state.time for state in states]),
-            depth=np.array([state.depth for state in states]),
-            velocity=np.array([state.velocity for state in states]),
-            force=np.array([state.force for state in states]),
-            radius=np.array([state.radius for state in states]),
-            energy=np.array([state.energy for state in states]),
-            dissipation=np.array([state.dissipation for state in states]),
-            jumps=tuple(jump for state in states for jump in state.jumps),
-            captured=moved.captured,
-        )
+        return self.gathered(self.steps())
 
 
 PARTED = 1e-9
@@ -191,6 +195,9 @@ class AdhesiveImpactSolution:
         Energy lost since first touch [J], in jumps and by hysteresis.
     jumps : tuple of AdhesiveJump
         Snap-in, pull-off and all between.
+    duration : float
+        How long the bodies touch, or until they stand still on the way out [s], also of an answer that was stopped
+        before.
     captured : bool
         Whether the body stays: it then swings on in contact.
     """
@@ -204,6 +211,7 @@ class AdhesiveImpactSolution:
     energy: Array
     dissipation: Array
     jumps: tuple[AdhesiveJump, ...]
+    duration: float
     captured: bool
 
     @property
@@ -218,14 +226,11 @@ class AdhesiveImpactSolution:
         return np.asarray(total / (0.5 * self.problem.mass * self.problem.velocity**2))
 
     @property
-    def duration(self) -> float:
-        """How long the bodies touch, or until they stand still on the way out [s]."""
-        return float(self.time[-1])
-
-    @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; zero if the body stays."""
-        return 0.0 if self.captured else -float(self.velocity[-1]) / self.problem.velocity
+        """Velocity of parting over that of approach [-]; zero if the body stays, nan if the answer was stopped."""
+        if self.captured:
+            return 0.0
+        return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -47,6 +47,10 @@ class ImpactState:
         Energy lost since first touch [J].
     side : int
         Where the body slides at the edge of the contact: 1 forwards, -1 backwards, 0 nowhere.
+    stages : tuple of ImpactStage
+        Those that have begun since the moment before.
+    duration : float
+        How long the bodies will have touched [s].
     """
 
     time: float
@@ -62,6 +66,8 @@ class ImpactState:
     stored_energy: float
     dissipation: float
     side: int
+    stages: tuple[ImpactStage, ...]
+    duration: float
 
 
 @value
@@ -86,6 +92,10 @@ class AdhesiveImpactState:
         Energy lost since first touch [J].
     jumps : tuple of AdhesiveJump
         Those since the moment before.
+    duration : float
+        How long the bodies will have touched [s].
+    captured : bool
+        Whether the body will stay.
     """
 
     time: float
@@ -96,3 +106,5 @@ class AdhesiveImpactState:
     energy: float
     dissipation: float
     jumps: tuple[AdhesiveJump, ...]
+    duration: float
+    captured: bool

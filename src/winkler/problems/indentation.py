@@ -23,6 +23,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth, at_force, at_radius
 from winkler.problems.picking import picked, single
 from winkler.problems.trust import indentation_notes
+from winkler.problems.yield_statement import FRICTIONLESS, Rubbing
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -189,7 +190,11 @@ class IndentationSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes, size of the body, onset of yield."""
-        return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.force), np.ravel(self.radius))
+        return self.notes_with(FRICTIONLESS)
+
+    def notes_with(self, rubbing: Rubbing) -> tuple[Note, ...]:
+        """Return how far this contact can be trusted where its surfaces rub."""
+        return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.radius), rubbing)
 
 
 def _energy(bed: Bed, depth: float, radius: float) -> float:

@@ -31,6 +31,7 @@ from winkler.problems.assumptions.declared import WORN
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.wear_notes import debris_note, slip_note
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -312,7 +313,8 @@ class LimitingSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        notes = [*self.problem.contact.validity, debris_note(), slip_note(bed)]
+        rubbing = Rubbing(self.problem.law.coefficient)
+        notes = [*self.problem.contact.notes_with(rubbing), debris_note(), slip_note(bed)]
         notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
         notes.append(
             Note(

@@ -26,6 +26,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth
 from winkler.problems.trust import steepness_note
+from winkler.problems.yield_statement import unknown_yield
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -293,4 +294,6 @@ class NearlyRoundSolution:
         for profile, radii in zip(self.problem.profiles, np.moveaxis(self.contour, -1, 0), strict=True):
             inside = np.ravel(radii)[:, np.newaxis] * np.linspace(0.0, 1.0, 17)[1:-1]
             slope = max(slope, float(np.max(np.abs(profile.slope(inside)))))
-        return (*self.problem.medium.notes, steepness_note(slope), note)
+        medium = self.problem.medium
+        yielding = unknown_yield(medium, "the stresses under a contact that is not round are not computed")
+        return (*medium.notes, steepness_note(slope), note, *yielding)

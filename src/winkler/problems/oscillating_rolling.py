@@ -13,7 +13,7 @@ Below it the shift stops growing (shakedown), above it every cycle adds its step
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -126,6 +126,11 @@ class OscillatingRolling:
         inner = min(self.amplitude, line.radius)
         return 2.0 * float(line.bearing(np.array([inner]), np.array([line.radius]))[0])
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: that at rest, and one after every cycle."""
+        return self.cycles + 1
+
     def steps(self) -> Iterator[RockingState]:
         """Yield the contact in its middle position, before the first and after every cycle.
 
@@ -157,6 +162,10 @@ class OscillatingRolling:
                 shift += gained / stiffness
             yield RockingState(cycle=cycle, shift=shift, x=sampled.x, shear_load=load)
 
+    def gathered(self, states: Iterable[RockingState]) -> OscillatingRollingSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return OscillatingRollingSolution.of(self, list(states))
+
     def solve(self) -> OscillatingRollingSolution:
         """Return the shift after every cycle.
 
@@ -169,7 +178,7 @@ class OscillatingRolling:
         OutsideValidity
             As `steps`.
         """
-        return OscillatingRollingSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
     @property
     def _line(self) -> RollingLine:

@@ -14,7 +14,7 @@ work of adhesion.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -23,6 +23,7 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
+from winkler.problems.gathering import rows
 from winkler.problems.particle_march import March, Squeezed
 from winkler.problems.particle_springs import material_of
 from winkler.validity import Assumption, Note, Standing
@@ -133,6 +134,11 @@ class ElasticPlasticParticle:
         """Where the particle begins to yield [m]; infinite if it does not up to R/2."""
         return material_of(self.curvature_radius, self.solid).yield_depth
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return int(self._levels.size)
+
     def steps(self) -> Iterator[ParticleState]:
         """Yield the state at every point of the path.
 
@@ -150,6 +156,10 @@ class ElasticPlasticParticle:
             state = march.to_depth(state, level) if isinstance(self.path, Depth) else march.to_force(state, level)
             yield _seen(march, state, self.path, level)
 
+    def gathered(self, states: Iterable[ParticleState]) -> ParticleSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ParticleSolution(self, **rows(ParticleSolution, list(states)))
+
     def solve(self) -> ParticleSolution:
         """Return the whole path.
 
@@ -162,16 +172,7 @@ class ElasticPlasticParticle:
         OutsideValidity
             As `steps`.
         """
-        states = list(self.steps())
-        return ParticleSolution(
-            self,
-            depth=np.array([state.depth for state in states]),
-            force=np.array([state.force for state in states]),
-            radius=np.array([state.radius for state in states]),
-            residual_depth=np.array([state.residual_depth for state in states]),
-            energy=np.array([state.energy for state in states]),
-            dissipation=np.array([state.dissipation for state in states]),
-        )
+        return self.gathered(self.steps())
 
 
 def _seen(march: March, state: Squeezed, path: Depth | Force, level: float) -> ParticleState:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -25,6 +25,7 @@ from winkler.numerics.types import Array
 from winkler.problems.contact_springs import Points, room, springs_of
 from winkler.problems.surface_contact import SurfaceContact
 from winkler.problems.surface_states import SurfaceState
+from winkler.problems.yield_statement import unknown_yield
 from winkler.profiles.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -81,7 +82,9 @@ class Reduction:
     tolerance: float = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
-    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.SHAPE, Assumption.RESOLUTION))
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.ELASTIC, Assumption.SHAPE, Assumption.RESOLUTION)
+    )
 
     def __post_init__(self) -> None:
         depth = self.depth
@@ -95,6 +98,10 @@ class Reduction:
             )
         if isinstance(self.tolerance, bool) or not 1e-4 <= self.tolerance <= 0.1:
             raise InvalidInput(f"Reduction: tolerance is {self.tolerance!r}; give a number between 1e-4 and 0.1.")
+
+    @property
+    def total(self) -> None:
+        """How many states `steps` yields shows only on the way."""
 
     def steps(self) -> Iterator[SurfaceState]:
         """Yield the contacts that are computed: depths halve their distances where there is room for other forces.
@@ -124,6 +131,8 @@ class Reduction:
                 done.append(_row(state))
                 yield state
             done.sort()
+        if self._springs(_points(done))[1] > self.tolerance:
+            raise self._lost(done)
 
     @staticmethod
     def _between(done: list[Row], allowed: float) -> list[float]:
@@ -137,6 +146,24 @@ class Reduction:
             "larger tolerance, or give the map more pixels."
         )
 
+    def _springs(self, points: Points) -> tuple[MeasuredBed, float]:
+        """Return the springs behind contacts, and the bound on their misfit over the greatest force."""
+        most = float(points.force[-1])
+        bed, missed = springs_of(points, self.medium, MET * self.tolerance * most)
+        return bed, (missed + max(float(np.max(room(points))), float(points.force[0]))) / most
+
+    def gathered(self, states: Iterable[SurfaceState]) -> ReductionSolution:
+        """Return the answer from these contacts, all or the first of them; its misfit tells how well it is known.
+
+        Raises
+        ------
+        OutsideValidity
+            If they are too few for springs.
+        """
+        points = _points(sorted(_row(state) for state in states))  # not the states, whose maps would fill the memory
+        bed, misfit = self._springs(points)
+        return ReductionSolution(self, bed, misfit, points.depth, points.force, points.stiffness)
+
     def solve(self) -> ReductionSolution:
         """Return the springs.
 
@@ -147,13 +174,7 @@ class Reduction:
         OutsideValidity
             If too few pixels touch.
         """
-        done = sorted(_row(state) for state in self.steps())  # not the states, whose maps would fill the memory
-        points, most = _points(done), done[-1][1]
-        bed, missed = springs_of(points, self.medium, MET * self.tolerance * most)
-        misfit = (missed + max(float(np.max(room(points))), float(points.force[0]))) / most
-        if misfit > self.tolerance:
-            raise self._lost(done)
-        return ReductionSolution(self, bed, misfit, points.depth, points.force, points.stiffness)
+        return self.gathered(self.steps())
 
 
 def _row(state: SurfaceState) -> Row:
@@ -202,6 +223,7 @@ class ReductionSolution:
                 BARBER,
             ),
             *self.bed.notes[1:],
+            *unknown_yield(self.problem.medium, "the springs of a height map do not know its pressures"),
         )
 
     def on(self, medium: Medium) -> PlaneFoundation:

@@ -25,6 +25,7 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.damping_notes import damping_notes
 from winkler.problems.indentation import Indentation, IndentationSolution
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -169,7 +170,7 @@ class RelaxationDamperSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         return (
-            *self.contact.validity,
+            *self.contact.notes_with(Rubbing(math.inf)),  # nothing slips, whatever that takes
             STICKING,
             *damping_notes(self.problem.bed, float(self.contact.radius), math.inf),
         )

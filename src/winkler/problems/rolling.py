@@ -29,6 +29,7 @@ from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_line import RollingLine
+from winkler.problems.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -197,7 +198,8 @@ class RollingSolution(AtCreepages):
         """How far the result can be trusted."""
         problem = self.problem
         both = np.any(np.multiply(problem.creepage.longitudinal, problem.creepage.lateral) != 0.0)
-        notes = rolling_notes(self.contact, problem.calibration, problem.friction)
+        slides = bool(np.any(np.asarray(self.stick_share) == 0.0))
+        notes = rolling_notes(self.contact, problem.calibration, problem.friction, slides=slides)
         return (*notes, TOGETHER) if both else notes
 
     @property
@@ -222,12 +224,13 @@ STRIPS = Note(
 
 
 def rolling_notes(
-    contact: IndentationSolution, calibration: Kalker | Uncalibrated, friction: Coulomb
+    contact: IndentationSolution, calibration: Kalker | Uncalibrated, friction: Coulomb, *, slides: bool = False
 ) -> tuple[Note, ...]:
     """Return what is assumed of springs that roll."""
     bed = contact.problem.bed
     notes = calibration.notes(bed, float(contact.radius))
-    return (*contact.validity, sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
+    rubbing = Rubbing(friction.coefficient, math.inf if slides else 0.0)
+    return (*contact.notes_with(rubbing), sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
 
 
 def check_rolling(owner: str, bed: Bed, friction: Coulomb, creepage: Creepage, load: Load) -> None:

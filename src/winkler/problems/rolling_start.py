@@ -10,7 +10,7 @@ the contact, 2a, the last spring of the beginning has left.  Without slip and fr
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -121,6 +121,11 @@ class RollingStart:
         """Rolling for ever."""
         return Rolling(self.bed, self.friction, self.creepage, self.load, self.calibration).solve()
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: that at rest, and one after every part of the way."""
+        return self.points + 1
+
     def steps(self) -> Iterator[RollingState]:
         """Yield the contact at rest, and then after every part of the way.
 
@@ -155,6 +160,10 @@ class RollingStart:
                 shear_load=load,
             )
 
+    def gathered(self, states: Iterable[RollingState]) -> RollingStartSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return RollingStartSolution.of(self, list(states))
+
     def solve(self) -> RollingStartSolution:
         """Return the force over the whole distance.
 
@@ -167,7 +176,7 @@ class RollingStart:
         OutsideValidity
             As `steps`.
         """
-        return RollingStartSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 @value
@@ -242,7 +251,8 @@ class RollingStartSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return (*rolling_notes(self.contact, self.problem.calibration, self.problem.friction), TRANSIENT)
+        problem, slides = self.problem, bool(np.any(self.stick_share == 0.0))
+        return (*rolling_notes(self.contact, problem.calibration, problem.friction, slides=slides), TRANSIENT)
 
 
 TRANSIENT = Note(

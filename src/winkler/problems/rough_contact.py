@@ -21,6 +21,7 @@ from winkler.problems.persson import area_fraction, mean_separation
 from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds
 from winkler.problems.rough_solution import RoughSolution
+from winkler.problems.yield_of_pressure import spots_yield_notes
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
@@ -75,7 +76,9 @@ class RoughContact:
     seed: int = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
-    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.ROUGHNESS, Assumption.RESOLUTION))
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.ELASTIC, Assumption.ROUGHNESS, Assumption.RESOLUTION)
+    )
 
     def __post_init__(self) -> None:
         if not isinstance(self.medium, HomogeneousMedium):
@@ -158,6 +161,7 @@ class RoughContactSolution(RoughSolution):
                 "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
                 f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
             ),
+            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
             *resolution_note(asked.spectrum, asked.length, asked.count),
             Note(
                 Assumption.ROUGHNESS,

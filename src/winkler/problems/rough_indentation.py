@@ -26,6 +26,7 @@ from winkler.problems.persson import area_fraction
 from winkler.problems.rough_checks import check_ensemble, check_spectrum, resolution_note
 from winkler.problems.rough_line import RoughLine, ensemble, line_seeds, prescribed
 from winkler.problems.rough_solution import RoughSolution
+from winkler.problems.yield_of_pressure import spots_yield_notes
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
@@ -199,6 +200,7 @@ class RoughIndentationSolution(RoughSolution):
                 "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
+            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
             *resolution_note(asked.spectrum, asked.length, asked.count),
             Note(
                 Assumption.ROUGHNESS,

@@ -27,6 +27,7 @@ from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import AtCreepages, Creepage
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling import check_friction
+from winkler.problems.yield_of_pressure import ellipse_yield_notes
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -231,8 +232,10 @@ class SimplifiedRollingSolution(AtCreepages):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         turned = bool(np.any(np.asarray(self.problem.creepage.spin) != 0.0))
-        coupled = sticking_note(self.problem.medium, self.problem.friction.coefficient)
-        return (*self.problem.medium.notes, self._size_note, coupled, CREEP, *((SPIN,) if turned else ()))
+        asked, axes = self.problem, (self.longitudinal_semi_axis, self.lateral_semi_axis)
+        coupled = sticking_note(asked.medium, asked.friction.coefficient)
+        yielding = ellipse_yield_notes(asked.medium, axes, asked.load.force, asked.friction.coefficient)
+        return (*asked.medium.notes, self._size_note, coupled, CREEP, *((SPIN,) if turned else ()), *yielding)
 
     @property
     def _size_note(self) -> Note:

@@ -9,7 +9,7 @@ volume :math:`\kappa F s = \pi a^4/4R`, once that is much deeper than the elasti
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -116,6 +116,11 @@ class SlidingWear:
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Refuse nothing: sliding goes on."""
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
         """Yield the contact at every distance that was asked for.
 
@@ -141,7 +146,7 @@ class SlidingWear:
                 yield self._state(moment)
         else:
             moment = start.moment
-        for reached in march(self, goals, moment):
+        for reached in march(self, goals, moment, everywhere=True):
             yield self._state(reached)
 
     def _state(self, moment: Moment) -> WearState:
@@ -152,6 +157,10 @@ class SlidingWear:
             self.bed, moment.elapsed, moment.jump, moment.nodes, moment.worn[0], moment.worn[1],
             contact.depth, contact.force, radius, contact.pressure,
         )  # fmt: skip
+
+    def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return SlidingSolution.of(self, list(states))
 
     def solve(self) -> SlidingSolution:
         """Return the contact over the whole distance.
@@ -165,7 +174,7 @@ class SlidingWear:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        return SlidingSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 @value

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -27,6 +27,8 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.surface_notes import surface_notes
 from winkler.problems.surface_states import SurfaceState
+from winkler.problems.yield_of_pressure import map_yield_notes
+from winkler.problems.yield_statement import unknown_yield
 from winkler.profiles.topography import Topography
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -168,6 +170,11 @@ class SurfaceContact:
                 f"{self.hardness * area:.6g} N; press less."
             )
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every load."""
+        return int(self._loads.size)
+
     def steps(self) -> Iterator[SurfaceState]:
         """Yield the contact under every load.
 
@@ -208,6 +215,10 @@ class SurfaceContact:
                 float(np.mean(found.gap)), found.penetration, found.work, modulus * start, np.maximum(found.gap, 0.0),
             )  # fmt: skip
 
+    def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return SurfaceContactSolution.of(self, list(states))
+
     def solve(self) -> SurfaceContactSolution:
         """Return the answers to all loads.
 
@@ -216,7 +227,7 @@ class SurfaceContact:
         NotConverged
             If a contact is not solved to the tolerance.
         """
-        return SurfaceContactSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> float:
@@ -279,4 +290,11 @@ class SurfaceContactSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
-        return surface_notes(self.problem.topography, self.problem.hardness, self.area, self.penetration, self.misfit)
+        asked = self.problem
+        notes = surface_notes(asked.topography, asked.hardness, self.area, self.penetration, self.misfit)
+        if float(np.max(self.depth)) > self.last.depth:
+            return (
+                *notes,
+                *unknown_yield(asked.medium, "pressures are kept of the last load, which is not the greatest"),
+            )
+        return (*notes, *map_yield_notes(asked.medium, float(np.max(self.last.pressure))))

@@ -12,7 +12,7 @@ on layered media the springs march one by one (`winkler.problems.spring_march`).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -105,6 +105,11 @@ class Tangential:
         across = self.path.across
         return Indentation(self.bed, Depth(across) if isinstance(self.path.normal, Depth) else Force(across)).solve()
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[TangentialState | SpringState]:
         """Yield the contact at every point of the path.
 
@@ -132,6 +137,10 @@ class Tangential:
                 end.memory,
             )  # fmt: skip
 
+    def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return TangentialSolution.of(self, list(states))
+
     def solve(self) -> TangentialSolution:
         """Return the contact along the whole path.
 
@@ -144,7 +153,7 @@ class Tangential:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        return TangentialSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 @value
@@ -216,7 +225,9 @@ class TangentialSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return friction_notes(self.problem.bed, self.problem.law, self.depth, self.force, self.radius, self.states)
+        return friction_notes(
+            self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
+        )
 
 
 def _three(contact: IndentationSolution) -> tuple[Array, Array, Array]:

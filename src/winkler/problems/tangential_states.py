@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from winkler.foundation.bed import Bed, Pressed
 from winkler.foundation.sheared import ShearedSprings
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity
@@ -20,6 +21,7 @@ from winkler.problems.slip_memory import SlipMemory
 from winkler.problems.spring_states import SpringLaw, SpringState, spring_notes
 from winkler.problems.tangential_march import BENT
 from winkler.problems.trust import indentation_notes
+from winkler.problems.yield_statement import Rubbing, slid_depth
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -114,6 +116,7 @@ def friction_notes(
     law: SpringLaw,
     depth: Array,
     force: Array,
+    shear_force: Array,
     radius: Array,
     states: Sequence[TangentialState | SpringState],
 ) -> tuple[Note, ...]:
@@ -123,12 +126,13 @@ def friction_notes(
     ----------
     bed : Bed
     law : Coulomb, StaticKinetic or OwnLaw
-    depth, force, radius : ndarray, (steps,)
-        [m], [N], [m].
+    depth, force, shear_force, radius : ndarray, (steps,)
+        [m], [N], [N], [m]; the shear force also in the plane, ``(steps, 2)``.
     states : sequence
         The states of the path.
     """
-    notes = [*indentation_notes(bed, depth, force, radius), sticking_note(bed.medium, coefficient_of(law))]
+    rubbing = _rubbing(law, depth, force, shear_force)
+    notes = [*indentation_notes(bed, depth, radius, rubbing), sticking_note(bed.medium, coefficient_of(law))]
     notes += direction_notes(bed)
     last = states[-1]
     if isinstance(last, SpringState):
@@ -150,6 +154,17 @@ def friction_notes(
                 )
             )
     return tuple(notes)
+
+
+def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> Rubbing:
+    match law:
+        case Coulomb(coefficient):
+            most = kinetic = coefficient
+        case StaticKinetic(static, kinetic):
+            most = static
+        case _:
+            return Rubbing(math.inf)
+    return Rubbing(most, slid_depth(kinetic, depth, force, shear_force), kinetic)
 
 
 EXACT = Note(

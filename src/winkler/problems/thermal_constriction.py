@@ -20,7 +20,7 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
-from winkler.problems.conducting_disc import pressed_disc, resistances_of, scope_notes
+from winkler.problems.conducting_disc import disc_yield_notes, pressed_disc, resistances_of, scope_notes
 from winkler.problems.conducting_solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -180,4 +180,6 @@ class ThermalConstrictionSolution(ConductingSolution):
             "radius over the diffusivity; transients are not included.",
             "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
         )
-        return (*scope_notes(self.problem.bed, radius), *self.problem.conductors.notes, steady)
+        problem = self.problem
+        yielding = disc_yield_notes(problem.bed, problem.load)
+        return (*scope_notes(problem.bed, radius), *yielding, *problem.conductors.notes, steady)

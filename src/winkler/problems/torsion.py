@@ -12,7 +12,7 @@ greatest torque is only approached.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -31,7 +31,8 @@ from winkler.problems.torsion_bound import Press, TwistBound, twist_bound
 from winkler.problems.torsion_march import LOSS, TURN, Turned, square, torque_of, turned, turned_to
 from winkler.problems.torsion_memory import TwistMemory, fresh, pieces_of
 from winkler.problems.torsion_states import TorsionState, TwistedSprings
-from winkler.problems.trust import indentation_notes
+from winkler.problems.torsion_yield import torsion_yield_notes
+from winkler.problems.trust import contact_notes
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -123,6 +124,11 @@ class Torsion:
         force = across if self._forced else self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
         return depth, np.where(radius > 0.0, force, 0.0), radius
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[TorsionState]:
         """Yield the state at every point of the path.
 
@@ -173,6 +179,11 @@ class Torsion:
         except OutsideValidity as error:
             raise OutsideValidity(f"Torsion: at index {index} of the path {error}") from None
 
+    def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = tuple(states)
+        return TorsionSolution(self, **rows(TorsionSolution, every), states=every)
+
     def solve(self) -> TorsionSolution:
         """Return the whole path.
 
@@ -185,13 +196,7 @@ class Torsion:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        states = list(self.steps())
-
-        return TorsionSolution(
-            self,
-            **rows(TorsionSolution, states),
-            states=tuple(states),
-        )
+        return self.gathered(self.steps())
 
 
 @value
@@ -255,8 +260,9 @@ class TorsionSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         problem = self.problem
-        notes = indentation_notes(problem.bed, self.depth, self.force, self.radius)
-        return (*notes, *_notes(self))
+        bed = problem.bed
+        contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, self.states))
+        return (*contact, *_notes(self))
 
 
 def _notes(solution: TorsionSolution) -> Iterator[Note]:

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import functools
 import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.disc import rises
+from winkler.problems.yield_statement import FRICTIONLESS, Rubbing, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
@@ -20,17 +19,18 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781
 HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
 
 
-def indentation_notes(bed: Bed, depth: Array, force: Array, radius: Array) -> tuple[Note, ...]:
+def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
     """Return the notes of an indentation; of several loads, those of the widest contact.
 
     Parameters
     ----------
     bed : Bed
-    depth, force, radius : ndarray, (m,)
-        [m], [N], [m].
+    depth, radius : ndarray, (m,)
+        [m].
+    rubbing : Rubbing, optional
+        What is known of friction, for the onset of yield.
     """
-    notes = (*bed.notes, *contact_notes(bed, depth, radius))
-    return (*notes, *_yield_notes(bed, float(np.max(force)))) if np.any(radius > 0.0) else notes
+    return (*bed.notes, *contact_notes(bed, depth, radius), *yield_notes_of_bed(bed, depth, radius, rubbing))
 
 
 def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
@@ -122,42 +122,4 @@ def large_body_note(ratio: float) -> Note:
         standing, verdict = Standing.OUTSIDE, "the body is no half-space"
     return Note(
         Assumption.HALF_SPACE, standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON
-    )
-
-
-@functools.lru_cache(maxsize=64)
-def _onset_force(bed: Bed) -> float | str:
-    """Return the load at which yielding begins [N], or why none is known."""
-    from winkler.problems.yielding import YieldOnset
-
-    try:
-        return YieldOnset(bed).solve().force
-    except OutsideValidity as error:
-        return str(error)
-
-
-def _yield_notes(bed: Bed, force: float) -> tuple[Note, ...]:
-    from winkler.problems.yielding import can_yield
-
-    if not can_yield(bed):
-        return ()
-    onset = _onset_force(bed)
-    if isinstance(onset, str):
-        return (
-            Note(
-                Assumption.ELASTIC, Standing.APPROXIMATE, f"No onset of yield is known: {onset}", "von Mises' criterion"
-            ),
-        )
-    if force < onset:
-        standing, verdict = Standing.EXACT, f"yielding begins at {onset:.4g} N; the contact stays elastic"
-    else:
-        standing = Standing.OUTSIDE
-        verdict = f"yielding began at {onset:.4g} N; beyond it the result is not elastic"
-    return (
-        Note(
-            Assumption.ELASTIC,
-            standing,
-            f"By von Mises' criterion {verdict}.",
-            "largest von Mises stress of the restored field",
-        ),
     )

@@ -12,7 +12,7 @@ steps that are chosen by their error.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -27,9 +27,11 @@ from winkler.path import Path
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth, at_force
+from winkler.problems.gathering import rows
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_states import ViscoelasticState
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -142,6 +144,11 @@ class ViscoelasticIndentation:
         depth, _ = at_force(elastic_like(self.bed), np.array([most]))
         return float(depth[0])
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[ViscoelasticState]:
         """Yield the state at every point of the path, just before anything sudden that happens there next.
 
@@ -217,6 +224,10 @@ class ViscoelasticIndentation:
             refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
             lost = driven.work - driven.stored
             yield row, np.array([[time, row.depth, force, driven.radius, driven.stored, lost]])
+
+    def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ViscoelasticSolution(self, **rows(ViscoelasticSolution, list(states)))
 
     def solve(self) -> ViscoelasticSolution:
         """Return the whole path.
@@ -321,4 +332,9 @@ class ViscoelasticSolution:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
         times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
-        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), *times)
+        return (
+            *bed.notes,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *times,
+            *relaxing_yield(bed.medium),
+        )

@@ -11,7 +11,7 @@ steadily; of its work what is not stored is lost.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -30,7 +30,9 @@ from winkler.path import Path
 from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.gathering import rows
 from winkler.problems.viscoelastic_adhesion_crack import Crack
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -165,6 +167,11 @@ class ViscoelasticAdhesion:
         assert isinstance(self.bed, OnMedium)
         return self.bed.with_medium(HalfSpace(Elastic(medium.relaxation.relaxed, 0.0)))
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[ViscoelasticAdhesionState]:
         """Yield the state at every point of the path.
 
@@ -189,6 +196,10 @@ class ViscoelasticAdhesion:
             speed = float(law.speed(release)) if release > (1.0 + RESTING) * law.work else 0.0
             yield ViscoelasticAdhesionState(time, position, depth, force, crack.radius, speed, crack.lowest, crack.lost)
 
+    def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ViscoelasticAdhesionSolution(self, **rows(ViscoelasticAdhesionSolution, list(states)))
+
     def solve(self) -> ViscoelasticAdhesionSolution:
         """Return the whole path.
 
@@ -201,18 +212,7 @@ class ViscoelasticAdhesion:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        states = list(self.steps())
-        return ViscoelasticAdhesionSolution(
-            self,
-            time=np.array([state.time for state in states]),
-            position=np.array([state.position for state in states]),
-            depth=np.array([state.depth for state in states]),
-            force=np.array([state.force for state in states]),
-            radius=np.array([state.radius for state in states]),
-            crack_speed=np.array([state.crack_speed for state in states]),
-            lowest_force=np.array([state.lowest_force for state in states]),
-            dissipation=np.array([state.dissipation for state in states]),
-        )
+        return self.gathered(self.steps())
 
 
 @value
@@ -252,7 +252,8 @@ class ViscoelasticAdhesionSolution:
         """How far the result can be trusted."""
         problem = self.problem
         law = ShortRange(problem.law.work)
-        return (SEPARATED, *adhesive_notes(problem._relaxed, law, self.depth, self.radius))
+        contact = adhesive_notes(problem._relaxed, law, self.depth, self.radius)
+        return (SEPARATED, *contact, *relaxing_yield(problem.bed.medium))
 
 
 SEPARATED = Note(

@@ -26,6 +26,7 @@ from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -220,6 +221,10 @@ def _depth_of(elastic: Bed, energy: float, guess: float) -> float:
 
 def _stored(elastic: Bed, depth: float) -> float:
     """Return the integral of the force over the depth [J]."""
+    if not elastic.rising:  # every radius is looked for by itself: one, and what its springs have stored
+        _, radius = at_depth(elastic, np.array([depth]))
+        springs = Springs.of(elastic, float(radius[0]), SAMPLES)
+        return 0.5 * float(springs.stiffness @ (depth - springs.gap) ** 2)
     depths = np.linspace(0.0, depth, SAMPLES)[1:]
     _, radii = at_depth(elastic, depths)
     forces = elastic.stiffness(radii) * depths - elastic.gap_load(radii)
@@ -279,4 +284,10 @@ class ViscoelasticImpactSolution:
         modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
         times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
-        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius), *times, wave_note(share))
+        return (
+            *bed.notes,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *times,
+            wave_note(share),
+            *relaxing_yield(bed.medium),
+        )

@@ -31,6 +31,7 @@ from winkler.problems.closure import at_depth, at_end, at_force
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic_sliding_share import share_of_line
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -336,7 +337,13 @@ class SlidingResistanceSolution:
         depth, radius = (np.ravel(np.asarray(column)) for column in (self.depth, self.radius))
         passing = (2.0 * radius / np.ravel(np.asarray(self.speed)))[radius > 0.0]
         times = times_notes(bed, float(np.min(passing)), float(np.max(passing))) if passing.size else ()
-        return (*bed.notes, APPROXIMATE, *times, *contact_notes(elastic_like(bed), depth, radius))
+        return (
+            *bed.notes,
+            APPROXIMATE,
+            *times,
+            *contact_notes(elastic_like(bed), depth, radius),
+            *relaxing_yield(bed.medium),
+        )
 
 
 APPROXIMATE = Note(

@@ -12,7 +12,7 @@ All the work is stored, lost to friction, or lost in the bodies.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
@@ -36,6 +36,7 @@ from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic_tangential_march import Dragged, Goal, Scales, shear_relaxation, travel
 from winkler.problems.viscoelastic_tangential_states import ViscoelasticTangentialState, stick_radius
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -125,6 +126,11 @@ class ViscoelasticTangential:
         """The contact without friction, which refuses what it cannot press."""
         return ViscoelasticIndentation(self.bed, Path(self.path.time, self.path.normal), self.count, self.tolerance)
 
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
     def steps(self) -> Iterator[ViscoelasticTangentialState]:
         """Yield the state at every point of the path.
 
@@ -207,6 +213,10 @@ class ViscoelasticTangential:
                 )
         return row.step(Goal(row.row.depth, goal.along), 0.0, row.turn.force, scales)
 
+    def gathered(self, states: Iterable[ViscoelasticTangentialState]) -> ViscoelasticTangentialSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ViscoelasticTangentialSolution.of(self, list(states))
+
     def solve(self) -> ViscoelasticTangentialSolution:
         """Return the whole path.
 
@@ -219,7 +229,7 @@ class ViscoelasticTangential:
         OutsideValidity, NotConverged
             As `steps`.
         """
-        return ViscoelasticTangentialSolution.of(self, list(self.steps()))
+        return self.gathered(self.steps())
 
 
 def _medium(bed: Bed) -> ViscoelasticHalfSpace:
@@ -290,9 +300,16 @@ class ViscoelasticTangentialSolution:
         """How far the result can be trusted."""
         bed = self.problem.bed
         times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
-        along = (sticking_note(bed.medium, self.problem.law.coefficient), *direction_notes(bed))
-        pressed = contact_notes(elastic_like(bed), self.depth, self.radius)
-        return (*bed.notes, CATTANEO, *along, *times, *pressed)
+        coupled = sticking_note(bed.medium, self.problem.law.coefficient)
+        return (
+            *bed.notes,
+            CATTANEO,
+            coupled,
+            *direction_notes(bed),
+            *times,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *relaxing_yield(bed.medium),
+        )
 
 
 CATTANEO = Note(

@@ -25,6 +25,7 @@ from winkler.problems.assumptions.times import times_notes
 from winkler.problems.indentation import Indentation
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
+from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -187,7 +188,7 @@ class StepSolution:
         bed = self.problem.bed
         depth, radius = np.broadcast_arrays(np.ravel(self.depth), np.ravel(self.radius))
         times = times_notes(bed, float(np.min(self.time)), float(np.max(self.time)))
-        return (*bed.notes, *contact_notes(elastic_like(bed), depth, radius), *times)
+        return (*bed.notes, *contact_notes(elastic_like(bed), depth, radius), *times, *relaxing_yield(bed.medium))
 
 
 @value
@@ -325,7 +326,7 @@ class HarmonicSolution:
         )
         place = np.array([self.depth]), np.array([self.radius])
         times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
-        return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small)
+        return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small, *relaxing_yield(bed.medium))
 
 
 def _checked_row(owner: str, word: str, given: Array, unit: str) -> Array:

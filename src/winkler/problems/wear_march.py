@@ -2,12 +2,15 @@ r"""How a worn profile is followed: in jumps over many cycles, as long as the er
 
 What is worn off spreads the pressure, the faster the shorter its waves; a jump that is too long for them would blow up.
 The jumps are steps of a method that is stable for them (`winkler.numerics.stabilised`); each tells its own error, and
-one that is too inaccurate is taken again, shorter.  The grid is fixed while the contact stays on it, finest beside the
-core that sticks, and follows a contact that grows.
+one that is too inaccurate is taken again, shorter.  Where all slides, and the shortest waves have decayed many times
+on the way so far, jumps are implicit (`winkler.numerics.implicit`): as long as the slow growth of the contact allows,
+over many nodes that come into contact.  The grid is fixed while the contact stays on it, finest beside the core that
+sticks, and follows a contact that grows.
 """
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from typing import NamedTuple, Protocol
@@ -19,10 +22,12 @@ from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import WearLaw, worn_by
 from winkler.loading import Depth, Normal
 from winkler.numerics.bracketing import between
+from winkler.numerics.implicit import implicit_step
 from winkler.numerics.ring_transforms import ring_means
 from winkler.numerics.stabilised import MOST_STAGES, longest, stages_for, step, step_error
 from winkler.numerics.types import Array
 from winkler.problems.wear_line import WearLine, WornContact, wear_line
+from winkler.problems.wear_system import SlidingSystem, law_slope
 
 __all__ = ["Moment", "Wearing", "first_nodes", "march", "scale_of"]
 
@@ -35,6 +40,12 @@ CROWDED = 0.95
 GROWTH = 1.5
 SMALL = 1e-2
 """Part of the error allowed in a jump that may be worn off at once, without looking."""
+STIFF = 3000.0
+"""How often the shortest waves must have decayed, by a factor e, before jumps are implicit."""
+FEW_STAGES = 4
+"""A jump of not more stages is cheaper than an implicit one."""
+SHORTER = 0.2
+"""Part of a jump that failed, to be tried next."""
 SHORTEST = 1e-13
 """Part of a way at which jumps are given up."""
 
@@ -132,7 +143,7 @@ def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
     return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
 
 
-def march(problem: Wearing, goals: Array, moment: Moment) -> Iterator[Moment]:
+def march(problem: Wearing, goals: Array, moment: Moment, *, everywhere: bool = False) -> Iterator[Moment]:
     """Yield how far wear has come, at every goal beyond where it begins.
 
     Parameters
@@ -142,6 +153,8 @@ def march(problem: Wearing, goals: Array, moment: Moment) -> Iterator[Moment]:
         Cycles or distances [m], rising.
     moment : Moment
         Where it begins; with a jump of zero, for the first time.
+    everywhere : bool, optional
+        Whether all that touches slides, by one metre per metre, and one body alone wears.
 
     Raises
     ------
@@ -151,31 +164,69 @@ def march(problem: Wearing, goals: Array, moment: Moment) -> Iterator[Moment]:
         If jumps become too short to go on.
     """
     for goal in goals[goals > moment.elapsed]:
-        moment = _advance(problem, moment, float(goal))
+        moment = _advance(problem, moment, float(goal), everywhere)
         yield moment
 
 
-def _advance(problem: Wearing, moment: Moment, goal: float) -> Moment:
+class _Tried(NamedTuple):
+    """What a jump came to: the worn depths and their rates ``(2, n)``, and its error over that allowed."""
+
+    end: Array
+    last: Array
+    error: float
+
+
+class _Worn:
+    """A problem on one grid."""
+
+    def __init__(self, problem: Wearing, nodes: Array) -> None:
+        self.problem, self.nodes, self.line = problem, nodes, wear_line(problem.bed, nodes)
+
+    @functools.cached_property
+    def system(self) -> SlidingSystem:
+        return SlidingSystem(self.line, self.problem.normal, self.problem.wear)
+
+    def contact(self, worn: Array) -> WornContact:
+        return self.line.press(worn.sum(axis=0), self.problem.normal)
+
+    def rates(self, worn: Array) -> Array:
+        there = self.contact(worn)
+        return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.line, there)
+
+    def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _Tried:
+        end = step(self.rates, worn, first, length, stages)
+        last = self.rates(end)
+        error = np.max(np.abs(step_error(worn, end, first, last, length).sum(axis=0)))
+        return _Tried(end, last, float(error) / scale)
+
+    def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _Tried:
+        end, last, error = implicit_step(self.system, worn.sum(axis=0), first.sum(axis=0), length)
+        parts = np.stack([end - worn[1], worn[1]]), np.stack([last, np.zeros(last.size)])
+        return _Tried(*parts, float(np.max(np.abs(error))) / scale)
+
+
+def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) -> Moment:
     """Go on to a goal."""
     elapsed, jump, nodes, worn = moment
-    line = wear_line(problem.bed, nodes)
-    contact = line.press(worn.sum(axis=0), problem.normal)
+    here = _Worn(problem, nodes)
+    contact, first = here.contact(worn), here.rates(worn)
     problem.refuse(contact, elapsed)
-
-    def rates(state: Array) -> Array:
-        there = line.press(state.sum(axis=0), problem.normal)
-        return np.stack(worn_by(problem.wear, there.pressure)) * problem.slipped(line, there)
-
-    first = rates(worn)
-    begun = elapsed
+    begun, overrun = elapsed, False
     while elapsed < goal:
+        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > CROWDED * here.nodes[-1]):
+            nodes, worn = _wider(problem.bed, here.nodes, worn)
+            here, overrun = _Worn(problem, nodes), False
+            contact, first = here.contact(worn), here.rates(worn)
         fastest = float(np.max(first))
         scale = problem.tolerance * scale_of(problem, contact)
         if fastest * (goal - elapsed) <= SMALL * scale:
-            return Moment(goal, jump, nodes, worn + (goal - elapsed) * first)
-        damping = MARGIN * _damping(problem, line, contact)
+            return Moment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
+        damping = MARGIN * _damping(problem, here.line, contact)
         wanted = jump if jump > 0.0 else FIRST * contact.depth / fastest
-        length = min(wanted, longest(MOST_STAGES, damping), goal - elapsed)
+        length = min(wanted, goal - elapsed)
+        settled = everywhere and elapsed * damping > STIFF and stages_for(length, damping) > FEW_STAGES
+        if not settled:
+            length = min(length, longest(MOST_STAGES, damping))
         if length < SHORTEST * max(goal - begun, elapsed) and length < goal - elapsed:
             raise NotConverged(
                 f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "
@@ -183,31 +234,33 @@ def _advance(problem: Wearing, moment: Moment, goal: float) -> Moment:
             )
         try:
             with np.errstate(over="raise", invalid="raise"):
-                end = step(rates, worn, first, length, stages_for(length, damping))
-                last = rates(end)
+                if settled:
+                    tried = here.implicit(worn, first, length, problem.tolerance * contact.depth)
+                else:
+                    tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
         except (FloatingPointError, NotConverged):
-            jump = 0.1 * length
+            jump = SHORTER * length
             continue
-        error = float(np.max(np.abs(step_error(worn, end, first, last, length).sum(axis=0)))) / scale
+        error = tried.error
         if not error <= 1.0:
-            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else 0.1)
+            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else SHORTER)
+            continue
+        # what is worn off does not come back, whatever rounding says
+        back = bool(np.any(tried.end < worn))
+        end = np.maximum(tried.end, worn) if back else tried.end
+        there = here.contact(end)
+        overrun = there.stretch[-1] > 0.0 and here.nodes[-1] < _end(problem.bed)
+        if overrun:
             continue
         grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
         # a goal that was near does not tell how far the next jump may go
         jump = max(grown, wanted) if length == goal - elapsed else grown
         elapsed = goal if length == goal - elapsed else elapsed + length
-        # what is worn off does not come back, whatever rounding says
-        back = np.any(end < worn)
-        worn = np.maximum(end, worn) if back else end
-        contact = line.press(worn.sum(axis=0), problem.normal)
+        worn, contact = end, there
         problem.refuse(contact, elapsed)
-        crowded = _crowded(problem.bed, contact, nodes)
-        if crowded:
-            nodes, worn = _wider(problem.bed, nodes, worn)
-            line = wear_line(problem.bed, nodes)
-            contact = line.press(worn.sum(axis=0), problem.normal)
-        first = rates(worn) if crowded or back else last
-    return Moment(elapsed, jump, nodes, worn)
+        _refuse_outgrown(problem.bed, contact, here.nodes)
+        first = here.rates(worn) if back else tried.last
+    return Moment(elapsed, jump, here.nodes, worn)
 
 
 def scale_of(problem: Wearing, contact: WornContact) -> float:
@@ -217,22 +270,21 @@ def scale_of(problem: Wearing, contact: WornContact) -> float:
 
 def _damping(problem: Wearing, line: WearLine, contact: WornContact) -> float:
     """Return a bound of how fast the shortest waves of the pressure decay."""
-    near = 1e-6 * float(np.max(contact.pressure))
-    here, there = (np.sum(worn_by(problem.wear, contact.pressure + more), axis=0) for more in (0.0, near))
-    return float(np.max((there - here) / near * problem.slipped(line, contact) * line.answer))
+    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.answer))
 
 
-def _crowded(bed: Foundation, contact: WornContact, nodes: Array) -> bool:
-    """Return whether a contact needs a wider grid; refuse one that outgrows its profile."""
-    end = min(bed.reach, bed.rim)
-    if nodes[-1] < end:
-        return bool(contact.radius > CROWDED * nodes[-1])
-    if nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
+def _end(bed: Foundation) -> float:
+    """Return where the profile ends [m]."""
+    return min(bed.reach, bed.rim)
+
+
+def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> None:
+    """Refuse a contact that grows beyond what is known of its profile."""
+    if _end(bed) <= nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
         raise OutsideValidity(
             f"Wear: the contact grows beyond {nodes[-1]:.6g} m, as far as the profile is known; give one that is known "
             "farther out, or wear less."
         )
-    return False
 
 
 def _wider(bed: Foundation, nodes: Array, worn: Array) -> tuple[Array, Array]:

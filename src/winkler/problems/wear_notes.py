@@ -11,8 +11,10 @@ from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.coupling import sliding_note, sticking_note
+from winkler.problems.strong_parts import strong_parts
 from winkler.problems.trust import indentation_notes
 from winkler.problems.wear_states import WearState
+from winkler.problems.yield_statement import Rubbing, unknown_yield
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["debris_note", "fretting_notes", "sliding_notes", "slip_note"]
@@ -54,10 +56,10 @@ def slip_note(bed: Bed) -> Note:
     )
 
 
-def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> list[Note]:
+def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState], rubbing: Rubbing) -> list[Note]:
     # what the profile's own slopes and yield say before wear
-    first = (np.array([getattr(states[0], word)]) for word in ("depth", "force", "radius"))
-    notes = [*indentation_notes(bed, *first), debris_note()]
+    depth, radius = (np.array([getattr(states[0], word)]) for word in ("depth", "radius"))
+    notes = [*indentation_notes(bed, depth, radius, rubbing), *_worn_yield(bed, states), debris_note()]
     notes.append(
         Note(
             Assumption.RESOLUTION,
@@ -68,6 +70,17 @@ def _march_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> lis
         )
     )
     return notes
+
+
+def _worn_yield(bed: Bed, states: Sequence[WearState]) -> tuple[Note, ...]:
+    """Return what is known of yield under the worn profile."""
+    parts = strong_parts(bed.medium)
+    if len(states) < 2 or not parts:
+        return ()
+    least = min(part.solid.strength for part in parts)
+    share = max(float(np.max(state.pressure)) for state in states[1:]) / least
+    known = f"The greatest mean pressure of a ring is {share:.3g} of the least strength."
+    return unknown_yield(bed.medium, "the stresses under the worn profile are not computed", known)
 
 
 def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
@@ -84,13 +97,13 @@ def fretting_notes(bed: Bed, coefficient: float, tolerance: float, states: Seque
     states : sequence of WearState
     """
     coupled = sticking_note(bed.medium, coefficient)
-    return (*_march_notes(bed, tolerance, states), coupled, slip_note(bed))
+    return (*_march_notes(bed, tolerance, states, Rubbing(coefficient)), coupled, slip_note(bed))
 
 
 def sliding_notes(bed: Bed, tolerance: float, states: Sequence[WearState]) -> tuple[Note, ...]:
     """Return how far a sliding contact can be trusted; parameters as `fretting_notes`."""
     return (
-        *_march_notes(bed, tolerance, states),
+        *_march_notes(bed, tolerance, states, Rubbing(math.inf)),  # the law of wear does not tell the friction
         sliding_note(bed.medium, math.nan),
         Note(
             Assumption.WEAR,

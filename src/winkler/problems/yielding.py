@@ -10,34 +10,18 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
 from winkler.media.halfspace import HalfSpace
-from winkler.media.peak import Place, greatest
-from winkler.media.stress import von_mises
-from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_end, flat_radius
 from winkler.problems.disc import refuse_unless_disc
+from winkler.problems.greatest_stress import GreatestStress, greatest_stress, sharp_places
+from winkler.problems.strong_parts import StrongPart, strong_parts
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
-__all__ = ["YieldOnset", "YieldOnsetSolution", "can_yield"]
+__all__ = ["YieldOnset", "YieldOnsetSolution"]
 
 STEPS = 40
-
-
-def can_yield(bed: Bed) -> bool:
-    """Return whether the question can be asked: isotropic bodies with a strength, and a smooth apex and edge."""
-    return isinstance(bed.medium, HalfSpace) and min(bed.medium.strengths) < math.inf and not _singular(bed)
-
-
-def _singular(bed: Bed) -> str:
-    """Return why the stress is infinite from the first touch on, or nothing."""
-    if any(strength != 0.0 for _, strength in bed.kinks):
-        return "the slope of the profile jumps"
-    if bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
-        return "the rim is sharp"
-    scale = min([b for b, _ in bed.kinks] + [x for x in (bed.reach, bed.size) if x < math.inf], default=1e-3)
-    near, far = np.abs(bed.gap_slope(scale * np.array([1e-8, 1e-6])))
-    return "the apex is pointed" if near > 0.95 * far > 0.0 else ""
+OCTAVES = 500
 
 
 @value
@@ -80,31 +64,27 @@ class YieldOnset:
         Raises
         ------
         OutsideValidity
-            If the body yields at the first touch (sharp apex, kink or rim), not within the profile's reach, or where
-            the contact is no disc.
+            If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach,
+            or where the contact is no disc; under the edge of an incompressible truncated body.
         NotConverged
             If the contact radius at the onset is not found.
         """
-        why = _singular(self.bed)
-        if why:
-            raise OutsideValidity(
-                f"YieldOnset: {why}, so the stress is infinite there and yielding begins at the first touch; give a "
-                "rounded profile."
-            )
-        medium = self.bed.medium
-        assert isinstance(medium, HalfSpace)
-        onsets = [
-            (*_onset(self.bed, below, strength), below)
-            for below, strength in zip((True, False), medium.strengths, strict=True)
-            if strength < math.inf
-        ]
-        radius, place, below = min(onsets, key=lambda onset: onset[0])
+        found, missed = [], []
+        for part in strong_parts(self.bed.medium):
+            onset = _onset(self.bed, part)
+            if isinstance(onset, str):
+                missed.append(onset)
+            else:
+                found.append((*onset, part.first))
+        if not found:
+            raise OutsideValidity(missed[0])
+        radius, place, first = min(found, key=lambda onset: onset[0])
         at = np.array([radius])
         depth = float(self.bed.gap(at)[0])
         force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
         if not self.bed.certain:
             refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
-        return YieldOnsetSolution(self, depth, force, radius, r=place.r, z=place.z if below else -place.z)
+        return YieldOnsetSolution(self, depth, force, radius, r=place.x, z=place.z if first else -place.z)
 
 
 @value
@@ -142,37 +122,35 @@ class YieldOnsetSolution:
         )
 
 
-def _onset(bed: Bed, below: bool, strength: float) -> tuple[float, Place]:
-    """Return the contact radius at which one body yields, and where."""
-    end = min(bed.reach, bed.rim)
+def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
+    """Return the contact radius at which one body yields, and where; or why it does not."""
+    strength, flat = part.solid.strength, flat_radius(bed)
+    sharp = [b for b, jump in bed.kinks if jump != 0.0]
+    end = min([bed.reach, bed.rim, *(b for b in sharp if b > flat)])
+    a = _start(bed, flat, end, strength)
+    _refuse_first_touch(bed, part, a, flat, sharp)
 
-    def stress(a: float) -> Place:
-        pressed = Pressed(bed, float(bed.gap(np.array([a]))[0]), a)
+    def stress(radius: float) -> GreatestStress:
+        return greatest_stress(Pressed(bed, float(bed.gap(np.array([radius]))[0]), radius), part)
 
-        def field(r: Array, z: Array) -> Array:
-            state = bed.medium.interior(pressed, r, z, below=below)
-            return von_mises(state.radial_stress, state.hoop_stress, state.axial_stress, state.shear_stress)
-
-        return greatest(field, a)
-
-    if math.isfinite(at_end(bed)[0]):
+    if end in sharp or math.isfinite(at_end(bed)[0]):
         place = stress(end)
         if place.value < strength:
-            if bed.rim <= bed.reach:  # the rim is reached first, and there the stress is infinite
-                return end, Place(math.inf, end, 0.0)
-            raise OutsideValidity(
+            if end in sharp or bed.rim <= bed.reach:  # reached first, and there the stress is infinite
+                return end, GreatestStress(math.inf, end, 0.0, "")
+            return (
                 f"YieldOnset: within the profile's reach ({end:.6g} m) the largest von Mises stress stays below "
                 f"{strength:.6g} Pa; the body does not yield before the profile ends."
             )
-    flat = flat_radius(bed)
     low, high = flat, end
-    a = 0.5 * end if math.isfinite(end) else (2.0 * flat or 1e-3 * min(bed.size, 1.0))
     last: tuple[float, float] | None = None
     for _ in range(STEPS):
         place = stress(a)
         miss = math.log(place.value / strength)
         if abs(miss) < 1e-10:
             return a, place
+        if last is not None and abs(miss - last[1]) < 1e-8 * abs(math.log(a - flat) - last[0]):
+            return _the_same(place.value, strength)
         low, high = (a, high) if miss < 0.0 else (low, a)
         # secant in logarithms: exact for power laws, whose stress is a power of the radius
         power = 1.0 if last is None else (miss - last[1]) / (math.log(a - flat) - last[0])
@@ -184,3 +162,48 @@ def _onset(bed: Bed, below: bool, strength: float) -> tuple[float, Place]:
             return a, place
         a = new
     raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {STEPS} steps.")
+
+
+def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
+    """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength."""
+    assert isinstance(bed.medium, HalfSpace)
+    wanted = strength / bed.medium.modulus
+    if math.isfinite(end):
+        return 0.5 * (flat + end)
+    a, before = 2.0 * flat or 1.0, math.nan
+    for _ in range(OCTAVES):
+        slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
+        if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before:
+            break
+        a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
+    return a
+
+
+def _refuse_first_touch(bed: Bed, part: StrongPart, a: float, flat: float, sharp: list[float]) -> None:
+    """Refuse a profile that is sharp where it touches first."""
+    advice = "yielding begins at the first touch; give a rounded profile."
+    if bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
+        raise OutsideValidity(f"YieldOnset: the rim is sharp, so the stress is infinite there and {advice}")
+    if flat in sharp:
+        if part.solid.poisson == 0.5:
+            raise OutsideValidity(
+                "YieldOnset: the slope of the profile jumps; in an incompressible body the greatest von Mises stress "
+                "next to the edge is finite, but is not resolved at the first touch; give a rounded profile."
+            )
+        raise OutsideValidity(
+            f"YieldOnset: the slope of the profile jumps, so the stress is infinite there and {advice}"
+        )
+    pressed = Pressed(bed, float(bed.gap(np.array([a]))[0]), a)
+    if any(place == 0.0 for place, _ in sharp_places(pressed, part.solid.poisson, 0.0)):
+        raise OutsideValidity(f"YieldOnset: the apex is pointed, so the stress is infinite there and {advice}")
+
+
+def _the_same(stress: float, strength: float) -> str:
+    """Return what it means that the greatest stress does not depend on the load."""
+    if stress < strength:
+        verdict = "does not reach the strength, {:.6g} Pa: the body does not yield."
+    else:
+        verdict = "is more than the strength, {:.6g} Pa: yielding begins at the first touch."
+    return f"YieldOnset: the greatest von Mises stress is {stress:.6g} Pa under every load, and {verdict}".format(
+        strength
+    )

@@ -30,8 +30,11 @@ Kernel = Callable[[Array, Array, Array], Array]
 
 NOTHING = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
-HEIGHTS = np.geomspace(1e-15, 1e3, 3000)
-"""Heights [m] at which the area function is searched for a maximum, and for places where it is not log-concave."""
+HEIGHTS = np.geomspace(1e-12, 1e6, 3000)
+"""Heights, in terms of that above which the first term is the greatest, at which the area function is searched for a
+maximum, and for places where it is not log-concave."""
+BENDS = np.geomspace(1e-9, 1e3, 13)
+"""The same, between which one term of a blunt tip takes over from the next."""
 LAST = 6.3
 """Largest sqrt(w): exp(-w) is then 6e-18."""
 
@@ -84,7 +87,7 @@ class AreaFunction(Shape):
                 "least one is not zero."
             )
         object.__setattr__(self, "coefficients", tuple(float(number) for number in numbers))
-        first = self._derivatives(HEIGHTS[:1])
+        first = self._derivatives(self._unit * HEIGHTS[:1])
         if first[0][0] <= 0.0 or first[1][0] <= 0.0:
             raise InvalidInput(
                 f"AreaFunction: with the coefficients {self.coefficients} the area does not grow from the apex on; the "
@@ -95,6 +98,12 @@ class AreaFunction(Shape):
     def _terms(self) -> list[tuple[float, float]]:
         """``(coefficient, exponent)`` of the terms that are not zero."""
         return [(c, 2.0 ** (1 - n)) for n, c in enumerate(self.coefficients) if c != 0.0]
+
+    @property
+    def _unit(self) -> float:
+        """The height [m] above which the first term is the greatest; one term alone looks alike at all heights."""
+        (c, n), *others = self._terms
+        return max((abs(other / c) ** (1.0 / (n - power)) for other, power in others), default=1.0)
 
     def _derivatives(self, h: Array) -> tuple[Array, Array, Array]:
         """Return A, A' and A''."""
@@ -123,16 +132,17 @@ class AreaFunction(Shape):
     @property
     def rising(self) -> bool:
         """Whether r f' = 2 A / A' rises with h everywhere, so that g does."""
-        heights = HEIGHTS[self._top > HEIGHTS]
+        heights = self._unit * HEIGHTS
+        heights = heights[heights < self._top]
         area, first, second = self._derivatives(heights)
         return bool(np.all(first**2 - area * second >= -1e-13 * first**2))
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """Radii at which one term of a blunt tip takes over from the next: smooth, but sharply bent."""
-        if len(self._terms) < 2 or self._terms[-1][1] >= 1.0:
+        """Radii at which one term takes over from the next: smooth, but bent, sharply where the tip is blunt."""
+        if len(self._terms) < 2:
             return ()
-        heights = np.geomspace(1e-15, 1e-3, 13)
+        heights = self._unit * (BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
         heights = heights[heights < self._top]
         radii = np.sqrt(self._derivatives(heights)[0] / math.pi)
         return tuple((float(radius), 0.0) for radius in radii)
@@ -174,7 +184,7 @@ class AreaFunction(Shape):
             math.pi * r * r,
             lower=NOTHING,
             upper=top,
-            guess=0.5 * top if math.isfinite(top) else 1e-6,
+            guess=0.5 * top if math.isfinite(top) else self._unit,
         )
 
     def slope(self, r: Array) -> Array:
@@ -255,11 +265,12 @@ class AreaFunction(Shape):
 
 @functools.lru_cache(maxsize=64)
 def _summit(profile: AreaFunction) -> float:
-    growth = profile._derivatives(HEIGHTS)[1]
+    heights = profile._unit * HEIGHTS
+    growth = profile._derivatives(heights)[1]
     (shrinking,) = np.nonzero(growth <= 0.0)
     if not shrinking.size:
         return math.inf
     from scipy.optimize import brentq
 
-    low, high = HEIGHTS[shrinking[0] - 1], HEIGHTS[shrinking[0]]
+    low, high = heights[shrinking[0] - 1], heights[shrinking[0]]
     return float(brentq(lambda h: profile._derivatives(np.array([h]))[1][0], low, high, xtol=1e-300, rtol=8.9e-16))

@@ -21,6 +21,7 @@ from winkler.problems.joule_heating import JouleHeatingSolution
 from winkler.problems.limiting_profile import LimitingSolution
 from winkler.problems.near_round import NearlyRoundSolution
 from winkler.problems.oscillating_rolling import OscillatingRollingSolution
+from winkler.problems.particle import ParticleSolution
 from winkler.problems.pull_off import PullOffSolution
 from winkler.problems.reduce import ReductionSolution
 from winkler.problems.relaxation import RelaxationDamperSolution
@@ -154,6 +155,11 @@ SHOWN_WHOLE: dict[type, tuple[str, str, str]] = {
         "bounds",
         "Between two smooth bodies",
         "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than the lines.",
+    ),
+    ParticleSolution: (
+        "particle",
+        "The particle along its path",
+        "Force and contact radius over the depth, pressed in and let go; dotted where yield begins.",
     ),
     AdhesiveImpactSolution: ("impact", "The impact", "Force, velocity, contact and energies over time."),
     ViscoelasticSolution: (

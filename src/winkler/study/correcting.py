@@ -19,6 +19,7 @@ from winkler.fitting.corrections import (
 )
 from winkler.fitting.curve import ForceCurve
 from winkler.plot.series import told
+from winkler.study.segmenting import segmented, segments_told
 
 __all__ = ["CORRECTIONS", "Corrected", "corrected"]
 
@@ -68,7 +69,9 @@ CORRECTIONS: dict[str, Callable[[ForceCurve], Corrected]] = {
 """What ``correct`` may ask for."""
 
 
-def corrected(curve: ForceCurve, names: tuple[str, ...], frame_stiffness: float, part: str) -> Corrected:
+def corrected(
+    curve: ForceCurve, names: tuple[str, ...], frame_stiffness: float, part: str, segments: tuple[str, ...] = ()
+) -> Corrected:
     """Return the part of a curve that is fitted, after the corrections in their order.
 
     Parameters
@@ -81,13 +84,16 @@ def corrected(curve: ForceCurve, names: tuple[str, ...], frame_stiffness: float,
         [N/m], infinite for none.
     part : str
         approach, hold (with the approach), retract or both.
+    segments : tuple of str, optional
+        As they are stated, from `winkler.study.segmenting`.
 
     Raises
     ------
     InvalidInput
         If the curve does not hold what a correction needs.
     """
-    steps: list[str] = []
+    curve = segmented(curve, segments) if segments else curve
+    steps = list(segments_told(curve))
     if np.isfinite(frame_stiffness):
         curve = on_frame(curve, 1.0 / frame_stiffness)
         steps.append(f"frame: its stiffness of {told(frame_stiffness, 'N/m')} was taken into account.")

@@ -18,6 +18,7 @@ from winkler.study import keys
 from winkler.study.build import assembled
 from winkler.study.fitting import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.reading import parsed, read_text
+from winkler.study.segmenting import FOUND
 from winkler.study.study import Output
 
 __all__ = ["FITTED", "parse_fit_study", "read_fit_study"]
@@ -30,13 +31,15 @@ PATTERN = re.compile(r"[*?\[]")
 OTHERS = ("sweep", "fields", "expect", "source", "grade")
 
 
-def read_fit_study(path: str | Path) -> FitStudy:
+def read_fit_study(path: str | Path, *, segments: tuple[str, ...] = ()) -> FitStudy:
     """Read a study file with a section ``[fit]``.
 
     Parameters
     ----------
     path
         A TOML file; the curves that it names lie relative to it.
+    segments : tuple of str, optional
+        In place of those of the file, as "hold 12 s".
 
     Raises
     ------
@@ -44,7 +47,19 @@ def read_fit_study(path: str | Path) -> FitStudy:
         With one sentence for every mistake: file, key, what it was, what is allowed.
     """
     path = Path(path)
-    return parse_fit_study(read_text(path), file=path.name, folder=path.parent)
+    text = read_text(path)
+    return parse_fit_study(_with_segments(text, path, segments), file=path.name, folder=path.parent)
+
+
+def _with_segments(text: str, path: Path, segments: tuple[str, ...]) -> str:
+    """Return a study that states segments; word for word if none are stated."""
+    raw = parsed(text, path.name) if segments else {}
+    if not isinstance(raw.get("fit"), dict):
+        return text
+    import tomli_w
+
+    raw["fit"]["segments"] = FOUND if segments == (FOUND,) else list(segments)
+    return tomli_w.dumps(raw)
 
 
 def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitStudy:

@@ -137,7 +137,7 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str) -> F
         reason = re.sub(rf"^\S*{re.escape(file)}: ", "", one.reason)
         return Refused(name, math.nan, math.nan, reason, InvalidInput.exit_code)
     try:
-        curve, steps = corrected(one.curve, study.correct, study.frame_stiffness, study.part)
+        curve, steps = corrected(one.curve, study.correct, study.frame_stiffness, study.part, study.segments)
         found = fit(curve, study.problem, free={free.path: free.asked for free in study.free}, noise=study.noise)
         return Fitted(name, one.x, one.y, steps, found, _notes(found))
     except WinklerError as error:
@@ -160,7 +160,7 @@ def _hash(study: FitStudy) -> str:
     content = {
         "model": digest(Study("", study.problem)),
         "free": [[free.key, list(free.given)] for free in study.free],
-        "how": [study.part, study.fitted, list(study.correct)],
+        "how": [study.part, study.fitted, list(study.correct), *([list(study.segments)] if study.segments else [])],
         "numbers": [
             str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
         ],

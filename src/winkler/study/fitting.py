@@ -87,6 +87,8 @@ class FitStudy:
         What is fitted.
     part
         approach, hold (with the approach), retract or both.
+    segments : tuple of str
+        "found", or kinds with their beginnings, as "hold 12 s"; empty: as the file says, or found where it does not.
     fitted
         force, or of a body that relaxes position, under the measured forces.
     correct : tuple of str
@@ -110,6 +112,7 @@ class FitStudy:
     sources: tuple[str, ...]
     free: tuple[Free, ...]
     part: str = "approach"
+    segments: tuple[str, ...] = ()
     fitted: str = "force"
     correct: tuple[str, ...] = ()
     spring_constant: float = 0.0

@@ -14,6 +14,7 @@ from winkler.study.catalogue import CATALOGUE
 from winkler.study.correcting import CORRECTIONS
 from winkler.study.quantities import WHERE, wrong
 from winkler.study.schema import FORBID, MISSING, choice, forms
+from winkler.study.segmenting import stated_segments
 from winkler.study.study import Expectation, Places, named
 from winkler.vocabulary import GLOSSARY
 
@@ -44,6 +45,8 @@ SECTIONS: dict[str, dict[str, str]] = {
     "fit": {
         "curve": "a file, a folder or a pattern such as 'gel/*.csv', relative to the study",
         "part": "approach, hold (with the approach, of a body that relaxes), retract or both",
+        "segments": 'where the curve is loaded, held and unloaded, if not as found: a list such as "hold 12 s" or, by '
+        'the number of the point, "hold 1200"; or "found", whatever the file says',
         "fitted": "force, or of a body that relaxes position, which then follows from the measured forces",
         "free": "what is fitted: a table, one key of the problem or of the curve in each line",
         "spring_constant": "of the cantilever, where the file does not tell it; taken in place of the file's",
@@ -211,6 +214,7 @@ def study_form() -> type[BaseModel]:
         __config__=FORBID,
         curve=(StrictStr, ...),
         part=(PART, ...),
+        segments=(Annotated[Any, BeforeValidator(stated_segments)], MISSING),
         fitted=(FIT, MISSING),
         free=(dict[str, Any], ...),
         spring_constant=(_positive("N/m"), MISSING),

@@ -1,58 +1,45 @@
-"""Problems that march along a path: watched point after point, and kept if they stop early."""
+"""Problems that march along a path: watched point after point, and kept if they stop early.
+
+A problem with ``steps()`` is a march.  Its ``total`` tells how many states there will be, None if that shows only on
+the way, and ``gathered(states)`` makes the answer of all of them or of the first.
+"""
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Any, NamedTuple, Protocol, TypeGuard
 
 from winkler.errors import WinklerError
-from winkler.loading import Force
-from winkler.problems.fretting_wear import FrettingSolution, FrettingWear
-from winkler.problems.sliding_wear import SlidingSolution, SlidingWear
-from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
-from winkler.problems.tangential import Tangential, TangentialSolution
-from winkler.problems.torsion import Torsion, TorsionSolution
-from winkler.problems.viscoelastic import ViscoelasticIndentation, ViscoelasticSolution
-from winkler.problems.viscoelastic_adhesion import ViscoelasticAdhesion, ViscoelasticAdhesionSolution
-from winkler.problems.viscoelastic_tangential import ViscoelasticTangential, ViscoelasticTangentialSolution
 from winkler.study.keeping import KEPT, Keep
 
-__all__ = ["ANEW", "INTERRUPTED", "MARCHES", "March", "Watch", "marched", "unwatched"]
+__all__ = ["ANEW", "INTERRUPTED", "March", "Marching", "Watch", "is_march", "marched", "unwatched"]
 
 INTERRUPTED = 130
 """What the command line returns if it was interrupted."""
 
 
-def _gathered(answer: type) -> Callable[[Any, list[Any]], Any]:
-    """Return what gathers states, of a whole path or of its beginning, into an answer with the same words."""
-    words = [field.name for field in dataclasses.fields(answer) if field.name not in ("problem", "states")]
-    keeps = any(field.name == "states" for field in dataclasses.fields(answer))
+class Marching(Protocol):
+    """A problem that marches."""
 
-    def of(problem: Any, states: list[Any]) -> Any:
-        columns: dict[str, Any] = {word: np.array([getattr(state, word) for state in states]) for word in words}
-        return answer(problem, **columns, **({"states": tuple(states)} if keeps else {}))
+    @property
+    def total(self) -> int | None:
+        """How many states `steps` yields, at most; None if that shows only on the way."""
 
-    return of
+    def steps(self) -> Iterator[Any]:
+        """Yield state after state."""
+
+    def gathered(self, states: Iterable[Any]) -> Any:
+        """Return the answer from the states of the whole march or of its beginning."""
 
 
-MARCHES: dict[type, Callable[[Any, list[Any]], Any]] = {
-    FrettingWear: FrettingSolution.of,
-    SlidingWear: SlidingSolution.of,
-    SurfaceContact: SurfaceContactSolution.of,
-    Tangential: TangentialSolution.of,
-    Torsion: _gathered(TorsionSolution),
-    ViscoelasticAdhesion: _gathered(ViscoelasticAdhesionSolution),
-    ViscoelasticIndentation: _gathered(ViscoelasticSolution),
-    ViscoelasticTangential: ViscoelasticTangentialSolution.of,
-}
-"""Problem -> what makes its answer from the states along its path, or from the first of them."""
+def is_march(problem: Any) -> TypeGuard[Marching]:
+    """Return whether a problem marches."""
+    return callable(getattr(type(problem), "steps", None))
 
-Watch = Callable[[Iterable[Any], int], Iterable[Any]]
-"""Passes states on, one after the other, told how many there will be."""
+
+Watch = Callable[[Iterable[Any], int | None], Iterable[Any]]
+"""Passes states on, one after the other, told how many there will be, if that is known."""
 
 
 class March(NamedTuple):
@@ -73,7 +60,7 @@ class March(NamedTuple):
     code: int = 0
 
 
-def unwatched(states: Iterable[Any], total: int) -> Iterator[Any]:
+def unwatched(states: Iterable[Any], total: int | None) -> Iterator[Any]:
     """Yield the states; nobody watches."""
     yield from states
 
@@ -82,15 +69,8 @@ ANEW = Keep("", "")
 """Keeps nothing, and knows of nothing."""
 
 
-def _points(problem: Any) -> int:
-    """Return how many states a march has."""
-    if isinstance(problem, SurfaceContact):
-        return int(np.size(problem.load.force if isinstance(problem.load, Force) else problem.load.depth))
-    return int(problem.goals.size if isinstance(problem, KEPT) else problem.path.time.size)
-
-
-def marched(problem: Any, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
-    """Solve a problem of `MARCHES`, and keep what was reached if it ends early.
+def marched(problem: Marching, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
+    """Solve a problem that marches, and keep what was reached if it ends early.
 
     Parameters
     ----------
@@ -108,27 +88,49 @@ def marched(problem: Any, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
     Raises
     ------
     WinklerError, KeyboardInterrupt
-        If it ends before its first point.
+        If it ends before there is anything to answer from.
     """
-    total = _points(problem)
-    before = keep.reached(problem) if keep != ANEW else []
-    marching = problem.steps(start=before[-1]) if before else problem.steps()
-    states: list[Any] = []
-    stopped, code = "", 0
+    states = _Reached(problem, watch, keep if isinstance(problem, KEPT) else ANEW)
     try:
-        for state in watch(itertools.chain(before, marching), total):
-            states.append(state)
-            if keep != ANEW and len(states) > len(before):
-                keep.write(problem, states)
-    except KeyboardInterrupt:
-        if not states:
-            raise
-        stopped, code = "it was interrupted", INTERRUPTED
-    except WinklerError as error:
-        if not states:
-            raise
-        stopped, code = str(error), error.exit_code
-    if stopped:
-        stopped = f"After {len(states)} of {total} points of the path, which are kept, the march ended: {stopped}"
-        stopped = stopped if stopped.endswith(".") else f"{stopped}."
-    return March(MARCHES[type(problem)](problem, states), stopped, code)
+        solution = problem.gathered(states)
+    except WinklerError as error:  # too few states for an answer
+        raise states.end or error from None
+    if states.end is None:
+        return March(solution)
+    code = INTERRUPTED if isinstance(states.end, KeyboardInterrupt) else states.end.exit_code
+    return March(solution, states.told, code)
+
+
+class _Reached:
+    """The states of a march up to where it ends, and what ended it early."""
+
+    def __init__(self, problem: Marching, watch: Watch, keep: Keep) -> None:
+        self._problem, self._watch, self._keep = problem, watch, keep
+        self._count = 0
+        self.end: WinklerError | KeyboardInterrupt | None = None
+
+    def __iter__(self) -> Iterator[Any]:
+        problem, keep = self._problem, self._keep
+        before = keep.reached(problem) if keep != ANEW else []
+        marching = problem.steps(start=before[-1]) if before else problem.steps()  # type: ignore[call-arg]
+        kept: list[Any] = []
+        try:
+            for state in self._watch(itertools.chain(before, marching), problem.total):
+                self._count += 1
+                if keep != ANEW:
+                    kept.append(state)
+                    if len(kept) > len(before):
+                        keep.write(problem, kept)
+                yield state
+        except (KeyboardInterrupt, WinklerError) as end:
+            if not self._count:
+                raise
+            self.end = end
+
+    @property
+    def told(self) -> str:
+        """Why the march ended early, in one sentence."""
+        why = "it was interrupted" if isinstance(self.end, KeyboardInterrupt) else str(self.end)
+        many = "states" if self._problem.total is None else f"of {self._problem.total} points of the path"
+        told = f"After {self._count} {many}, which are kept, the march ended: {why}"
+        return told if told.endswith(".") else f"{told}."

@@ -11,7 +11,7 @@ import numpy as np
 
 from winkler.numerics.types import Array, Quantity
 from winkler.study.events import Event, events_of
-from winkler.study.marching import MARCHES, marched
+from winkler.study.marching import is_march, marched
 from winkler.study.study import Expectation
 from winkler.validity import Note
 from winkler.values import value
@@ -185,7 +185,7 @@ Point = Solved | Recalled | Failed
 
 @functools.lru_cache(maxsize=1)
 def _again(problem: Any) -> Any:
-    return marched(problem).solution if type(problem) in MARCHES else problem.solve()
+    return marched(problem).solution if is_march(problem) else problem.solve()
 
 
 def _answers(found: tuple[tuple[str, Quantity], ...]) -> dict[str, Array]:

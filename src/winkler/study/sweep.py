@@ -17,7 +17,7 @@ from winkler.fields import restore
 from winkler.study.cluster import Cluster
 from winkler.study.journal import Journal
 from winkler.study.keeping import Keep
-from winkler.study.marching import ANEW, INTERRUPTED, MARCHES, March, Watch, marched, unwatched
+from winkler.study.marching import ANEW, INTERRUPTED, March, Watch, is_march, marched, unwatched
 from winkler.study.outcome import Failed, Point, Solved, answers_of
 from winkler.study.pool import Machine, Workers, checked_workers, completed
 from winkler.study.recording import light, recalled, written
@@ -35,7 +35,7 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
     index, settings, problem, fields = task.index, task.settings, task.base, task.fields
     try:
         problem = task.problem
-        march = marched(problem, watch, keep) if type(problem) in MARCHES else March(problem.solve())
+        march = marched(problem, watch, keep) if is_march(problem) else March(problem.solve())
         solution = march.solution
         found = tuple(answers_of(solution).items())
         point = Solved(index, settings, problem, solution, found)

@@ -187,4 +187,6 @@ def measurement(table: dict[str, Any]) -> tuple[Entry, ...]:
         )
     steps = shown(form.at(table, "fit.correct"))
     hint = f"in their order, any of {', '.join(CORRECTIONS)}; nothing is corrected that is not named"
+    ways = shown(form.at(table, "fit.segments"))
+    found.append(Entry("fit.segments", "segments", "", "", told["segments"], "list of text", ways, False))
     return (*found, Entry("fit.correct", "corrections", "", "", hint, "list of text", steps, False))

@@ -177,9 +177,10 @@ class Result:
         self.place.props["aria-busy"] = "true" if word == "busy" else "false"
         self.place.update()
 
-    def reached(self, done: int, total: int) -> None:
-        """Tell how many points of a sweep are solved."""
-        self.points = f", {done} of {total} points" if done < total else ""
+    def reached(self, done: int, total: int | None) -> None:
+        """Tell how many points of a sweep or a path are solved."""
+        many = f"{done} points" if total is None else f"{done} of {total} points"
+        self.points = f", {many}" if total is None or done < total else ""
 
     def passing(self, seconds: float, *, ready: bool) -> None:
         """Tell how long it takes."""

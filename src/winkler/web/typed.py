@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from typing import Any
 
 from winkler.study.template import inline
+from winkler.units import comma_readings
 
 __all__ = ["SWITCH", "shown", "typed"]
 
 TEXT, SWITCH = "text", "true or false"
 """What a key takes, in the words of `winkler.study.explain`."""
+GROUPED = re.compile(r"\d,0\d\d(?!\d)")
+"""No item of a list begins with a zero like that."""
 
 
 def shown(content: Any) -> str:
@@ -57,10 +61,15 @@ def typed(text: str, takes: str) -> Any:
             return tomllib.loads(f"it = {text}")["it"]
         except tomllib.TOMLDecodeError:
             return text
-    if ("list" in takes or takes.startswith("two ")) and "," in text:
+    if ("list" in takes or takes.startswith("two ")) and "," in text and not _one_number(text, takes):
         return [_single(item.strip(), takes) for item in text.split(",")]
     one = _single(text, takes)
     return [one] if takes.startswith("list") else one
+
+
+def _one_number(text: str, takes: str) -> bool:
+    """Return whether commas stand within one number, which the study's checks then refuse with its readings."""
+    return bool(comma_readings(text)) if "quantit" in takes else GROUPED.search(text) is not None
 
 
 def _single(text: str, takes: str) -> Any:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import math
 import re
 import time
-from collections.abc import Generator, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -52,20 +53,29 @@ class Wrong(NamedTuple):
 
 
 class Progress(NamedTuple):
-    """Says how many points of a sweep are solved."""
+    """Says how many points of a sweep, or of a path, are solved."""
 
     done: int
-    total: int
+    total: int | None
+    """None if it shows only on the way."""
 
 
 class Done(NamedTuple):
     """Says that all has been sent for a question."""
 
 
+class Newer(Exception):
+    """Ends a march: there is another study."""
+
+    def __init__(self, asked: Solve) -> None:
+        super().__init__()
+        self.asked = asked
+
+
 POINTS = 1000
 """A sweep in the app has so many points at most."""
 BEAT = 0.2
-"""Seconds between two words about the progress of a sweep."""
+"""Seconds between two words about the progress of a sweep or a march."""
 PAUSE = 0.8
 """Seconds of rest before sheets are drawn."""
 STUDY = "study.toml"
@@ -87,14 +97,26 @@ def work(pipe: Connection) -> None:
         newer: Any = None
         while True:
             asked, newer = newer or pipe.recv(), None
-            for reply in bench.replies(asked):
-                pipe.send((asked.number, reply))
-                # points, and sheets that follow words and pictures, are left out when there is another study
-                if isinstance(asked, Solve) and type(reply) in rest:
-                    newer = _meanwhile(pipe, bench, rest[type(reply)])
-                    if newer is not None:
-                        break
+            bench.tell = functools.partial(_told, pipe, bench, asked.number)
+            try:
+                for reply in bench.replies(asked):
+                    pipe.send((asked.number, reply))
+                    # points, and sheets that follow words and pictures, are left out when there is another study
+                    if isinstance(asked, Solve) and type(reply) in rest:
+                        newer = _meanwhile(pipe, bench, rest[type(reply)])
+                        if newer is not None:
+                            break
+            except Newer as end:
+                newer = end.asked
             pipe.send((asked.number, Done()))
+
+
+def _told(pipe: Connection, bench: _Bench, number: int, progress: Progress) -> None:
+    """Tell how far a march is, unless there is another study, which ends it."""
+    pipe.send((number, progress))
+    newer = _meanwhile(pipe, bench, 0.0)
+    if newer is not None:
+        raise Newer(newer)
 
 
 def _meanwhile(pipe: Connection, bench: _Bench, wait: float) -> Solve | None:
@@ -123,6 +145,7 @@ class _Bench:
         self.answer, self.nothing, self.none = answer, NOTHING, Moments()
         self.view, self.moments = NOTHING, self.none
         self.outcome: Outcome | FitOutcome | None = None
+        self.tell: Callable[[Progress], None] = lambda progress: None
         self.folder = Path()
         warm = tomli_w.dumps(begun("indentation"))
         list(self.replies(Solve(0, warm, Path(), True)))  # so that the first question does not wait for imports
@@ -139,6 +162,8 @@ class _Bench:
                     yield from self._pictures(asked.moment, still=True)
                 case Export():
                     yield self._file(asked.what)
+        except Newer:
+            raise
         except WinklerError as error:
             yield Wrong(tuple(self._plain(line) for line in str(error).splitlines()))
         except Exception as error:
@@ -175,6 +200,7 @@ class _Bench:
     def _run(self, study: Study) -> Generator[Progress, None, Outcome]:
         """Solve the points of a study; yield how far it is, now and then."""
         from winkler.errors import InvalidInput
+        from winkler.study.marching import unwatched
         from winkler.study.run import gather
         from winkler.study.sweep import solve_points
 
@@ -185,12 +211,22 @@ class _Bench:
                 "study to `winkler run`, which takes millions."
             )
         points, told = [], started
-        for point in solve_points(study):
+        watch = self._watched if total == 1 else unwatched
+        for point in solve_points(study, watch=watch):
             points.append(point)
             if total > 1 and time.perf_counter() - told > BEAT:
                 told = time.perf_counter()
                 yield Progress(len(points), total)
         return gather(study, points, started=started)
+
+    def _watched(self, states: Iterable[Any], total: int | None) -> Iterator[Any]:
+        """Yield the states of a march; tell how far it is, now and then."""
+        told = time.perf_counter()
+        for done, state in enumerate(states, 1):
+            if time.perf_counter() - told > BEAT:
+                told = time.perf_counter()
+                self.tell(Progress(done, total))
+            yield state
 
     def _fitted(self, asked: Solve) -> Iterator[Any]:
         from winkler.errors import WinklerError

@@ -1,0 +1,221 @@
+"""Every kind in other units: all lengths, moduli, times, temperatures and currents times some factors of their own.
+
+An answer must then be what its dimension says. Factors that are powers of two round nothing, so that what differs shows
+an absolute length, force or modulus in a solver; but searches that double an absolute start could hide from them.
+Factors that are powers of ten find these, and round anew: what an iteration leaves is then another number of the same
+size.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import itertools
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from change_of_units import Units
+
+import winkler as wk
+from winkler.errors import WinklerError
+from winkler.study.build import build
+from winkler.study.catalogue import CATALOGUE, kinds
+from winkler.study.explain import example_study
+from winkler.study.outcome import answers_of
+from winkler.study.points import Solved
+from winkler.validity import Assumption
+from winkler.vocabulary import word
+
+PROBLEMS = tuple(CATALOGUE["problem"])
+PARTS = tuple(name for name in kinds() if name not in PROBLEMS)
+
+BINARY = Units(2.0**-30, 2.0**-20, 2.0**5, 2.0**3, 2.0**-6)
+DECIMAL = Units(1e3, 1e6, 7.0, 3.0, 0.2)
+SIZES = [2.0**-30, 2.0**-20, 2.0**-10, 2.0**10]
+MODULI = [2.0**-20, 2.0**-10, 2.0**10, 2.0**20]
+ALL = [
+    *(Units(s, m) for s, m in itertools.product(SIZES, MODULI)),
+    *(Units(s, m) for s, m in itertools.product((1e-9, 1e-6, 1e-3, 1e3), (1e-6, 1e-3, 1e3, 1e6))),
+]
+
+SAME = 1e-11
+"""Of the greatest number in an answer: what powers of two may change; they change nothing but roots and powers."""
+CLOSE = 1e-9
+"""What powers of ten may change."""
+
+
+class Rounded(NamedTuple):
+    """How far rounding moves an answer, where that is farther than `CLOSE`.
+
+    Parameters
+    ----------
+    tolerance
+        Of the greatest number in the answer; infinite where the answer is itself nothing but rounding.
+    why
+        The reason.
+    """
+
+    tolerance: float
+    why: str
+
+
+ERROR = Rounded(np.inf, "an error that is left, itself of the size of rounding or of a solver's tolerance")
+STEPS = Rounded(1e-5, "the march has a tolerance of 1e-3: the end of a step is where rounding lets a node touch")
+SPRING = Rounded(1e-2, "at moments that an adaptive march of tolerance 1e-3 picks, with 100 springs")
+ROUNDED: dict[tuple[str, str], Rounded] = {
+    ("SpotClusterSolution", "uncertainty"): ERROR,
+    ("OscillatingRollingSolution", "shift_per_cycle"): ERROR,
+    ("SurfaceContactSolution", "penetration"): ERROR,
+    ("SurfaceContactSolution", "misfit"): ERROR,
+    ("ReductionSolution", "misfit"): Rounded(1e-6, "it is judged by contacts of a tolerance of 1e-6"),
+    ("ReductionSolution", "force"): Rounded(1e-8, "each contact has a tolerance of 1e-6"),
+    **{("SlidingSolution", name): STEPS for name in ("depth", "radius", "worn_depth", "mean_pressure")},
+    **{
+        ("ViscoelasticImpactSolution", name): SPRING
+        for name in ("time", "depth", "velocity", "force", "radius", "duration", "dissipation")
+    },
+}
+"""Answers that follow rounding farther, with the number."""
+
+OF_NATURE = {Assumption.ADHESION, Assumption.CONTINUUM, Assumption.INERTIA, Assumption.TEMPERATURE}
+"""Judged with constants of nature: the reach of attraction, the free path of electrons, gravity, what solids stand."""
+NAMED = {
+    "named_elastic": "a name stands for numbers in SI units",
+    "named_electrical_conductor": "a name stands for numbers in SI units",
+    "named_thermal_conductor": "a name stands for numbers in SI units",
+    "formula": "its constants have units that only the formula knows",
+}
+"""Kinds that cannot be written in other units, and why."""
+
+
+def specimen(name: str) -> Any:
+    """Return the problem of an example study; of a crack that takes its time, a shorter way."""
+    problem = build(example_study(name)["problem"])
+    if name == "viscoelastic_adhesion":
+        return dataclasses.replace(problem, path=wk.Path([0.0, 1.0, 3.0], wk.Depth([5e-6, 1e-6, -3e-6])))
+    return problem
+
+
+def differences(solution: Any, other: Any, units: Units, close: float) -> list[str]:
+    """Return in which answers a solution and that in other units differ."""
+    owner = type(solution).__name__
+    before, after = answers_of(solution), answers_of(other)
+    if list(before) != list(after):
+        return [f"answers: {sorted(set(before) ^ set(after))}"]
+    found = []
+    for name, content in before.items():
+        expected = np.asarray(content) * units.factor(word(owner, name).unit or "")
+        got = np.asarray(after[name])
+        limit = close
+        if close > SAME:
+            limit = max(close, ROUNDED.get((owner, name), Rounded(0.0, "")).tolerance)
+        if np.isinf(limit):
+            continue
+        if got.shape != expected.shape:
+            found.append(f"{name}: shape {expected.shape}, then {got.shape}")
+        elif not np.array_equal(np.isfinite(got), np.isfinite(expected)):
+            found.append(f"{name}: finite elsewhere")
+        else:
+            finite = np.isfinite(expected)
+            size = float(np.max(np.abs(expected[finite]), initial=0.0))
+            miss = float(np.max(np.abs(got[finite] - expected[finite]), initial=0.0))
+            if miss > limit * size:
+                found.append(f"{name}: {miss / size if size else np.inf:.1e}")
+    return found
+
+
+def restored(solution: Any) -> list[Any]:
+    """Return fields of the last contact of a solution, on the surface and below it, as far as they are known."""
+    contact = Solved((), (), None, solution, ()).each[-1]
+    if not hasattr(contact, "pressed") or not contact.radius > 0.0:
+        return []
+    r = float(contact.radius) * np.array([0.0, 0.3, 0.7, 1.4])
+    found = []
+    for places in ((r,), (r[:, np.newaxis], 0.5 * r[np.newaxis, 1:])):
+        with contextlib.suppress(WinklerError):
+            found.append(wk.restore(contact, *places))
+    return found
+
+
+def field_differences(fields: Any, others: Any, units: Units) -> list[str]:
+    """Return which restored fields differ."""
+    found = []
+    for field in dataclasses.fields(fields):
+        content = getattr(fields, field.name)
+        if isinstance(content, np.ndarray):
+            expected = content * units.factor(word(type(fields).__name__, field.name).unit or "")
+            size = float(np.max(np.abs(expected[np.isfinite(expected)]), initial=0.0))
+            if not np.allclose(getattr(others, field.name), expected, rtol=0.0, atol=CLOSE * size, equal_nan=True):
+                found.append(field.name)
+    return found
+
+
+def standings(solution: Any) -> list[tuple[Assumption, str]]:
+    """Return what the notes of a solution say of which assumption, but for constants of nature."""
+    notes = solution.validity
+    return [(note.assumption, note.standing.value) for note in notes if note.assumption not in OF_NATURE]
+
+
+def assert_same(problem: Any, changes: list[Units]) -> None:
+    """Solve a problem, and again in other units."""
+    try:
+        solution = problem.solve()
+    except WinklerError as error:
+        for units in changes:
+            with pytest.raises(type(error)):
+                units.changed(problem).solve()
+        return
+    for units in changes:
+        other = units.changed(problem).solve()
+        exact = all(np.frexp(factor)[0] == 0.5 for factor in units)
+        assert differences(solution, other, units, SAME if exact else CLOSE) == [], units
+        assert standings(other) == standings(solution), units
+        for fields, others in zip(restored(solution), restored(other), strict=True):
+            assert field_differences(fields, others, units) == [], units
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_every_problem_in_other_units(name):
+    assert_same(specimen(name), [BINARY, DECIMAL])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_every_problem_at_all_scales(name):
+    assert_same(specimen(name), ALL)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name for name in PARTS if name not in NAMED])
+def test_every_part_in_other_units(name):
+    assert_same(specimen(name), [BINARY, DECIMAL])
+
+
+SHAPES = {"cone": wk.Cone(1.35), "power_law": wk.PowerLaw(1e6, 4.0), "flat_punch": wk.FlatPunch(1e-3)}
+"""Bodies without a length of their own, and one whose contact has one radius."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_every_problem_of_bodies_without_a_length(name, shape):
+    problem = specimen(name)
+    bed = getattr(problem, "bed", None)
+    if not hasattr(bed, "profile") or "bed" not in {field.name for field in dataclasses.fields(problem)}:
+        pytest.skip("it takes no bed with a profile")
+    try:
+        problem = dataclasses.replace(problem, bed=dataclasses.replace(bed, profile=SHAPES[shape]))
+    except WinklerError:
+        pytest.skip("it refuses such a body")
+    assert_same(problem, [Units(2.0**-30, 2.0**-20), Units(2.0**10, 2.0**20)])
+
+
+def test_the_change_of_units_is_seen():
+    """What is not scaled by its dimension is found."""
+    problem = specimen("indentation")
+    units = Units(length=1e-3)
+    assert differences(problem.solve(), problem.solve(), units, CLOSE)
+    assert units.factor("N") == pytest.approx(1e-6)
+    assert BINARY.factor("J/(mol K)") == 1.0  # the gas constant
+    assert Units(temperature=2.0, current=3.0).factor("V^2/K^2") == pytest.approx(1.0 / 36.0)

@@ -1,0 +1,353 @@
+"""The statement on yield of every problem, against Hamilton's, Hertz's and Huber's stresses computed otherwise."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+import winkler as wk
+from winkler.study.build import build
+from winkler.study.catalogue import kinds, slot_of
+from winkler.study.explain import example_study
+from winkler.validity import worst
+
+E, NU, Y, R = 210e9, 0.3, 1.2e9, 10e-3
+ELASTIC = wk.Assumption.ELASTIC
+
+
+def mises(xx, yy, zz, xy, xz, yz):
+    squares = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(0.5 * squares + 3.0 * (xy**2 + xz**2 + yz**2))
+
+
+def on_the_surface(mu, nu):
+    """Greatest von Mises stress on the axis of sliding of the surface of a ball, over p0, behind the middle.
+
+    Hertz's stresses (Johnson 3.43), and those of the traction from its surface displacements (Johnson 3.91).
+    """
+    x = np.linspace(1e-3, 1.0, 4001)
+    root = np.sqrt(1.0 - x * x)
+    swell = (1.0 - 2.0 * nu) / 3.0 * (1.0 - root**3) / x**2
+    xx = swell - root + math.pi * (4.0 + nu) / 8.0 * mu * x
+    yy = -swell - 2.0 * nu * root + 3.0 * math.pi * nu / 8.0 * mu * x
+    return float(np.max(mises(xx, yy, -root, 0.0, mu * root, 0.0)))
+
+
+def point_loads(mu, nu, x, z):
+    """Von Mises stress under a sliding ball, p0 = a = 1: Boussinesq's and Cerruti's point loads added up."""
+    angle = 2.0 * np.pi * (np.arange(64) + 0.5) / 64
+    node, weight = np.polynomial.legendre.leggauss(40)
+    s = np.sin(0.25 * np.pi * (node + 1.0))  # r = sin, so that the root of the pressure is smooth
+    root = np.sqrt(1.0 - s * s)
+    loads = (weight * 0.25 * np.pi * root * root * s)[:, None] * np.full(64, 2.0 * np.pi / 64)
+    u, v = x - np.outer(s, np.cos(angle)), -np.outer(s, np.sin(angle))
+    rho = np.sqrt(u * u + v * v + z * z)
+    r2, free, w = u * u + v * v, 1.0 - 2.0 * nu, rho + z
+    normal = (
+        free / r2 * ((1.0 - z / rho) * (u * u - v * v) / r2 + z * v * v / rho**3) - 3.0 * z * u * u / rho**5,
+        free / r2 * ((1.0 - z / rho) * (v * v - u * u) / r2 + z * u * u / rho**3) - 3.0 * z * v * v / rho**5,
+        -3.0 * z**3 / rho**5,
+        free / r2 * ((1.0 - z / rho) * 2.0 * u * v / r2 - u * v * z / rho**3) - 3.0 * z * u * v / rho**5,
+        -3.0 * u * z * z / rho**5,
+        -3.0 * v * z * z / rho**5,
+    )
+    far = 1.0 / (rho**3 * w * w) + 2.0 / (rho**2 * w**3)
+    along = (
+        -3.0 * u**3 / rho**5 + free * (u / rho**3 - 3.0 * u / (rho * w * w) + u**3 * far),
+        -3.0 * u * v * v / rho**5 + free * (u / rho**3 - u / (rho * w * w) + u * v * v * far),
+        -3.0 * u * z * z / rho**5,
+        -3.0 * u * u * v / rho**5 + free * (-v / (rho * w * w) + u * u * v * far),
+        -3.0 * u * u * z / rho**5,
+        -3.0 * u * v * z / rho**5,
+    )
+    stress = [np.sum(loads * (a + mu * b)) / (2.0 * np.pi) for a, b in zip(normal, along, strict=True)]
+    return float(mises(*stress))
+
+
+def steel(strength=Y, nu=NU):
+    return wk.Elastic(E, nu, strength)
+
+
+def ball(strength=Y, nu=NU):
+    return wk.Foundation(wk.Paraboloid(R), wk.HalfSpace(steel(strength, nu), steel(math.inf, nu)))
+
+
+def hertz(share):
+    """Return the force at which the frictionless von Mises stress is a share of the strength (0.62004 p0, nu = 0.3)."""
+    modulus, p0 = 0.5 * E / (1.0 - NU**2), share * Y / 0.6200410039
+    return math.pi**3 * R**2 * p0**3 / (6.0 * modulus**2)
+
+
+def statement(solution):
+    (note,) = (note for note in solution.validity if note.assumption is ELASTIC)
+    return note
+
+
+def slid(mu, force, strength=Y):
+    """A ball that slides: the shift is more than friction bears."""
+    path = wk.Path([0.0, 1.0], wk.Force(force), wk.Shift([0.0, 1e-3]))
+    return wk.Tangential(ball(strength), wk.Coulomb(mu), path).solve()
+
+
+def test_hamilton_six_tenths():
+    """At 0.6 of the frictionless onset a ball that slides with 0.6 reaches 1.508 times the strength (Hamilton)."""
+    load = hertz(1.0) * 0.6
+    assert 0.6 ** (1.0 / 3.0) * on_the_surface(0.6, NU) / 0.6200410039 == pytest.approx(1.508, abs=1e-3)
+    assert statement(wk.Indentation(ball(), wk.Force(load)).solve()).standing is wk.Standing.EXACT
+    note = statement(slid(0.6, load))
+    assert note.standing is wk.Standing.OUTSIDE
+    assert "1.51 times the strength of the first body, at x = -" in note.statement
+    assert "doi:10.1243/PIME_PROC_1983_197_076_02" in note.source
+
+
+@pytest.mark.parametrize("mu", [0.35, 0.5, 0.8, 1.5])
+def test_first_yield_at_the_surface(mu):
+    """Johnson: above a coefficient of 0.3 yielding begins at the surface; its load from closed forms."""
+    share = 0.6200410039 / on_the_surface(mu, NU)
+    below, above = (statement(slid(mu, hertz(1.0) * (factor * share) ** 3)) for factor in (0.999, 1.001))
+    assert below.standing is wk.Standing.EXACT
+    assert above.standing is wk.Standing.OUTSIDE
+    assert ", z = 0 m" in above.statement
+
+
+@pytest.mark.parametrize(("mu", "nu"), [(0.1, 0.3), (0.25, 0.3), (0.2, 0.5)])
+def test_first_yield_below_the_surface(mu, nu):
+    """Point loads added up on the disc, and their greatest stress found by another search."""
+    found = minimize(lambda place: -point_loads(mu, nu, place[0], math.exp(place[1])), [0.2, math.log(0.45)], tol=1e-9)
+    peak = -found.fun
+    modulus = 0.5 * E / (1.0 - nu * nu)
+    for factor, standing in ((0.9999, wk.Standing.EXACT), (1.0001, wk.Standing.OUTSIDE)):
+        p0 = factor * Y / peak
+        force = math.pi**3 * R**2 * p0**3 / (6.0 * modulus**2)
+        path = wk.Path([0.0, 1.0], wk.Force(force), wk.Shift([0.0, 1e-3]))
+        bed = ball(nu=nu)
+        assert statement(wk.Tangential(bed, wk.Coulomb(mu), path).solve()).standing is standing
+
+
+def test_partial_slip_between_the_bounds_is_not_known():
+    """Elastic without friction, not if all slid: a little shear leaves it open, and no shear bound leaves it open."""
+    load = hertz(1.0) * 0.6
+    path = wk.Path([0.0, 1.0], wk.Force(load), wk.ShearForce([0.0, 0.1 * 0.6 * load]))
+    for solution in (
+        wk.Tangential(ball(), wk.Coulomb(0.6), path).solve(),
+        wk.Tangential(ball(), wk.Coulomb(math.inf), path).solve(),
+        wk.RelaxationDamper(ball(), 1e-7, 1e-8, 100.0).solve(),
+    ):
+        note = statement(solution)
+        assert note.standing is wk.Standing.APPROXIMATE
+        assert "The onset of yield is not known because" in note.statement
+    assert statement(slid(0.1, load)).standing is wk.Standing.EXACT
+
+
+def test_kinetic_friction_counts_where_it_slides():
+    """Static friction would make it yield, the kinetic one does not: not known; the greater kinetic one does."""
+    load = hertz(1.0) * 0.6
+    path = wk.Path([0.0, 1.0], wk.Force(load), wk.Shift([0.0, 1e-3]))
+    weak, strong = (
+        statement(wk.Tangential(ball(), wk.StaticKinetic(0.7, kinetic), path).solve()) for kinetic in (0.1, 0.6)
+    )
+    assert weak.standing is wk.Standing.APPROXIMATE
+    assert strong.standing is wk.Standing.OUTSIDE
+    assert "1.51 times" in strong.statement
+
+
+def test_heating_slides():
+    """A body that rubs slides: what makes heat makes it yield."""
+    metal = wk.ThermalConductor(50.0, 1e-5)
+    rubbed = wk.FrictionHeating(
+        ball(), wk.Coulomb(0.6), wk.Force(0.6 * hertz(1.0)), wk.HeatConductors(metal, metal), 1.0
+    )
+    assert statement(rubbed.solve()).standing is wk.Standing.OUTSIDE
+
+
+def test_incompressible_cone():
+    """Its deviator is bounded by 3/4 E* m at any load: never, or at the first touch."""
+    m, modulus = 0.1, E / 0.75
+    bound = 0.75 * modulus * m
+    cone = wk.Cone(math.pi / 2.0 - math.atan(m))
+    for factor, verdict, standing in (
+        (1.001, "the body does not yield", wk.Standing.EXACT),
+        (0.999, "yielding begins at the first touch", wk.Standing.OUTSIDE),
+    ):
+        bed = wk.Foundation(cone, wk.HalfSpace(wk.Elastic(E, 0.5, factor * bound)))
+        with pytest.raises(wk.OutsideValidity, match=verdict):
+            wk.YieldOnset(bed).solve()
+        for depth in (1e-9, 1e-3):
+            assert statement(wk.Indentation(bed, wk.Depth(depth)).solve()).standing is standing
+    compressible = wk.Foundation(cone, wk.HalfSpace(wk.Elastic(E, 0.3, 1.2 * bound)))
+    note = statement(wk.Indentation(compressible, wk.Depth(1e-6)).solve())
+    assert note.standing is wk.Standing.APPROXIMATE
+    assert note.statement.startswith("The apex is pointed, so the elastic stress is infinite there")
+
+
+def test_capped_yields_at_the_cap_or_before():
+    """A capped ball is Hertz's up to the edge of the flatter cap, where its slope jumps."""
+    free = wk.YieldOnset(wk.Foundation(wk.Paraboloid(2.0 * R), wk.HalfSpace(steel()))).solve()
+    wide = wk.YieldOnset(wk.Foundation(wk.CappedParaboloid(R, 2.0 * R, 1.1 * free.radius), wk.HalfSpace(steel())))
+    assert wide.solve().force == pytest.approx(free.force, rel=1e-9)
+    narrow = wk.Foundation(wk.CappedParaboloid(R, 2.0 * R, 0.9 * free.radius), wk.HalfSpace(steel()))
+    onset = wk.YieldOnset(narrow).solve()
+    assert (onset.radius, onset.r, onset.z) == (0.9 * free.radius, 0.9 * free.radius, 0.0)
+    below, above = (wk.Indentation(narrow, wk.Force(part * onset.force)).solve() for part in (0.99, 1.01))
+    assert statement(below).standing is wk.Standing.EXACT
+    assert statement(above).standing is wk.Standing.APPROXIMATE
+    assert statement(above).statement.startswith("The slope of the profile jumps")
+
+
+def test_ellipse():
+    """Steel, 3.77 mm x 124 mm, 1500 N: another program finds p0 2.62 GPa, 1502 MPa at 0.123 mm, the onset at 766 N."""
+
+    def pressed(force, strength=1.2e9):
+        medium = wk.HalfSpace(wk.Elastic(208e9, 0.3, strength), wk.Elastic(208e9, 0.3, strength))
+        return wk.EllipticIndentation(wk.CurvedBodies(3.77e-3, 124e-3), medium, wk.Force(force)).solve()
+
+    assert pressed(1500.0).peak_pressure == pytest.approx(2.62e9, rel=2e-3)
+    note = statement(pressed(1500.0))
+    assert note.standing is wk.Standing.OUTSIDE
+    assert "yielding began at 76" in note.statement
+    assert "at a depth of 0.000122 m" in note.statement
+    onset = float(note.statement.split("began at ")[1].split(" N")[0])
+    assert onset == pytest.approx(766.0, rel=1e-3)
+    assert 1.2e9 * (1500.0 / onset) ** (1.0 / 3.0) == pytest.approx(1502e6, rel=1e-3)
+    assert statement(pressed(760.0)).standing is wk.Standing.EXACT
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
+def test_round_ellipse_is_a_ball(nu):
+    """Of equal curvatures the axis is Huber's, and the onset that of the round contact."""
+    medium = wk.HalfSpace(steel(nu=nu))
+    onset = wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), medium)).solve().force
+    for factor, standing in ((0.9999, wk.Standing.EXACT), (1.0001, wk.Standing.OUTSIDE)):
+        pressed = wk.EllipticIndentation(wk.CurvedBodies(R, R), medium, wk.Force(factor * onset)).solve()
+        assert statement(pressed).standing is standing
+
+
+def test_layers_are_judged_one_by_one():
+    """A layer of the substrate's own solid is no layer: Huber's axis tells both stresses, nu = 0.3, h = 1.5 a."""
+    a, h = 1e-4, 1.5e-4
+    peak, at_face = 0.6200410039, 0.0
+
+    def axis(z):
+        return abs(-1.0 / (1.0 + z * z) + 1.3 * (1.0 - z * math.atan(1.0 / z)) - 0.5 / (1.0 + z * z))
+
+    at_face = axis(1.5)
+    modulus = E / (1.0 - NU**2)
+    p0 = 2.0 * modulus * a / (math.pi * R)
+    for layer, base, standings in (
+        (1.01 * peak, 1.01 * at_face, (wk.Standing.EXACT, wk.Standing.EXACT)),
+        (0.99 * peak, 1.01 * at_face, (wk.Standing.OUTSIDE, wk.Standing.EXACT)),
+        (1.01 * peak, 0.99 * at_face, (wk.Standing.EXACT, wk.Standing.OUTSIDE)),
+    ):
+        medium = wk.CoatedHalfSpace([wk.Layer(steel(layer * p0), h)], on=steel(base * p0))
+        pressed = wk.Indentation(wk.Foundation(wk.Paraboloid(R), medium), wk.Radius(a)).solve()
+        notes = [note for note in pressed.validity if note.assumption is ELASTIC]
+        assert tuple(note.standing for note in notes) == standings
+        assert "layer 1" in notes[0].statement
+        assert "body under the layers" in notes[1].statement
+
+
+def test_friction_on_layers_and_wide_contacts_are_not_known():
+    medium = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-4)], on=wk.Elastic(E, NU))
+    bed = wk.Foundation(wk.Paraboloid(R), medium)
+    path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
+    rubbed = statement(wk.Tangential(bed, wk.Coulomb(0.3), path).solve())
+    assert rubbed.standing is wk.Standing.APPROXIMATE
+    assert "a traction inside a CoatedHalfSpace" in rubbed.statement
+    thin = wk.CoatedHalfSpace([wk.Layer(steel(1e30), 1e-6)], on=wk.Elastic(E, NU))
+    wide = statement(wk.Indentation(wk.Foundation(wk.Paraboloid(R), thin), wk.Radius(1.1e-5)).solve())
+    assert wide.standing is wk.Standing.APPROXIMATE
+    assert "ask peak_stress" in wide.statement
+
+
+def test_attraction_without_range():
+    """The edge is torn with an infinite stress whatever the strength; the constant stress of Dugdale is finite."""
+    rubber = wk.HalfSpace(wk.Elastic(1e6, 0.5, 1e9))
+    bed = wk.Foundation(wk.Paraboloid(1e-3), rubber)
+    short = statement(wk.AdhesiveIndentation(bed, wk.ShortRange(0.05), wk.Force(0.0)).solve())
+    assert short.standing is wk.Standing.APPROXIMATE
+    assert "pulls the edge" in short.statement
+    ranged = statement(wk.AdhesiveIndentation(bed, wk.Dugdale(0.05, 1e6), wk.Force(0.0)).solve())
+    assert ranged.standing is wk.Standing.EXACT
+
+
+@pytest.mark.parametrize(
+    ("pressure", "standing"),
+    [(1.7, wk.Standing.OUTSIDE), (1.2, wk.Standing.APPROXIMATE), (0.15, wk.Standing.ASYMPTOTIC)],
+)
+def test_height_map(pressure, standing):
+    """A ball on a map, its greatest pressure over the strength: 1.6 is where Hertz's contact yields (nu = 0.3)."""
+    x = np.linspace(-0.5, 0.5, 65)[:-1] + 1.0 / 128.0
+    rough = wk.Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
+    modulus = 1.0 / (1.0 - NU**2)
+    p0 = 2.0 * modulus * math.sqrt(0.125) / math.pi
+    medium = wk.HalfSpace(wk.Elastic(1.0, NU, p0 / pressure))
+    note = statement(wk.SurfaceContact(rough, medium, wk.Depth(0.125)).solve())
+    assert note.standing is standing
+    assert "begins at 1.61 times the strength" in note.statement
+
+
+def test_twist():
+    """The squares add: at the surface of a ball that turns all over, the traction mu p0 f adds to Hertz's stresses."""
+    force = 0.5 * hertz(1.0)
+    path = wk.Path([0.0, 1.0], wk.Force(force), wk.Angle([0.0, 1.0]))
+
+    def turned(strength):
+        return statement(wk.Torsion(ball(strength), wk.Coulomb(0.8), path).solve())
+
+    p0 = 0.5 ** (1.0 / 3.0) * Y / 0.6200410039
+    # at r on the surface: Hertz's three stresses, and the traction 0.8 p along the circle (the rest can only add)
+    r = np.linspace(0.01, 0.99, 99)
+    root = np.sqrt(1.0 - r * r)
+    swell = (1.0 - 2.0 * NU) / 3.0 * (1.0 - root**3) / r**2
+    least = p0 * float(np.max(mises(swell - root, -swell - 2.0 * NU * root, -root, 0.0, 0.0, 0.8 * root)))
+    assert turned(0.98 * least).standing is wk.Standing.OUTSIDE
+    assert turned(3.0 * least).standing is wk.Standing.EXACT
+    assert least > 1.5 * 0.6200410039 * p0  # friction matters here
+
+
+def strengthened(item, strength):
+    """Return a problem whose elastic solids all have this strength."""
+    if isinstance(item, wk.Elastic):
+        return wk.Elastic(item.young, item.poisson, strength)
+    if isinstance(item, wk.Rigid):
+        return wk.Elastic(1e12, 0.3, strength)
+    if isinstance(item, tuple):
+        return tuple(strengthened(part, strength) for part in item)
+    if not dataclasses.is_dataclass(item):
+        return item
+    old = {field.name: getattr(item, field.name) for field in dataclasses.fields(item) if field.init}
+    new = {name: strengthened(part, strength) for name, part in old.items()}
+    return type(item)(**new) if any(new[name] is not part for name, part in old.items()) else item
+
+
+WITHOUT = {
+    "elastic_plastic_particle": "its strength is its law",
+    "elastomer_friction": "a relaxing body under a rigid one: no solid has a strength",
+    "spot_cluster": "no elastic bodies",
+    "yield_onset": "the onset is its answer",
+}
+UNKNOWN = {
+    "conductance_bounds", "creep_test", "harmonic_indentation", "nearly_round_indentation", "reduction",
+    "relaxation_test", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact",
+    "viscoelastic_indentation", "viscoelastic_tangential",
+}  # fmt: skip
+"""Whose stresses are not computed: they say so, whatever the strength is."""
+PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and name not in WITHOUT)
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_all_kinds_state_it(name):
+    """A tiny strength is stated as yield or as unknown, a huge one never as yield."""
+    asked = build(example_study(name)["problem"])
+    assert ELASTIC in asked.assumptions
+    for strength, standings in (
+        (1e-3, {wk.Standing.APPROXIMATE} if name in UNKNOWN else {wk.Standing.OUTSIDE}),
+        (1e60, set(wk.Standing) - {wk.Standing.OUTSIDE}),
+    ):
+        notes = [note for note in strengthened(asked, strength).solve().validity if note.assumption is ELASTIC]
+        assert notes
+        assert worst(notes) in standings
