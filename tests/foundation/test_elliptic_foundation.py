@@ -10,9 +10,10 @@ import pytest
 
 import winkler as wk
 from winkler.footprint import Ellipse, Round, Unknown
+from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.media.coated import Layer
 
-STEEL = wk.Elastic(208e9, 0.3, strength=1.0e9)
+STEEL = wk.Elastic(208e9, 0.3, strength=1.2e9)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
 BEARING = wk.EllipticIndentation(wk.CurvedBodies(124e-3, 3.77e-3), PAIR, wk.Force(1500.0))
 SLENDER = wk.EllipticFoundation(wk.CurvedBodies(10e-3, 1e-3), PAIR)
@@ -132,7 +133,6 @@ def test_what_needs_a_disc_is_refused():
     heat = wk.ThermalConductor(45.0, 12e-6)
     path = wk.Path([0.0, 1.0], wk.Force(10.0), wk.Shift([0.0, 1e-8]))
     for asked in (
-        lambda: wk.YieldOnset(bed),
         lambda: wk.PullOff(bed, wk.ShortRange(0.1)),
         lambda: wk.AdhesiveIndentation(bed, wk.ShortRange(0.1), wk.Force(0.0)),
         lambda: wk.SlidingWear(bed, wk.Archard(1e-14), wk.Force(10.0), 10.0),
@@ -183,6 +183,27 @@ def test_beds_know_their_footprint():
     assert wk.restore(wk.Indentation(equal, wk.Force(10.0)).solve(), 0.0).pressure == pytest.approx(
         wk.restore(wk.Indentation(ball, wk.Force(10.0)).solve(), 0.0).pressure, rel=1e-12
     )
+
+
+def test_yield_begins_under_the_ellipse_not_under_the_ball():
+    """Steel, 3.77 mm x 124 mm: 766 N, where the ball says 3261 N; 1502 MPa at 0.123 mm (a flat maximum) at 1500 N."""
+    onset = wk.YieldOnset(BEARING.bed).solve()
+    assert onset.force == pytest.approx(766.0, rel=3e-3)
+    grown = (1500.0 / onset.force) ** (1.0 / 3.0)
+    assert 1.2e9 * grown == pytest.approx(1502e6, rel=1e-3)
+    assert onset.z * grown == pytest.approx(0.123e-3, rel=1e-2)
+    yields = wk.Indentation(BEARING.bed, wk.Force(1500.0)).solve().validity
+    note = next(note for note in yields if note.assumption is wk.Assumption.ELASTIC)
+    assert note.standing is wk.Standing.OUTSIDE
+    assert f"yielding began at {onset.force:.4g} N" in note.statement
+    below = wk.Tangential(BEARING.bed, wk.Coulomb(0.3), wk.Path([0.0, 1.0], wk.Force(500.0), wk.Shift([0.0, 1e-7])))
+    note = next(note for note in below.solve().validity if note.assumption is wk.Assumption.ELASTIC)
+    assert note.standing is wk.Standing.APPROXIMATE
+    assert "the stresses of a traction under an ellipse are not computed" in note.statement
+    a = np.geomspace(1e-6, 1e-3, 12)
+    spots = MeasuredPlaneProfile(wk.MeasuredBed(a, 2.0 * PAIR.modulus * a, a**2 / 1e-2))
+    with pytest.raises(wk.OutsideValidity, match="the stress below the surface needs a round contact"):
+        wk.YieldOnset(wk.PlaneFoundation(spots, PAIR)).solve()
 
 
 def test_a_path_in_the_plane_is_refused():

@@ -47,7 +47,6 @@ class YieldOnset:
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
-    needs_round: ClassVar[str] = "the stress below the surface"
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, HalfSpace):
