@@ -152,6 +152,7 @@ from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.line_scan import LineScan
+from winkler.profiles.map_spectrum import spectrum_of
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape
@@ -159,8 +160,9 @@ from winkler.profiles.random_rough import random_topography
 from winkler.profiles.random_surface import RandomTopography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.socket import BallInSocket
-from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, spectrum_of
+from winkler.profiles.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
+from winkler.profiles.spikes import Spikes
 from winkler.profiles.topography import Topography
 from winkler.profiles.wavy import Wavy
 from winkler.program import Program
@@ -207,10 +209,10 @@ __all__ = [
     "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
-    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "SpotCluster", "SpotClusterSolution", "SpringMarch",
-    "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields",
-    "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
-    "SurfaceFields", "SurfaceFilm",
+    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
+    "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
+    "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalInterface", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",

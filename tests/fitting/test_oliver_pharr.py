@@ -220,6 +220,22 @@ def test_stated_segments_are_read():
     assert OliverPharr(again, wk.Cone(half_angle=1.2)).solve().modulus == pytest.approx(PAIR, rel=1e-6)
 
 
+@pytest.mark.parametrize(("length", "load"), [(1e-6, 1e-6), (1e6, 1e3), (1e9, 1e-9)])
+def test_no_length_and_no_force_is_absolute(length, load):
+    curve = played()
+    scaled = dataclasses.replace(curve, position=length * curve.position, force=load * curve.force)
+    found = OliverPharr(scaled, wk.Cone(half_angle=1.2)).solve()
+    assert found.modulus * length**2 / load == pytest.approx(PAIR, rel=1e-6)
+    assert found.contact_depth / length == pytest.approx(CONTACT, rel=1e-6)
+    again = OliverPharr(ForceCurve(scaled.position, scaled.force), wk.Cone(half_angle=1.2)).solve()
+    assert again.modulus == pytest.approx(found.modulus, rel=1e-12)
+
+
+def test_a_reading_speaks_of_what_it_assumes():
+    found = OliverPharr(played(), wk.Cone(half_angle=1.2)).solve()
+    assert {note.assumption for note in found.validity} == OliverPharr.assumptions
+
+
 def test_a_real_curve_with_a_hold(shared_data):
     """Steel at 3.000 mN for 5 s: scipy's fit of the rows behind 17.06 s, the hold left out by hand, says the same."""
     from scipy.optimize import curve_fit

@@ -222,7 +222,7 @@ def _scale(task: Task, strokes: Outline, numbers: dict[str, float], moduli: list
     travel = float(task.curve.position.max()) - origin
     top = max(strokes.top, 1e-3 * float(np.ptp(task.curve.force)))
     depth = travel - task.curve.compliance * top
-    depth = depth if depth > 1e-3 * abs(travel) else 1e-3 * abs(travel) + 1e-15
+    depth = depth if depth > 1e-3 * abs(travel) else 1e-3 * abs(travel) + 1e-9 * float(np.ptp(task.curve.position))
     for _ in range(ROUNDS):
         worst = 1.0
         model, answer = _possible(task, numbers, works, depth)

@@ -11,6 +11,8 @@ __all__ = ["directions"]
 
 FEWEST = 10
 """Of a segment of fewer points the ends are compared."""
+FAR = 0.5
+"""Part of the whole way that no tip goes while it is held."""
 TRAVELLED = 0.1
 """Part of the whole way between the ends of such a segment, if the tip is not held."""
 STEADY = 0.02
@@ -31,13 +33,14 @@ def directions(position: Array, force: Array, segment: Array) -> Array:
     if not segment.size:
         steady = np.ptp(force) < STEADY * np.abs(force).max(initial=0.0) or np.ptp(position) == 0.0
         return np.full(position.size, HELD) if steady else np.zeros(0)
-    found, direction = found_directions(position, force), np.empty(position.size)
+    found, direction, span = np.zeros(0), np.empty(position.size), np.ptp(position)
     for part in np.unique(segment):
         (mine,) = np.nonzero(segment == part)
+        travel = position[mine[-1]] - position[mine[0]]
+        if mine.size < FEWEST or abs(travel) > FAR * span:
+            direction[mine] = np.sign(travel) if abs(travel) > TRAVELLED * span else HELD
+            continue
+        found = found if found.size else found_directions(position, force)
         ways = [np.count_nonzero(found[mine] == way) for way in (IN, OUT, HELD)]
-        if mine.size >= FEWEST:
-            direction[mine] = (IN, OUT, HELD)[int(np.argmax(ways))]
-        else:
-            travel = position[mine[-1]] - position[mine[0]]
-            direction[mine] = np.sign(travel) if abs(travel) > TRAVELLED * np.ptp(position) else HELD
+        direction[mine] = (IN, OUT, HELD)[int(np.argmax(ways))]
     return direction

@@ -28,7 +28,6 @@ from winkler.problems.greatest_stress import GreatestStress, greatest_stress
 from winkler.problems.strong_parts import StrongPart, strong_parts
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
 
 __all__ = [
     "FRICTIONLESS",
@@ -52,8 +51,7 @@ WIDE = 10.0
 """Contact radius over the thickness of the uppermost layer beyond which stresses in layers are not computed here."""
 
 
-@value
-class Rubbing:
+class Rubbing(NamedTuple):
     """What is known of the friction in a contact.
 
     Parameters

@@ -30,7 +30,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "output": "what is written",
         "expect": "numbers that must come out, one [[expect]] each",
         "source": "of a literature case: where the expected numbers come from",
-        "grade": "of a literature case: analytical, cross-code or published table",
+        "grade": "of a literature case: how independent they are, such as analytical or cross-code",
     },
     "sweep": {
         '"problem.load.force"': "the values of a key in turn: a list or a range { from, to, count, spacing }; "
