@@ -28,6 +28,7 @@ from winkler.fitting.segments import Segment, SegmentKind
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic_terms import compare_terms
+from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -101,7 +102,6 @@ from winkler.problems.creepage import Creepage
 from winkler.problems.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.design import design_for_pressure, design_profile
 from winkler.problems.elastomer_friction import ElastomerFriction, ElastomerFrictionSolution
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.elliptic_indentation import EllipticIndentation, EllipticSolution
 from winkler.problems.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.fretting_heat import FrettingHeat, FrettingHeatSolution
@@ -149,6 +149,7 @@ from winkler.profiles.area import AreaFunction
 from winkler.profiles.composite import Sum
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
 from winkler.profiles.designed import Designed
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.line_scan import LineScan
@@ -183,8 +184,8 @@ __all__ = [
     "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticIndentation", "EllipticSolution", "EqualMaximum", "EqualMean",
-    "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
+    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
+    "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
     "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
     "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",

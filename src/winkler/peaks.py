@@ -6,6 +6,7 @@ from typing import overload
 
 import numpy as np
 
+from winkler.content import refuse_unless_round
 from winkler.fields import Dragged, Restorable, below_surface, is_dragged, springs_of
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
@@ -93,6 +94,7 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
 
 def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
     pressed = sheared.pressed
+    refuse_unless_round(pressed, "peak_stress", "the stress below the surface")
     if pressed.radius == 0.0:
         return PlacedStress(0.0, 0.0, 0.0, 0.0)
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]

@@ -22,6 +22,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from winkler.content import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fields import Restorable
 from winkler.foundation.bed import Pressed
@@ -184,6 +185,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     if isinstance(count, bool) or not isinstance(count, int | np.integer) or not 1 <= count <= 1_000_000:
         raise InvalidInput(f"staircase: count is {count!r}; give a whole number of punches, 1 to 1000000.")
     pressed = solution.pressed
+    refuse_unless_round(pressed, "staircase", "a staircase of punches")
     medium = pressed.bed.medium
     if not isinstance(medium, HomogeneousMedium):
         raise OutsideValidity(

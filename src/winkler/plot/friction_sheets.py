@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from winkler.content import refuse_unless_round
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
@@ -232,6 +233,7 @@ def _sheared(item: TangentialSolution, index: int) -> ShearedSprings | None:
     """Return the springs at one point; None where tractions cannot be restored."""
     try:
         found = item.at(index).sheared
+        refuse_unless_round(found.pressed, "draw", "the traction")
         found.pressed.bed.medium.pressure(found.pressed, np.array([0.5 * found.pressed.radius]))
     except OutsideValidity:
         return None

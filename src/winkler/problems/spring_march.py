@@ -26,8 +26,10 @@ from winkler.numerics.slip_plane import march_plane
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.indentation import Indentation
 from winkler.problems.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
+from winkler.problems.stiffness_ratio import refuse_plane
 from winkler.validity import Note
 from winkler.values import value
 
@@ -125,6 +127,7 @@ class SpringMarch:
             )
         if not self.count >= 2:
             raise InvalidInput(f"SpringMarch: count is {self.count!r}; give 2 springs or more.")
+        refuse_plane("SpringMarch", self.bed, self.path)
 
     def steps(self) -> Iterator[SpringState]:
         """Yield the springs at every point of the path.
@@ -173,6 +176,7 @@ class SpringMarch:
         return (
             *self.bed.notes,
             sticking_note(self.bed.medium, coefficient_of(self.law)),
+            *direction_notes(self.bed),
             *spring_notes(springs, self.law, in_plane=self.path.in_plane),
         )
 
