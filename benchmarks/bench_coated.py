@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from film_tables import forget
 
 import winkler as wk
 from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.layered import Layer
-from winkler.media import coated_load, depth_climb, depth_response, flat_punch, punch_facts
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.depth_graded import DepthGradedHalfSpace
-from winkler.numerics import cosine, fredholm, kernel_matrix
 
 pytestmark = pytest.mark.bench
 
@@ -31,15 +30,6 @@ DEPTHS = np.linspace(0.0, 1e-6, 201)[1:]
 """Up to a contact three times wider than the coating is thick."""
 SKIN = DepthGradedHalfSpace(ExponentialGrading(70e9, 210e9, depth_scale=3e-6, poisson=0.3))
 STEEP = DepthGradedHalfSpace(ExponentialGrading(2.1e9, 210e9, depth_scale=3e-6, poisson=0.3))
-
-
-def forget() -> None:
-    """Empty every table of flat punches, so that each round begins from nothing."""
-    pages = (cosine, fredholm, kernel_matrix, flat_punch, punch_facts, coated_load, depth_climb, depth_response)
-    for page in pages:
-        for thing in vars(page).values():
-            if hasattr(thing, "cache_clear"):
-                thing.cache_clear()
 
 
 def bench_first_stiffness(benchmark, below):

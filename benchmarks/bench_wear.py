@@ -48,3 +48,12 @@ def bench_one_look(benchmark, below, steel_on_steel):
     look()
     benchmark.pedantic(look, rounds=200, warmup_rounds=5)
     below(2e-3, f"pressure and slip on {COUNT} rings")
+
+
+def bench_a_ball_slides_any_distance(benchmark, below, steel_on_steel):
+    """A hundred kilometres of sliding: under 10 s."""
+    bed = wk.Foundation(wk.Paraboloid(10e-3), steel_on_steel)
+    problem = wk.SlidingWear(bed, wk.Archard(1e-14), wk.Force(10.0), np.array([0.0, 1.0, 1e3, 1e5]), count=COUNT)
+    worn = benchmark.pedantic(problem.solve, rounds=1, warmup_rounds=0)
+    np.testing.assert_allclose(worn.worn_volume[1:], 1e-13 * worn.distance[1:], rtol=1e-9)
+    below(10.0, f"a ball slides 100 km, {COUNT} rings")

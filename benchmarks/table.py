@@ -17,6 +17,7 @@ from pages import machine, replace, spoken, table
 GROUPS = {
     "times": ("bench_fields", "bench_indentation", "bench_measured"),
     "times-media": ("bench_coated", "bench_graded"),
+    "times-films": ("bench_films",),
     "times-contacts": (
         "bench_adhesion",
         "bench_adhesive_cycle",

@@ -13,20 +13,32 @@ import math
 import re
 import typing
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.vocabulary import word
 
-__all__ = ["FAULTS", "Expected", "careful", "expected_of", "guarded", "guarded_stream", "refuse_wrong"]
+__all__ = [
+    "FAULTS",
+    "Expected",
+    "careful",
+    "expected_of",
+    "guarded",
+    "guarded_answer",
+    "guarded_stream",
+    "refuse_wrong",
+]
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 SMALLEST, LARGEST = 1e-60, 1e60
 """Numbers in SI units of what is given lie between these; squares and cubes of them are still numbers."""
 LONGEST = 40
 """Bits of a whole number: nothing that is counted is counted further."""
-GIVEN = ("materials", "laws", "profiles", "media")
+GIVEN = ("materials", "laws", "profiles", "media", "loading")
 """Floors on which every value was given; on others only problems were."""
 NEVER_ZERO = (
     "curvature_radius", "deep_young", "depth_scale", "mass", "surface_young", "thickness", "transition_width", "young",
@@ -107,7 +119,7 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
             raise InvalidInput(f"{type(content).__name__}: {field.name} is {_shown(inside)}; give {wanted}.")
         if field.sized and not _sized(inside, SMALLEST if field.name in NEVER_ZERO else 0.0):
             raise InvalidInput(
-                f"{type(content).__name__}: {field.name} is {_shown(inside)}; numbers in SI units are between "
+                f"{type(content).__name__}: {field.name} is {_size(inside)}; numbers in SI units are between "
                 f"{SMALLEST:g} and {LARGEST:g} in size: check the unit."
             )
 
@@ -129,6 +141,8 @@ def _wrong(inside: Any, sort: str) -> bool:
 
 def _sized(inside: Any, smallest: float = SMALLEST) -> bool:
     """Return whether a number is zero, or of a size that is met in physics; rows may begin near zero."""
+    if _is_row(inside):
+        inside = np.asarray(inside, dtype=float)
     kind = type(inside)
     if kind is float:
         return inside == 0.0 or not math.isfinite(inside) or smallest <= abs(inside) <= LARGEST
@@ -178,8 +192,18 @@ def _far(content: Any) -> Iterator[str]:
         for part in inside if isinstance(inside, tuple) else (inside,):
             yield from _far(part)
         if isinstance(inside, float | int | np.ndarray) and not _sized(inside):
-            size = f"up to {np.nanmax(np.abs(inside)):g} in size" if isinstance(inside, np.ndarray) else _shown(inside)
-            yield f"{field.name} of {type(content).__name__} is {size}"
+            yield f"{field.name} of {type(content).__name__} is {_size(inside)}"
+
+
+def _size(inside: Any) -> str:
+    """Return a number, or the greatest of many, as a sentence tells them."""
+    row = isinstance(inside, np.ndarray) or _is_row(inside)
+    return f"up to {np.nanmax(np.abs(inside)):g} in size" if row else _shown(inside)
+
+
+def _is_row(inside: Any) -> bool:
+    """Return whether something is a tuple of numbers."""
+    return type(inside) is tuple and bool(inside) and all(type(part) in (float, int) for part in inside)
 
 
 def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
@@ -193,6 +217,17 @@ def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
     def answered(self: Any, *given: Any, **named: Any) -> Any:
         with _told(self):
             return _known(solve(self, *given, **named))
+
+    return answered
+
+
+def guarded_answer(told: Callable[P, R]) -> Callable[P, R]:
+    """Return what tells something of a solution, its first argument, guarded as what has solved its problem."""
+
+    @functools.wraps(told)
+    def answered(*given: P.args, **named: P.kwargs) -> R:
+        with _told(getattr(given[0], "problem", given[0])):
+            return told(*given, **named)
 
     return answered
 
@@ -233,6 +268,14 @@ def _told(problem: Any) -> Iterator[None]:
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             yield
+    except NotConverged as error:
+        far = next(_far(problem), "")
+        if not far:
+            raise
+        # what does not settle is the size of the numbers, not the shape
+        raise OutsideValidity(
+            f"{type(problem).__name__}: {far}, so that it cannot be computed; check the numbers and their units."
+        ) from error
     except WinklerError:
         raise
     except FAULTS as error:

@@ -21,8 +21,9 @@ from winkler.fitting.contact_reading import (
     sample_young,
 )
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.fit import Fit, fit
+from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution
+from winkler.fitting.search import FitState
 from winkler.fitting.segments import Segment, SegmentKind
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
@@ -151,6 +152,7 @@ from winkler.profiles.designed import Designed
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.line_scan import LineScan
+from winkler.profiles.map_spectrum import spectrum_of
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Shape
@@ -158,8 +160,9 @@ from winkler.profiles.random_rough import random_topography
 from winkler.profiles.random_surface import RandomTopography
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.socket import BallInSocket
-from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, spectrum_of
+from winkler.profiles.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
+from winkler.profiles.spikes import Spikes
 from winkler.profiles.topography import Topography
 from winkler.profiles.wavy import Wavy
 from winkler.program import Program
@@ -182,8 +185,8 @@ __all__ = [
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticIndentation", "EllipticSolution", "EqualMaximum", "EqualMean",
     "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
-    "Fit", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation", "FractionalZener",
-    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
+    "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace",
     "HalfSpace", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
@@ -206,10 +209,10 @@ __all__ = [
     "SaturatingWork", "Segment", "SegmentKind", "SelfAffine", "Shape", "ShearForce", "ShearedFields", "Shift",
     "ShortRange", "SigmoidalGrading", "SimplifiedRolling", "SimplifiedRollingSolution", "SlidingResistance",
     "SlidingResistanceSolution",
-    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "SpotCluster", "SpotClusterSolution", "SpringMarch",
-    "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic", "SubsurfaceFields",
-    "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact", "SurfaceContactSolution",
-    "SurfaceFields", "SurfaceFilm",
+    "SlidingSolution", "SlidingWear", "Sphere", "SpheroConical", "Spikes", "SpotCluster", "SpotClusterSolution",
+    "SpringMarch", "SpringTrace", "Springs", "Staircase", "StandardSolid", "Standing", "Start", "StaticKinetic",
+    "SubsurfaceFields", "Sum", "SurfaceConduction", "SurfaceConductionSolution", "SurfaceContact",
+    "SurfaceContactSolution", "SurfaceFields", "SurfaceFilm",
     "TabulatedGrading", "Tangential", "TangentialSolution", "ThermalConductor", "ThermalConstriction",
     "ThermalConstrictionSolution", "ThermalInterface", "Topography", "Torque", "Torsion", "TorsionSolution",
     "TransientHeating", "TransientHeatingSolution", "TransverselyIsotropic", "TransverselyIsotropicHalfSpace",
@@ -223,7 +226,7 @@ __all__ = [
     "area_fraction",
     "compare", "compare_terms", "contact_reading", "creep_coefficients",
     "design_for_pressure", "design_profile",
-    "fit",
+    "fit", "fit_steps",
     "intercept_factor",
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",

@@ -12,6 +12,7 @@ from typing import Protocol, TypeGuard, overload
 
 import numpy as np
 
+from winkler.content import guarded_answer
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
@@ -130,6 +131,7 @@ def restore(solution: Restorable, r: ArrayLike, z: ArrayLike) -> SubsurfaceField
 def restore(solution: Dragged, r: ArrayLike) -> ShearedFields: ...
 @overload
 def restore(solution: TorsionState, r: ArrayLike) -> TwistedFields: ...
+@guarded_answer
 def restore(
     solution: Restorable | Dragged | TorsionState, r: ArrayLike, z: ArrayLike | None = None
 ) -> SurfaceFields | SubsurfaceFields | ShearedFields | TwistedFields:
@@ -173,6 +175,7 @@ def restore(
     return _surface(pressed, radii) if z is None else below_surface(pressed, radii, _checked("z", z))
 
 
+@guarded_answer
 def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
     """Return stresses and displacements inside the bodies, in the axes x, y, z.
 
@@ -213,6 +216,7 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     return body_of_pressed(springs_of(solution), *places)
 
 
+@guarded_answer
 def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     """Return how far a sheared contact drags the surfaces along, sum over both bodies.
 

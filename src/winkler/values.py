@@ -13,7 +13,7 @@ from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
-from winkler.content import FAULTS, careful, expected_of, guarded, guarded_stream, refuse_wrong
+from winkler.content import FAULTS, careful, expected_of, guarded, guarded_answer, guarded_stream, refuse_wrong
 from winkler.errors import InvalidInput, WinklerError
 
 __all__ = ["frozen_array", "value"]
@@ -92,8 +92,8 @@ def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
 
     A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
-    is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps`` tell in one sentence
-    if numbers leave the range of floating-point numbers.
+    is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps``, and the
+    properties of a solution, tell in one sentence if numbers leave the range of floating-point numbers.
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
 
@@ -128,6 +128,10 @@ def value(cls: type[T]) -> type[T]:
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
         if callable(vars(cls).get(name)):  # a field may have the same name
             setattr(cls, name, guard(vars(cls)[name]))
+    if "problem" in vars(cls).get("__annotations__", {}):  # a solution: what it tells is computed when it is asked
+        for name, member in list(vars(cls).items()):
+            if isinstance(member, property) and member.fget is not None:
+                setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
     expected = expected_of(made)
     return made

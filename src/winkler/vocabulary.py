@@ -442,6 +442,7 @@ GLOSSARY: dict[str, Word] = {
     "bodies": Word("", None, "curvatures of both bodies"),
     "equivalent_radius": Word(r"R_\mathrm{eq}", "m", "radius of the ball whose force grows as that of these bodies"),
     "peak_pressure": Word("p_0", "Pa", "greatest pressure, in the middle of the contact"),
+    "area_error": Word(r"\Delta A", "m^2", "estimated error of the area of contact"),
     "mean_gap": Word(r"\bar u", "m", "mean distance of the surfaces"),
 }
 
@@ -462,6 +463,9 @@ OWNED: dict[tuple[str, str], Word] = {
     ("LineScan", "position"): Word("x", "m", "places along a line over a surface"),
     ("SurfaceState", "misfit"): Word("", "", "pressure times gap that is left, over force times depth"),
     ("SurfaceContactSolution", "misfit"): Word("", "", "pressure times gap that is left, over force times depth"),
+    ("Spikes", "grains"): Word("", None, "where grains and dropouts stand out of a surface"),
+    ("Spikes", "scars"): Word("", None, "where scars of a scan stand out of a surface"),
+    ("Spikes", "height"): Word("", "m", "by how much heights differ from the surface bridged without them"),
     ("Measured", "heights"): Word("f_i", "m", "measured heights above the apex"),
     ("StaticKinetic", "static_coefficient"): Word(r"\mu_s", "", "friction coefficient of points that stick"),
     ("StaticKinetic", "kinetic_coefficient"): Word(r"\mu_k", "", "friction coefficient of points that slide"),
@@ -598,6 +602,10 @@ OWNED: dict[tuple[str, str], Word] = {
     ("Fit", "predicted"): Word("F", "N", "fitted forces with the baseline"),
     ("Fit", "contact"): Word("", None, "where the tip is in contact"),
     ("Fit", "flags"): Word("", None, "what speaks against the numbers"),
+    ("FitState", "evaluations"): Word("", "", "how often the curve was predicted"),
+    ("FitState", "names"): Word("", None, "what is varied"),
+    ("FitState", "values"): Word("", None, "the best numbers so far, in SI units"),
+    ("FitState", "scatter"): Word("s", None, "standard deviation of the weighted residuals there"),
     ("ViscoelasticFit", "model"): Word("", None, "the model with the fitted numbers"),
     ("ViscoelasticFit", "names"): Word("", None, "what was varied"),
     ("ViscoelasticFit", "values"): Word("", None, "the fitted numbers, in SI units"),

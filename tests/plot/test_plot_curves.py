@@ -10,11 +10,12 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.halfspace import HalfSpace
+from winkler.plot import style
 from winkler.plot.body import _revolved, _round
 from winkler.plot.curves import force_depth, line_load, load_curves, surface
 from winkler.plot.extent import around, is_singular, sunk, typical
 from winkler.plot.families import spans_decades
-from winkler.plot.springs import plane_profile
+from winkler.plot.springs import draw_springs, plane_profile, stretched
 from winkler.plot.stresses import stressed_first
 from winkler.problems.indentation import Indentation
 from winkler.profiles.conical import Cone, SpheroConical, TruncatedCone
@@ -42,6 +43,25 @@ def test_the_area_below_the_line_load_is_the_force(solution):
     assert_allclose(np.trapezoid(curve.of.content, curve.along.content), solution.force, rtol=2e-4)
     assert_allclose(curve.along.content[[0, -1]], [-2.0 * solution.radius, 2.0 * solution.radius])
     assert_allclose(curve.of.content[[0, -1]], 0.0)
+
+
+def test_springs_that_only_round_do_not_pull():
+    """The edge of a contact without adhesion: g(a) = d but for the last digit, of either sign."""
+    edges = []
+    for force in np.geomspace(1.0, 100.0, 40):
+        for profile in (Paraboloid(R), Cone(0.1), Sphere(R)):
+            solution = pressed(profile, Force(float(force)))
+            edges.append(float(np.min(solution.pressed.value(np.linspace(0.0, solution.radius, 33)))))
+            assert not stretched(solution.pressed.value(np.linspace(0.0, solution.radius, 33))).any()
+            if edges[-1] < 0.0:
+                assert "blue springs pull" not in [text.get_text() for text in sheet_of_springs(solution).texts]
+    assert min(edges) < 0.0  # or nothing is tested
+
+
+def sheet_of_springs(solution):
+    axes = style.figure().subplots()
+    draw_springs(axes, solution.pressed, 2.0 * solution.radius)
+    return axes
 
 
 def test_the_line_load_jumps_at_a_pinned_edge():

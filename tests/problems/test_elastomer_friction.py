@@ -12,8 +12,10 @@ from winkler.materials.elastic import Elastic
 from winkler.materials.spring_and_dashpot import KelvinVoigt, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.problems.elastomer_friction import ElastomerFriction
+from winkler.profiles.map_spectrum import spectrum_of
 from winkler.profiles.random_rough import random_lines
 from winkler.profiles.spectrum import PowerSpectrum, SelfAffine
+from winkler.profiles.topography import Topography
 from winkler.validity import Standing
 
 ROUGH = SelfAffine(hurst=0.7, rms_height=0.01, longest=1.0, shortest=1.0 / 64)
@@ -59,6 +61,17 @@ def test_a_solid_of_many_times_is_level():
     broad = Prony(1e-9, times**-n, times)
     found = ElastomerFriction(ROUGH, broad, np.geomspace(1e-4, 1e2, 7)).solve().coefficient
     assert found == pytest.approx(ROUGH.rms_slope * math.sin(0.5 * math.pi * n), rel=2e-3)
+
+
+def test_a_line_of_a_measured_spectrum_counts_whole():
+    """Parallel waves of one length: mu = h' sin(delta) at the frequency with which they pass."""
+    x = np.arange(256) / 256
+    wave = Topography(np.tile(np.sin(2.0 * np.pi * 20.0 * x)[:, None], 256), [1.0, 1.0], periodic=True)
+    velocity, q = np.array([1e-4, 1e-2, 1.0]), 40.0 * math.pi
+    found = ElastomerFriction(spectrum_of(wave), RUBBER, velocity).solve().coefficient
+    omega = 1e-2 * q * velocity  # relaxation time 10 ms, moduli 1 and 11
+    storage, loss = 1.0 + 10.0 * omega**2 / (1.0 + omega**2), 10.0 * omega / (1.0 + omega**2)
+    assert found == pytest.approx(q / 2.0**0.5 * loss / np.hypot(storage, loss), rel=5e-3)
 
 
 def sliding(depth, velocities, count=2048, lines=40):

@@ -13,7 +13,9 @@ from scipy.special import erf
 
 from winkler.errors import InvalidInput
 from winkler.problems.persson import area_fraction, mean_separation
+from winkler.profiles.map_spectrum import spectrum_of
 from winkler.profiles.spectrum import PowerSpectrum, SelfAffine
+from winkler.profiles.topography import Topography
 
 WIDE = SelfAffine(hurst=0.8, rms_height=0.025, longest=0.5, shortest=1.0 / 64)
 
@@ -102,6 +104,20 @@ def test_a_measured_spectrum_is_taken_as_well():
     same = PowerSpectrum(q, WIDE.at(q))
     pressure = np.array([1e-3, 1e-1])
     assert mean_separation(pressure, 1.0, same) == pytest.approx(mean_separation(pressure, 1.0, WIDE), rel=1e-5)
+
+
+def test_the_gap_of_a_line():
+    """All power at one wave number q: the integral over t = 1/w has 1/q before it (module docstring)."""
+    x = 2.0 * math.pi * np.arange(256) / 256
+    wave = Topography(np.tile(1e-3 * np.sin(20.0 * x)[:, None], 256), [1.0, 1.0], periodic=True)
+    q, p = 40.0 * math.pi, 1e-2
+
+    def work(s):
+        return quad(lambda t: (0.45 + 1.65 * math.erf(t) ** 2) * math.exp(-(t**2)) / t, s, 12.0)[0]
+
+    whole = quad(lambda t: work(p / t), 1e-3, 1e-3 * q / 2.0)[0]  # h' / sqrt(2), and h' = q h / sqrt(2)
+    found = mean_separation(np.array(p), 1.0, spectrum_of(wave))
+    assert float(found) == pytest.approx(2.0 / math.sqrt(math.pi) * whole / q, rel=5e-3)
 
 
 def test_gap_and_area_against_boundary_elements(shared_data):

@@ -112,6 +112,43 @@ def test_the_edge_is_taken_off_the_area():
     assert abs(np.mean(corrected)) < 0.5 * np.mean(counted)
 
 
+@pytest.mark.parametrize("across", [3, 4, 6, 8, 12])
+def test_the_area_lies_within_its_error_on_coarse_grids(across):
+    """Hertz: a circle `across` pixels wide, wherever its middle lies in a pixel."""
+    rng, count = np.random.default_rng(across), 2 * across + 6
+    for _ in range(12):
+        radius, (x, y) = 0.5 * across * rng.uniform(0.9, 1.1), np.arange(count) - 0.5 * count + rng.random((2, 1))
+        curvature, exact = 100.0 * radius, math.pi * radius**2
+        found = SurfaceContact(
+            Topography(-(x[:, None] ** 2 + y**2) / (2.0 * curvature), [float(count)] * 2),
+            UNIT,
+            Force(4.0 / 3.0 * radius**3 / curvature),
+        ).solve()
+        assert abs(found.area - exact) < found.area_error
+        peak = 2.0 * radius / (math.pi * curvature)
+        assert abs(found.last.pressure.max() / peak - 1.0) < 6.0 * (found.area_error / found.area) ** 2
+
+
+@pytest.mark.parametrize("count", [8, 16, 32])
+def test_the_error_of_the_area_of_waves_along_the_grid(count):
+    """Westergaard, sin^2(pi a/L) = p/p*: all edges are straight and move together, the worst case of pixels."""
+    full, inside, low, errors = math.pi * 1e-3, [], [], []
+    for share in np.linspace(0.1, 0.8, 8):
+        for shift in (0.0, 0.25, 0.5):
+            wave = 1e-3 * np.cos(2.0 * np.pi * (np.arange(count) + shift) / count)
+            rough = Topography(np.tile(wave[:, None], 4), [1.0, 4.0 / count], True)
+            found = SurfaceContact(rough, UNIT, Force(share * full * rough.area)).solve()
+            exact = 2.0 / math.pi * math.asin(math.sqrt(share)) * rough.area
+            inside.append(abs(found.area - exact) / found.area_error)
+            errors.append(found.area / exact - 1.0)
+            peak = 2.0 * math.sqrt(share) * full
+            low.append((1.0 - found.last.pressure.max() / peak) / (6.0 * (found.area_error / found.area) ** 2))
+    assert np.median(inside) < 1.0
+    assert np.max(inside) < 2.5  # half a pixel, and a little
+    assert np.mean(np.array(low) < 1.0) > 0.9
+    assert abs(np.mean(errors)) < 1.0 / count
+
+
 def test_what_is_soft_enough_flows():
     """Far beyond the hardness the contact is the force over the hardness."""
     for topography in (ball(), ROUGH):
@@ -183,7 +220,11 @@ def test_a_rough_surface_for_ever_of_another_code(shared_data, loads):
 
 def test_few_pixels_and_steep_heights_are_said():
     few = SurfaceContact(ball(), STEEL, Force(1.0)).solve()
-    assert "below 300 its area and stiffness" in " ".join(note.statement for note in few.validity)
+    said = next(note for note in few.validity if "pixels wide" in note.statement)
+    assert said.standing is Standing.APPROXIMATE
+    assert f"known to about {100.0 * few.area_error / few.area:.2g} per cent" in said.statement
+    fewer = SurfaceContact(ball(), STEEL, Force(1e-4)).solve()
+    assert next(note for note in fewer.validity if "pixels wide" in note.statement).standing is Standing.OUTSIDE
     steep = SurfaceContact(Topography(10.0 * ball().heights, [SIDE, SIDE]), STEEL, Force(1.0)).solve()
     said = {note.standing for note in steep.validity if "mean square slope" in note.statement}
     assert said == {Standing.APPROXIMATE}

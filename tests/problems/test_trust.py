@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.problems import one_disc
 from winkler.validity import worst
 
 STEEL = wk.Elastic(210e9, 0.3)
@@ -97,3 +98,26 @@ def test_every_note_has_a_source_and_ends_as_a_sentence():
         assert note.statement.endswith(".")
         assert str(note).startswith(f"{note.standing.value}: ")
     assert worst(notes) is wk.Standing.APPROXIMATE
+
+
+def test_a_check_that_does_not_come_to_an_end_refuses_nothing(monkeypatch):
+    """The answer is that of the check that ended; a note says that whether it is one disc was not found out."""
+    film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e4, 0.5), 2.13e-6)], on=wk.Rigid())
+    bed, loads = wk.Foundation(wk.Cone(1.2), film), wk.Depth(np.array([0.3e-6, 1e-6]))
+    looked_at = wk.Indentation(bed, loads).solve()
+    assert find(looked_at.validity, "one disc was checked").standing is wk.Standing.EXACT
+
+    def endless(*_):
+        raise wk.NotConverged("The separation outside the contact could not be computed.")
+
+    monkeypatch.setattr(one_disc, "_clear_outside", endless)
+    one_disc._unfinished.cache_clear()
+    try:
+        unseen = wk.Indentation(bed, loads).solve()
+        note = find(unseen.validity, "did not come to an end")
+    finally:
+        one_disc._unfinished.cache_clear()
+    assert note.standing is wk.Standing.APPROXIMATE
+    assert "could not be computed" in note.statement
+    np.testing.assert_array_equal(unseen.force, looked_at.force)
+    np.testing.assert_array_equal(unseen.radius, looked_at.radius)

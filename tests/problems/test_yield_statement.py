@@ -2,70 +2,17 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize
+from sliding_ball import mises, on_the_surface, point_loads
 
 import winkler as wk
-from winkler.study.build import build
-from winkler.study.catalogue import kinds, slot_of
-from winkler.study.explain import example_study
-from winkler.validity import worst
 
 E, NU, Y, R = 210e9, 0.3, 1.2e9, 10e-3
 ELASTIC = wk.Assumption.ELASTIC
-
-
-def mises(xx, yy, zz, xy, xz, yz):
-    squares = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    return np.sqrt(0.5 * squares + 3.0 * (xy**2 + xz**2 + yz**2))
-
-
-def on_the_surface(mu, nu):
-    """Greatest von Mises stress on the axis of sliding of the surface of a ball, over p0, behind the middle.
-
-    Hertz's stresses (Johnson 3.43), and those of the traction from its surface displacements (Johnson 3.91).
-    """
-    x = np.linspace(1e-3, 1.0, 4001)
-    root = np.sqrt(1.0 - x * x)
-    swell = (1.0 - 2.0 * nu) / 3.0 * (1.0 - root**3) / x**2
-    xx = swell - root + math.pi * (4.0 + nu) / 8.0 * mu * x
-    yy = -swell - 2.0 * nu * root + 3.0 * math.pi * nu / 8.0 * mu * x
-    return float(np.max(mises(xx, yy, -root, 0.0, mu * root, 0.0)))
-
-
-def point_loads(mu, nu, x, z):
-    """Von Mises stress under a sliding ball, p0 = a = 1: Boussinesq's and Cerruti's point loads added up."""
-    angle = 2.0 * np.pi * (np.arange(64) + 0.5) / 64
-    node, weight = np.polynomial.legendre.leggauss(40)
-    s = np.sin(0.25 * np.pi * (node + 1.0))  # r = sin, so that the root of the pressure is smooth
-    root = np.sqrt(1.0 - s * s)
-    loads = (weight * 0.25 * np.pi * root * root * s)[:, None] * np.full(64, 2.0 * np.pi / 64)
-    u, v = x - np.outer(s, np.cos(angle)), -np.outer(s, np.sin(angle))
-    rho = np.sqrt(u * u + v * v + z * z)
-    r2, free, w = u * u + v * v, 1.0 - 2.0 * nu, rho + z
-    normal = (
-        free / r2 * ((1.0 - z / rho) * (u * u - v * v) / r2 + z * v * v / rho**3) - 3.0 * z * u * u / rho**5,
-        free / r2 * ((1.0 - z / rho) * (v * v - u * u) / r2 + z * u * u / rho**3) - 3.0 * z * v * v / rho**5,
-        -3.0 * z**3 / rho**5,
-        free / r2 * ((1.0 - z / rho) * 2.0 * u * v / r2 - u * v * z / rho**3) - 3.0 * z * u * v / rho**5,
-        -3.0 * u * z * z / rho**5,
-        -3.0 * v * z * z / rho**5,
-    )
-    far = 1.0 / (rho**3 * w * w) + 2.0 / (rho**2 * w**3)
-    along = (
-        -3.0 * u**3 / rho**5 + free * (u / rho**3 - 3.0 * u / (rho * w * w) + u**3 * far),
-        -3.0 * u * v * v / rho**5 + free * (u / rho**3 - u / (rho * w * w) + u * v * v * far),
-        -3.0 * u * z * z / rho**5,
-        -3.0 * u * u * v / rho**5 + free * (-v / (rho * w * w) + u * u * v * far),
-        -3.0 * u * u * z / rho**5,
-        -3.0 * u * v * z / rho**5,
-    )
-    stress = [np.sum(loads * (a + mu * b)) / (2.0 * np.pi) for a, b in zip(normal, along, strict=True)]
-    return float(mises(*stress))
 
 
 def steel(strength=Y, nu=NU):
@@ -309,45 +256,72 @@ def test_twist():
     assert least > 1.5 * 0.6200410039 * p0  # friction matters here
 
 
-def strengthened(item, strength):
-    """Return a problem whose elastic solids all have this strength."""
-    if isinstance(item, wk.Elastic):
-        return wk.Elastic(item.young, item.poisson, strength)
-    if isinstance(item, wk.Rigid):
-        return wk.Elastic(1e12, 0.3, strength)
-    if isinstance(item, tuple):
-        return tuple(strengthened(part, strength) for part in item)
-    if not dataclasses.is_dataclass(item):
-        return item
-    old = {field.name: getattr(item, field.name) for field in dataclasses.fields(item) if field.init}
-    new = {name: strengthened(part, strength) for name, part in old.items()}
-    return type(item)(**new) if any(new[name] is not part for name, part in old.items()) else item
+CRYSTAL = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)
+RUBBER = wk.StandardSolid(relaxed_shear=1e9, shear=2e9, relaxation_time=1.0)
 
 
-WITHOUT = {
-    "elastic_plastic_particle": "its strength is its law",
-    "elastomer_friction": "a relaxing body under a rigid one: no solid has a strength",
-    "spot_cluster": "no elastic bodies",
-    "yield_onset": "the onset is its answer",
-}
-UNKNOWN = {
-    "conductance_bounds", "creep_test", "harmonic_indentation", "nearly_round_indentation", "reduction",
-    "relaxation_test", "sliding_resistance", "viscoelastic_adhesion", "viscoelastic_impact",
-    "viscoelastic_indentation", "viscoelastic_tangential",
-}  # fmt: skip
-"""Whose stresses are not computed: they say so, whatever the strength is."""
-PROBLEMS = sorted(name for name in kinds() if slot_of(name) == "problem" and name not in WITHOUT)
+@pytest.mark.parametrize(
+    ("medium", "known"),
+    [
+        (lambda solid: wk.HalfSpace(wk.Rigid(), solid), True),
+        (lambda solid: wk.TransverselyIsotropicHalfSpace(CRYSTAL, solid), False),
+        (lambda solid: wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, NU), 1e-3)], on=wk.Rigid(), second=solid), True),
+        (lambda solid: wk.CoatedHalfSpace([wk.Layer(wk.Elastic(E, NU), 1e-3)], on=solid), True),
+    ],
+)
+def test_every_body_of_a_medium_is_judged(medium, known):
+    """Whichever body is given the strength: tiny, it yields; where its stresses are not known, that is said."""
+    for strength, standing in ((1e3, wk.Standing.OUTSIDE), (1e30, wk.Standing.EXACT)):
+        bed = wk.Foundation(wk.Paraboloid(R), medium(steel(strength)))
+        note = statement(wk.Indentation(bed, wk.Force(10.0)).solve())
+        assert note.standing is (standing if known else wk.Standing.APPROXIMATE)
 
 
-@pytest.mark.parametrize("name", PROBLEMS)
-def test_all_kinds_state_it(name):
-    """A tiny strength is stated as yield or as unknown, a huge one never as yield."""
-    asked = build(example_study(name)["problem"])
-    assert ELASTIC in asked.assumptions
-    for strength, standings in (
-        (1e-3, {wk.Standing.APPROXIMATE} if name in UNKNOWN else {wk.Standing.OUTSIDE}),
-        (1e60, set(wk.Standing) - {wk.Standing.OUTSIDE}),
-    ):
-        notes = [note for note in strengthened(asked, strength).solve().validity if note.assumption is ELASTIC]
-        assert notes
-        assert worst(notes) in standings
+@pytest.mark.parametrize(
+    "medium",
+    [
+        lambda solid: wk.ViscoelasticHalfSpace(RUBBER, solid),
+        lambda solid: wk.RelaxingInProportion(wk.HalfSpace(solid), RUBBER, shear=1e9),
+    ],
+)
+def test_bodies_that_relax(medium):
+    bed = wk.Foundation(wk.Paraboloid(R), medium(steel(1e3)))
+    tested = wk.RelaxationTest(bed, depth=1e-6, time=np.array([0.1, 1.0])).solve()
+    assert statement(tested).statement.startswith("The onset of yield is not known because the stresses in bodies that")
+
+
+@pytest.mark.parametrize("profile", [wk.FlatPunch(1e-3), wk.Cone(1.3), wk.TruncatedCone(1.3, 1e-4)])
+def test_sharp_places(profile):
+    """Infinite there whatever the strength; what is beyond a tenth of the contact radius decides."""
+    for strength, standing in ((1e3, wk.Standing.OUTSIDE), (1e30, wk.Standing.APPROXIMATE)):
+        bed = wk.Foundation(profile, wk.HalfSpace(steel(strength)))
+        for solution in (
+            wk.Indentation(bed, wk.Depth(1e-6)).solve(),
+            wk.FrictionDamping(bed, wk.Coulomb(0.3), wk.Depth(1e-6), wk.Shift(1e-9)).solve(),
+        ):
+            assert statement(solution).standing is standing
+            assert "so the elastic stress is infinite there" in statement(solution).statement
+
+
+def test_flat_punch_away_from_its_rim():
+    """Below the middle of a flat punch, nu = 0.5 (Sneddon's stresses): that much is reached away from the rim."""
+    # on the axis sigma_z = -p_m (1 + 3 z^2)/(2 (1 + z^2)^2)
+    force, a = 1.0, 1e-3
+    mean = force / (math.pi * a * a)
+    z = np.linspace(0.2, 3.0, 300)
+    axial = -0.5 * (1.0 + 3.0 * z * z) / (1.0 + z * z) ** 2
+    trace = -1.5 / (1.0 + z * z)  # sigma_x + sigma_y + sigma_z = -(1 + nu) p_m/(1 + z^2), nu = 1/2
+    radial = 0.5 * (trace - axial)
+    least = mean * float(np.max(np.abs(axial - radial)))
+    bed = wk.Foundation(wk.FlatPunch(a), wk.HalfSpace(wk.Elastic(1e9, 0.5, 0.99 * least)))
+    assert statement(wk.Indentation(bed, wk.Force(force)).solve()).standing is wk.Standing.OUTSIDE
+
+
+def test_springs_of_a_height_map():
+    """They tell forces, not pressures: whatever the strength of what the map was pressed into, that is said."""
+    x = np.linspace(-0.5, 0.5, 65)[:-1] + 1.0 / 128.0
+    ball_map = wk.Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
+    bed = wk.ReducedBed(ball_map, wk.HalfSpace(wk.Elastic(1.0, 0.3, 1e-9)), 0.05)
+    note = statement(wk.Indentation(bed, wk.Depth(0.02)).solve())
+    assert note.standing is wk.Standing.APPROXIMATE
+    assert "does not tell the outline" in note.statement

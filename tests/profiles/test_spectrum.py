@@ -7,8 +7,9 @@ import pytest
 from mpmath import mp, mpf, quad, sqrt
 
 from winkler.errors import InvalidInput
+from winkler.profiles.map_spectrum import spectrum_of
 from winkler.profiles.random_rough import random_topography
-from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, spectrum_of
+from winkler.profiles.spectrum import PowerSpectrum, SelfAffine
 from winkler.profiles.topography import Topography
 
 BLASTED = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=1e-5, roll_off=2.5e-4)
@@ -67,6 +68,68 @@ def test_parseval(hurst, roll_off, shape, lengths):
     assert measured.rms_slope == pytest.approx(made_from.rms_slope, rel=0.04)
     q = np.geomspace(5e4, 5e5, 9)
     np.testing.assert_allclose(measured.at(q), made_from.at(q), rtol=0.06)
+
+
+def waves(amplitudes, number=256):
+    """Return a periodic map of parallel waves: amplitude -> mean square height h^2/2 and gradient (q h)^2/2."""
+    x = 2.0 * np.pi * np.arange(number) / number
+    heights = sum(h * np.cos(k * x + 0.7 * k) for k, h in amplitudes.items())
+    height = sum(0.5 * h**2 for h in amplitudes.values()) ** 0.5
+    slope = sum(0.5 * (2.0 * np.pi * k * h) ** 2 for k, h in amplitudes.items()) ** 0.5
+    return Topography(np.tile(heights[:, None], number), [1.0, 1.0], True), height, slope
+
+
+@pytest.mark.parametrize(
+    "amplitudes",
+    [
+        {20: 1.0},
+        {1: 1.0},
+        {127: 3.0},
+        {k: 1.0 / k for k in range(16, 128, 16)},  # turned: a feed and its overtones
+        {k: abs(np.cos(3.0 * k)) / k for k in range(1, 128)},  # ground: lines of all wavelengths
+    ],
+    ids=["sine", "longest", "shortest", "turned", "ground"],
+)
+def test_lines_keep_their_power(amplitudes):
+    """Parseval, to rounding: a sine of rms height 0.707 came back as 0.127."""
+    rough, height, slope = waves(amplitudes)
+    spectrum = spectrum_of(rough)
+    assert spectrum.rms_height == pytest.approx(height, rel=1e-11)
+    assert spectrum.rms_slope == pytest.approx(slope, rel=1e-10)
+    again = random_topography(spectrum, (256, 256), (1.0, 1.0), seed=1)
+    assert again.rms_height == pytest.approx(height, rel=0.04)
+
+
+@pytest.mark.parametrize("number", range(1, 32))
+def test_a_line_beside_noise_keeps_its_power(number):
+    """Wherever it lies between the rings."""
+    x = 2.0 * np.pi * np.arange(64) / 64
+    noise = 1e-3 * np.random.default_rng(1).standard_normal((64, 64))
+    rough = Topography(np.cos(number * x)[:, None] + noise, [1.0, 1.0], True)
+    power = np.abs(np.fft.fft2(rough.heights - rough.heights.mean())) ** 2 / rough.heights.size**2
+    q = 2.0 * np.pi * np.fft.fftfreq(64, 1.0 / 64)
+    assert spectrum_of(rough).rms_height == pytest.approx(rough.rms_height, rel=1e-11)
+    assert spectrum_of(rough).rms_slope == pytest.approx(np.sum(power * (q[:, None] ** 2 + q**2)) ** 0.5, rel=1e-10)
+
+
+@pytest.mark.parametrize("shape", [(256, 256), (200, 300), (64, 8), (5, 7)])
+def test_parseval_holds_up_to_the_corners(shape):
+    """Waves of all directions and amplitudes, up to the shortest that the pixels bear."""
+    rng = np.random.default_rng(4)
+    rough = Topography(rng.standard_normal(shape).cumsum(0), [2.0, 3.0], True)
+    power = np.abs(np.fft.fft2(rough.heights - rough.heights.mean())) ** 2 / rough.heights.size**2
+    qx, qy = (2.0 * np.pi * np.fft.fftfreq(n, step) for n, step in zip(shape, rough.pixel, strict=True))
+    spectrum = spectrum_of(rough)
+    assert spectrum.rms_height == pytest.approx(rough.rms_height, rel=1e-11)
+    assert spectrum.rms_slope == pytest.approx(np.sum(power * (qx[:, None] ** 2 + qy**2)) ** 0.5, rel=1e-10)
+
+
+def test_a_map_that_stands_alone_has_its_height_in_the_mean():
+    """Of a sine with many periods the window takes nothing: 20 periods, of which it leaves the power."""
+    rough, height, slope = waves({20: 1.0})
+    alone = spectrum_of(Topography(rough.heights, rough.lengths))
+    assert alone.rms_height == pytest.approx(height, rel=1e-3)
+    assert alone.rms_slope == pytest.approx(slope, rel=1e-2)
 
 
 def test_a_map_that_stands_alone_is_faded_out():
@@ -174,9 +237,13 @@ def test_surface_topography_finds_the_same(periodic):
     other = judge.Topography(rough.heights * 1e6, sizes, unit="um", periodic=periodic)
     assert rough.rms_height * 1e6 == pytest.approx(other.Sq(), rel=1e-9)
     assert rough.rms_slope == pytest.approx(other.rms_gradient(), rel=1e-9 if periodic else 2e-3)
-    q, density = other.power_spectrum_from_area(nb_points_per_decade=10)
-    seen = (q > 5e-2) & (q < 0.5) & np.isfinite(density)
-    ratio = spectrum_of(rough).at(q[seen] * 1e6) / (density[seen] * 1e-24 / (2.0 * np.pi) ** 2)
-    assert np.count_nonzero(seen) > 8
-    np.testing.assert_allclose(ratio, 1.0, rtol=0.02 if periodic else 0.3)
-    assert np.mean(ratio) == pytest.approx(1.0, abs=0.02 if periodic else 0.05)
+    ratios = []
+    edges = np.geomspace(5e-2, 0.5, 11)
+    _, density = other.power_spectrum_from_area(collocation=edges)
+    own = spectrum_of(rough)
+    for first, last, theirs in zip(edges[:-1], edges[1:], density, strict=True):
+        q = np.geomspace(first * 1e6, last * 1e6, 20001)
+        mean = 2.0 * np.trapezoid(own.at(q) * q, q) / (q[-1] ** 2 - q[0] ** 2)
+        ratios.append(mean / (theirs * 1e-24 / (2.0 * np.pi) ** 2))
+    np.testing.assert_allclose(ratios, 1.0, rtol=0.02 if periodic else 0.3)
+    assert np.mean(ratios) == pytest.approx(1.0, abs=0.01 if periodic else 0.05)

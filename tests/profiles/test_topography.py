@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from winkler.errors import InvalidInput
+from winkler.io.topography_file import read_topography
+from winkler.loading import Force
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.problems.surface_contact import SurfaceContact
 from winkler.profiles.random_rough import random_topography
 from winkler.profiles.spectrum import SelfAffine
 from winkler.profiles.topography import Topography
@@ -144,6 +151,87 @@ def test_spikes_are_taken_away_and_nothing_else(periodic):
     assert np.max(np.abs(found.filled().heights - clean.heights)) < 0.3
     with pytest.raises(InvalidInput, match=r"times = 0.0; give a positive number"):
         clean.without_spikes(0.0)
+
+
+def scarred(clean, scars):
+    """Return a map with scars (rows, columns, height), and where they are."""
+    heights, where = clean.heights.copy(), np.zeros(clean.heights.shape, dtype=bool)
+    for rows, columns, height in scars:
+        heights[rows, columns] += height
+        where[rows, columns] = True
+    return Topography(heights, clean.lengths, clean.periodic), where
+
+
+SCARS = [
+    (slice(40, 140), slice(30, 31), 7e-7),
+    (slice(0, 256), slice(90, 91), -6e-7),
+    (slice(200, 206), slice(150, 152), 9e-7),
+    (slice(20, 45), slice(200, 203), -9e-7),
+    (slice(240, 241), slice(10, 60), 7e-7),
+    (slice(60, 160), slice(255, 256), 9e-7),
+]
+"""Long and short, one to three pixels wide, up and down, along both directions, and the last line."""
+
+
+@pytest.mark.parametrize("periodic", [False, True])
+def test_scars_are_found_along_their_whole_length(periodic):
+    """Lower than the roughness (1 um), so that no height among those around betrays them."""
+    surface = SelfAffine(0.8, rms_height=1e-6, longest=1e-3, shortest=2e-5)
+    clean = Topography(random_topography(surface, (256, 256), [1e-3, 1e-3], seed=2).heights, [1e-3, 1e-3], periodic)
+    rough, where = scarred(clean, SCARS)
+    found = rough.spikes()
+    assert not np.any(found.where & ~where)
+    for rows, columns, _ in SCARS:
+        assert np.mean(found.where[rows, columns]) > 0.95
+    np.testing.assert_array_equal(np.isnan(rough.without_spikes().heights), found.where)
+    bridged = rough.without_spikes().filled().heights
+    np.testing.assert_allclose(found.height, rough.heights - bridged, atol=1e-20)
+    assert np.sqrt(np.mean((bridged - clean.heights)[found.where] ** 2)) < 2e-7
+    assert re.fullmatch(r"\d+ of 65536 pixels stand out by up to [\d.e-]+ m: \d+ of grains.*, \d+ of scars", str(found))
+    assert str(clean.spikes()) == "no spikes"
+
+
+def test_ground_surfaces_have_no_scars():
+    """Every line of theirs has its own height, by chance."""
+    lines = np.random.default_rng(3).standard_normal((1024, 1))
+    assert Topography(np.tile(lines, 64), [16.0, 1.0]).without_spikes().missing == 0
+
+
+def test_scars_bear_nothing_of_a_real_scan(shared_data):
+    """A scan of an atomic force microscope, on which lines of one pixel bear most of a load: found, they bear none."""
+    pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
+    scan = read_topography(shared_data / "topographies" / "di-3.di").detrended(1)
+    assert scan.spikes().where.sum() < 20
+    lines = [(slice(10, 60), slice(155, 156), 8e-8), (slice(70, 120), slice(210, 211), 8e-8)]
+    lines += [(slice(0, 30), slice(39, 40), 8e-8), (slice(225, 256), slice(2, 3), 9e-8)]
+    rough, where = scarred(scan, lines)
+    medium = HalfSpace(Elastic(3e9, 0.4))
+
+    def share(surface):
+        pressure = SurfaceContact(surface, medium, Force(5e-4)).solve().last.pressure
+        return np.sum(pressure[where]) / np.sum(pressure)
+
+    assert share(rough) > 0.69
+    assert np.mean(rough.spikes().where[where]) > 0.95
+    assert share(rough.without_spikes().filled()) < 1.5 * share(scan) + 0.01
+
+
+def test_one_pixel_peaks_of_a_real_map_bear_less(shared_data):
+    """They bore two thirds of a load after the grains alone had been taken away; two levels of noise are left."""
+    pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
+    scan = read_topography(shared_data / "topographies" / "sur-2.sur")
+    medium, shares = HalfSpace(Elastic(210e9, 0.3)), []
+    for surface in (scan.masked(scan.spikes().grains), scan.without_spikes()):
+        smooth = surface.filled().detrended(2)
+        peaks = np.zeros(smooth.heights.shape, dtype=bool)
+        for axis in (0, 1):
+            step = np.diff(np.moveaxis(smooth.heights, axis, 0), axis=0)
+            above = np.minimum(step[:-1], -step[1:]) > 3.0 * np.median(np.abs(step))
+            peaks |= np.moveaxis(np.pad(above, [(1, 1), (0, 0)]), 0, axis)
+        pressure = SurfaceContact(smooth, medium, Force(1e-2)).solve().last.pressure
+        shares.append(np.sum(pressure[peaks]) / np.sum(pressure))
+    assert 0.6 < shares[0] < 0.75
+    assert shares[1] < 0.8 * shares[0]
 
 
 @pytest.mark.parametrize("hurst", [0.2, 0.8])

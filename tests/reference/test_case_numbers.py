@@ -13,7 +13,7 @@ import pytest
 import winkler
 
 CASES = {path.stem: path for path in sorted((Path(winkler.__file__).parent / "cases").glob("*.toml"))}
-GRADES = ("analytical", "published table", "cross-code", "measured")
+GRADES = ("analytical", "published table", "cross-code", "independent implementation", "measured")
 
 
 def read(name: str) -> dict:

@@ -72,7 +72,7 @@ def test_layered(name):
     case = CASES[name]
     answer = layered_case.Answer(case["problem"])
     for expectation in case["expect"]:
-        tolerance = 5e-11 if case["grade"] == "cross-code" else expectation["tolerance"]
+        tolerance = 5e-11 if case["grade"] == "independent implementation" else expectation["tolerance"]
         np.testing.assert_allclose(answer.quantity(expectation), given(expectation), rtol=tolerance)
 
 

@@ -5,6 +5,7 @@ The numbers of sections 1, 7 and 8.2 are checked beside the judges of these sect
 
 from __future__ import annotations
 
+import csv
 import tomllib
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import pytest
 from theory_judge import JUDGES
 
 import winkler
+from winkler.problems import kalker
 
 CASES = Path(winkler.__file__).parent / "cases"
 SHEAR = 208e9 / 2.5
@@ -186,18 +188,32 @@ def test_a_shear_force_of_contact_is_as_it_was_written(shared_data):
     np.testing.assert_allclose(values("cattaneo_shift_contact", "shear_force"), 0.4 * rows[:, 3], rtol=1e-13)
 
 
-@pytest.mark.parametrize(("case", "quantity", "power", "size"), [
-    ("kalker_c11", "longitudinal_force", 1.0, 1e-10),
-    ("kalker_c22", "lateral_force", 1.0, 1e-10),
-    ("kalker_c23", "lateral_force", 1.5, 1e-8),
-])  # fmt: skip
-def test_the_table_of_kalker_is_as_it_was_printed(shared_data, case, quantity, power, size):
-    columns = {"kalker_c11": (2, 3, 4), "kalker_c22": (5, 6, 7), "kalker_c23": (8, 9, 10)}[case]
+def test_the_table_of_kalker_is_as_it_was_printed(shared_data):
     file = shared_data / "reference" / "kalker_table_E3.csv"
-    table = np.genfromtxt(file, delimiter=",", skip_header=1, usecols=(1, *columns))[:-1]  # the circle stands twice
-    ratio = np.where(np.arange(len(table)) < 10, table[:, 0], 1.0 / table[:, 0])
-    forces = 80e9 * (1e-6 * ratio[:, None]) ** power * table[:, 1:] * size
-    np.testing.assert_allclose(values(case, quantity), forces.T.ravel(), rtol=1e-12)
+    table = np.genfromtxt(file, delimiter=",", skip_header=1, usecols=range(2, 11))
+    np.testing.assert_array_equal(np.concatenate([kalker.ACROSS, kalker.ALONG]), table)
+
+
+@pytest.mark.parametrize("of", ["", "_ellipses"])
+@pytest.mark.parametrize(("name", "quantity", "power", "size"), [
+    ("c11", "longitudinal_force", 1.0, 1e-10),
+    ("c22", "lateral_force", 1.0, 1e-10),
+    ("c23", "lateral_force", 1.5, 1e-8),
+])  # fmt: skip
+def test_the_coefficients_of_contact_are_extrapolated(shared_data, name, of, quantity, power, size):
+    """A straight line over the size of an element through all grids; F = G (ab)^power c times the creepage."""
+    with (shared_data / "reference" / f"creep_coefficients_{'ellipse' if of else 'circle'}.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    points = [(1.0, nu) for nu in (0.0, 0.25, 0.3, 0.5)]
+    if of:
+        points = [(ratio, 0.25) for ratio in (0.2, 0.5, 2.0)[: 2 if name == "c23" else 3]]
+    forces = []
+    for ratio, nu in points:
+        found = [row for row in rows if float(row["nu"]) == nu and float(row.get("a/b", 1.0)) == ratio]
+        element = np.array([1.0 / float(row["n"]) for row in found])
+        limit = np.polyfit(element, [float(row[name.upper()]) for row in found], 1)[1]
+        forces.append(80e9 * (1e-6 * ratio) ** power * limit * size)
+    np.testing.assert_allclose(values(f"kalker_{name}{of}", quantity), forces, rtol=1e-10)
 
 
 def test_the_particle_of_lammps_is_as_it_was_written(shared_data):

@@ -226,7 +226,8 @@ def test_a_viscoelastic_case_is_recomputed(name):
     case = read(name)
     with mp.workdps(20):
         found = JUDGES[case["problem"]["kind"]](case["problem"])
-        tolerance = 1e-14 if case["grade"] == "analytical" else 1e-8
+        second = case["grade"] == "independent implementation" and case["problem"]["kind"] == "viscoelastic_impact"
+        tolerance = 1e-8 if second else 1e-14
         for expectation in case["expect"]:
             expected = found[expectation["quantity"]]
             assert abs(mp.mpf(expectation["value"]) - expected) <= tolerance * abs(expected), expectation

@@ -123,6 +123,17 @@ def test_what_an_outside_source_is():
     assert outside("own lines of 32 waves with random phases") == set()
 
 
+def test_second_solvers_of_our_own_are_graded_as_such():
+    """They verify the code and not the physics, as do formulas of the springs themselves."""
+    own = re.compile(
+        r"^own |^independent |the springs' own|layered_judge|another root finder|rule of springs|ahead of the"
+    )
+    for path in case_files():
+        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        if own.search(content["source"]):
+            assert content["grade"] in ("independent implementation", "measured"), path.stem
+
+
 @pytest.mark.slow
 def test_every_physics_has_two_outside_sources():
     sources = {chapter: set() for chapter in CHAPTERS}

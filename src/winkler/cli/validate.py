@@ -29,8 +29,8 @@ def validate(
 ) -> int:
     """Repeat published and independently computed numbers.
 
-    Each case says how independent it is: analytical, cross-code, published table or measured. Exit code 1 if a number
-    is missed.
+    Each case says how independent it is: analytical, cross-code, independent implementation, published table or
+    measured. Exit code 1 if a number is missed.
 
     Example: winkler validate --json
     """

@@ -10,15 +10,19 @@ on the last that does; where a stretch ends it leaps to the next.
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.rising import Pair, Piece, Tabulated, tabulated
+from winkler.media.body_of import thickness_of
+from winkler.numerics.roots import rough_root
 from winkler.numerics.types import Array
 from winkler.problems.closure import flat_radius
 from winkler.problems.edge_states import EdgeStates, end_of, force_under
+from winkler.problems.own_length import own_length
 from winkler.problems.stability import least_radius
 
 __all__ = ["Answer", "Response", "response"]
@@ -234,17 +238,19 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
             known.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
         return known[radius]
 
-    kinks = [b for b, _ in bed.kinks if b > 0.0]
-    high = max(min([*kinks[:1], 0.02 * min(end, bed.size), 1e-3]), 2.0 * low)
-    below = low
-    if high < end and not level(high, UPWARDS) <= highest:
-        while high > 4.0 * low and high > 1e-30 and not level(0.5 * high, DOWNWARDS) <= highest:
+    length = own_length(bed)
+    high = max(length if math.isfinite(length) else rough_root(bed.gap, highest), 2.0 * low)
+    # layers are not asked for contacts far wider than needed: these take long
+    upwards = UPWARDS if math.isinf(thickness_of(bed.medium)) else ALONE
+    below, narrowest = low, 2.0**-100 * high
+    if high < end and not level(high, upwards) <= highest:
+        while high > 4.0 * low and high > narrowest and not level(0.5 * high, DOWNWARDS) <= highest:
             high *= 0.5
         below = 0.5 * high
     else:
         for _ in range(OCTAVES):
             below, high = min(high, end), min(2.0 * high, end)
-            if high == end or not level(high, UPWARDS) <= highest:
+            if high == end or not level(high, upwards) <= highest:
                 break
         else:
             raise OutsideValidity(
@@ -266,7 +272,7 @@ def _levels(curves: Pair, radii: Array) -> Array:
     try:
         with np.errstate(all="ignore"):
             return curves(radii)[0]
-    except OutsideValidity:  # a cohesive zone that leaves the profile
+    except (NotConverged, OutsideValidity):  # a cohesive zone that leaves the profile, or its end on layers
         if radii.size == 1:
             return np.array([np.nan])
         return np.concatenate([_levels(curves, radii[i : i + 1]) for i in range(radii.size)])

@@ -25,6 +25,9 @@ from winkler.values import value
 
 __all__ = ["PlaneFoundation"]
 
+LARGEST = 1e30
+"""Instead of a length without end [m]."""
+
 
 @value
 class PlaneFoundation(OnMedium):
@@ -106,7 +109,7 @@ class PlaneFoundation(OnMedium):
 
     def _imprint(self, r: Array) -> Imprint:
         """Return the springs displaced by g up to the next power of two, so that its tables serve more than once."""
-        farthest = float(np.max(r, initial=0.0)) or 1e-6
+        farthest = float(np.max(r, initial=0.0)) or min(self.reach, body_of.thickness_of(self.medium), LARGEST)
         return Imprint(self, min(2.0 ** math.ceil(math.log2(farthest)), max(self.reach, farthest)))
 
     def gap(self, x: Array) -> Array:

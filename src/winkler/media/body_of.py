@@ -17,6 +17,7 @@ depend on the radius a up to which the springs are displaced; f', to about 1e-9 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Protocol
 
@@ -33,7 +34,7 @@ from winkler.numerics import graded_abel
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 
-__all__ = ["Imprint", "Springs", "exponent_of", "height", "slope", "surface_slope"]
+__all__ = ["Imprint", "Springs", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
 
 
 class Springs(Protocol):
@@ -107,6 +108,13 @@ def exponent_of(medium: Medium) -> float:
         f"The medium is a {type(medium).__name__}, whose inverse transform is not known; give a HalfSpace, "
         "TransverselyIsotropicHalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace."
     )
+
+
+def thickness_of(medium: Medium) -> float:
+    """Return how thick the layers of a medium are [m]; infinite if it has none."""
+    if isinstance(medium, RelaxingMedium):
+        return thickness_of(medium.elastic)
+    return medium.thickness if isinstance(medium, LayeredMedium) else math.inf
 
 
 def height(medium: Medium, imprint: Displacement, r: Array) -> Array:

@@ -6,7 +6,8 @@ With h the transform of the profile for a homogeneous half-space, and rho, phi t
 .. math:: g(a)\,\varphi(a;a) = h(a) - \int_0^a \rho(x;a)\,h(x)\,\mathrm dx, \qquad
           \int_0^a k'\,g\,\mathrm dx = 2E^*\int_0^a \varphi(x;a)\,h(x)\,\mathrm dx .
 
-Both integrals are kept as polynomials of a, octave by octave and from kink to kink, cached by value.
+Both integrals are kept as polynomials of a, octave by octave and from kink to kink, cached by value.  A power of the
+radius has no length of its own: its integrals are kept for a layer of thickness one and serve all thicknesses.
 """
 
 from __future__ import annotations
@@ -19,10 +20,13 @@ from typing import cast
 import numpy as np
 
 from winkler.errors import NotConverged
+from winkler.media.smooth_moments import smooth_moments
 from winkler.numerics import fredholm, punch_tables
-from winkler.numerics.cosine import Response
+from winkler.numerics.cosine import Response, in_own_lengths, stretched
 from winkler.numerics.rooted import RootPanels, doubled, fit, nodes
 from winkler.numerics.types import Array
+from winkler.profiles.conical import Cone
+from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
 
 __all__ = ["gap", "gap_load", "gap_slope", "kinks"]
@@ -81,13 +85,50 @@ def _held(profile: Profile, x: Array) -> Array:
     return np.minimum(x, _end(profile))
 
 
+def _power(profile: Profile) -> tuple[float, float]:
+    """Return c and n of a profile c r^n; zeros if it is none."""
+    match profile:
+        case PowerLaw(coefficient, exponent):
+            return coefficient, exponent
+        case Paraboloid(radius):
+            return 0.5 / radius, 2.0
+        case Cone(half_angle):
+            return 1.0 / math.tan(half_angle), 1.0
+        case _:
+            return 0.0, 0.0
+
+
 def _moments(response: Response, profile: Profile, x: Array) -> Array:
     """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
+    own, unit = in_own_lengths(response)
+    coefficient, exponent = _power(profile)
+    if exponent == 0.0:
+        return _moments_of(response if unit == 1.0 else stretched(cast(Hashable, own), unit), profile, x)
+    height = coefficient * unit**exponent
+    scales = np.array([height, height / unit, height * unit]).reshape(3, *([1] * x.ndim))
+    return np.asarray(scales * _moments_of(own, _unit_power(exponent), x / unit))
+
+
+@functools.lru_cache(maxsize=64)
+def _unit_power(exponent: float) -> PowerLaw:
+    return PowerLaw(1.0, exponent)
+
+
+def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
+    """Return the same of a profile in the lengths of the response."""
     flat = _held(profile, x).ravel()
     octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
     result = np.zeros((3, flat.size))
-    for octave in np.unique(octaves):
-        (members,) = np.nonzero(octaves == octave)
+    waiting = np.ones(flat.size, dtype=bool)
+    whole = (octaves > LOWEST) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
+    tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
+    for octave in np.unique(tabled[whole]):
+        (members,) = np.nonzero(whole & (tabled == octave))
+        found, holds = smooth_moments(response, profile, int(octave), flat[members])
+        result[:, members[holds]] = found[:, holds]
+        waiting[members[holds]] = False
+    for octave in np.unique(octaves[waiting]):
+        (members,) = np.nonzero(waiting & (octaves == octave))
         if octave == LOWEST:
             result[2, members] = profile.gap_integral(flat[members])
             continue
@@ -184,9 +225,18 @@ def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -
 def _sums(response: Response, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
     x, weights = nodes(edges, kinks, count)
     x = np.minimum(x, np.nextafter(_end(profile), 0.0))
-    radius = np.broadcast_to(a[:, None], x.shape)
     h, slope = profile.gap(x), profile.gap_slope(x)
-    rho, phi = fredholm.resolvent(response, x, radius), fredholm.punches(response, x, radius)
-    lost = np.sum(weights * rho.value * h, axis=1)
-    moved = np.sum(weights * rho.along * h, axis=1) + np.sum(weights * rho.value * x * slope, axis=1) / a
+    ratio, ends = x / a[:, None], edges / a[:, None]
+    first = x.shape[1] - (edges.shape[1] - 2) * count
+    pieces = [(ratio[:, None, :first], ends[:, :2])]
+    if edges.shape[1] > 2:
+        pieces.append((ratio[:, first:].reshape(a.size, -1, count), ends[:, 1:]))
+    parts = [
+        fredholm.on_pieces(response, a, places, bounds[:, :-1], bounds[:, 1:]).reshape(3, a.size, -1)
+        for places, bounds in pieces
+    ]
+    moment, by_a, phi = np.concatenate(parts, axis=2)
+    lost = np.sum(weights * moment * h, axis=1) / a
+    moved = (np.sum(weights * by_a * h, axis=1) - lost) / a
+    moved += np.sum(weights * moment * x * slope, axis=1) / a**2
     return np.array([lost, lost / a + moved, np.sum(weights * phi * h, axis=1)])

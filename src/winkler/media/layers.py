@@ -16,7 +16,7 @@ of the tractions on the way down comes along, from which the field inside is bui
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 
@@ -203,11 +203,27 @@ def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:
     return climbs[::-1]
 
 
+def _rounded(ratio: float) -> float:
+    """Return a ratio to 14 digits, so that the same stack in other units is the same value."""
+    return float(f"{ratio:.13e}")
+
+
 class _Response:
     """What both responses share: the lengths over which the stack differs from its uppermost layer."""
 
     layers: tuple[Layer, ...]
     on: Solid
+    second: Solid
+
+    def _with_layer_of_one(self, second: Elastic | Rigid) -> Self:
+        """Return the same stack in units of thickness and Young's modulus of its uppermost layer."""
+        unit, top = self.length, self.layers[0].solid
+
+        def scaled(solid: Elastic) -> Elastic:
+            return Elastic(_rounded(solid.young / top.young), solid.poisson)
+
+        layers = tuple(Layer(scaled(layer.solid), _rounded(layer.thickness / unit)) for layer in self.layers)
+        return type(self)(layers, scaled(self.on) if isinstance(self.on, Elastic) else self.on, second)  # type: ignore[call-arg]
 
     @property
     def length(self) -> float:
@@ -252,6 +268,17 @@ class NormalResponse(_Response):
     second: Solid = Rigid()
 
     @property
+    def own(self) -> tuple[NormalResponse, float]:
+        """The same in units of its uppermost layer, contrasts and Poisson's ratios alone; and that layer's thickness.
+
+        Of the second body nothing is felt but how much more it yields: it becomes one without Poisson's ratio.
+        """
+        second = self.second
+        if isinstance(second, Elastic):
+            second = Elastic(_rounded(second.young / (1.0 - second.poisson**2) / self.layers[0].solid.young), 0.0)
+        return self._with_layer_of_one(second), self.length
+
+    @property
     def modulus(self) -> float:
         """E* [Pa] of the uppermost layer and the second body."""
         bodies = [self.layers[0].solid, *([self.second] if isinstance(self.second, Elastic) else [])]
@@ -272,6 +299,14 @@ class TangentialResponse(_Response):
     layers: tuple[Layer, ...]
     on: Solid
     second: Solid = Rigid()
+
+    @property
+    def own(self) -> tuple[TangentialResponse, float]:
+        """The same in units of its uppermost layer, as that of `NormalResponse`."""
+        second = self.second
+        if isinstance(second, Elastic):
+            second = Elastic(_rounded(4.0 * second.shear / (2.0 - second.poisson) / self.layers[0].solid.young), 0.0)
+        return self._with_layer_of_one(second), self.length
 
     @property
     def modulus(self) -> float:

@@ -20,9 +20,9 @@ from typing import cast
 
 import numpy as np
 
-from winkler.media.medium import PunchFacts
+from winkler.media.medium import CALM, PunchFacts
 from winkler.numerics import fredholm, punch_tables
-from winkler.numerics.cosine import Response, transform
+from winkler.numerics.cosine import Response, in_own_lengths, transform
 from winkler.numerics.punch_tables import Punches
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.rooted import root
@@ -37,8 +37,6 @@ ROUNDING = 1e-9
 """A pull of this part of the greatest push is none."""
 NARROW = 0.05
 """Where the integral of K cannot be more than this, phi and sigma differ from one by little, and no punch pulls."""
-FAINT = 0.25
-"""Where psi cannot differ from one by more than this, it need not be looked at."""
 OUTSIDE = 160
 FAR = 16.0
 """How far outside the surface is looked at, in radii or lengths over which the stack answers."""
@@ -46,18 +44,20 @@ FAR = 16.0
 
 def facts(response: Response, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
-    pull, least, most = math.inf, -FAINT, 1.0
+    response, unit = in_own_lengths(response)
+    radius /= unit
+    pull, least, most, calm = math.inf, CALM, 1.0, 0.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
         if _weight_of_octave(cast(Hashable, response), octave) < NARROW:
             break  # and so are all narrower ones
-        first, low, high = _octave(cast(Hashable, response), octave)
-        pull, least, most = min(pull, first), min(least, low), max(most, high)
-    return PunchFacts(pulls=bool(pull < radius), least=least, most=most, telling=False)
+        first, low, high, far = _octave(cast(Hashable, response), octave)
+        pull, least, most, calm = min(pull, first), min(least, low), max(most, high), max(calm, far)
+    return PunchFacts(pulls=bool(pull < radius), least=least, most=most, telling=False, calm=unit * calm)
 
 
 @functools.lru_cache(maxsize=512)
-def _octave(given: Hashable, octave: int) -> tuple[float, float, float]:
-    """Return up to which radius no punch of an octave pulls, and the bounds of u1 outside its widest."""
+def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
+    """Return up to which radius no punch of an octave pulls, and what `_outside` says of its widest."""
     response = cast(Response, given)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
@@ -89,15 +89,15 @@ def _first_pull(table: Punches) -> float:
     return float(table.low + (table.high - table.low) * 0.5 * (1.0 + s[before]))
 
 
-def _outside(response: Response, table: Punches) -> tuple[float, float]:
-    """Return the least and greatest displacement of the surface outside the widest punch of a table."""
+def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
+    """Return least and greatest displacement of the surface outside a table's widest punch, and where it is calm."""
     a = table.high
     nodes, weights = gauss_legendre(24)
     width = np.diff(table.panels)[:, None]
     t = a * (table.panels[:-1, None] + width * nodes).ravel()
     phi = fredholm.punches(response, t, np.full(t.size, a))
-    if _weight(response, a) * np.max(np.abs(phi)) < FAINT:
-        return -FAINT, 1.0
+    if _weight(response, a) * np.max(np.abs(phi)) < -CALM:
+        return CALM, 1.0, 0.0
     far = FAR * max(a, response.span)
     x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTSIDE)])
     kernel = transform(response, far + 2.0 * a)
@@ -111,4 +111,8 @@ def _outside(response: Response, table: Punches) -> tuple[float, float]:
     shares = np.arcsin(stop) - np.arcsin(start)
     legs = y[1:, None] * (np.sqrt((1.0 - start) * (1.0 + start)) - np.sqrt((1.0 - stop) * (1.0 + stop)))
     moved = 1.0 - (2.0 / math.pi) * (shares @ (v[:-1] - rise * y[:-1]) + legs @ rise)
-    return float(np.min(moved)), float(np.max(moved))
+    heaved = np.flatnonzero(moved < CALM)
+    calm = 0.0
+    if heaved.size:  # moved[i] stands at x[i + 1]
+        calm = float(x[heaved[-1] + 2]) - a if heaved[-1] + 2 < x.size else math.inf
+    return float(np.min(moved)), float(np.max(moved)), calm

@@ -20,7 +20,7 @@ from winkler.media.coated import LayeredMedium
 from winkler.media.medium import Medium
 from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.convex import ConvexCurve
-from winkler.numerics.roots import invert
+from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -156,7 +156,7 @@ def _radii(medium: Medium, stiffness: Array) -> Array:
         stiffness[wanted],
         lower=0.0,
         upper=upper,
-        guess=min(1e-3, 0.5 * upper),
+        guess=0.5 * upper if math.isfinite(upper) else rough_root(medium.punch_stiffness, float(stiffness[-1])),
     )
     return result
 

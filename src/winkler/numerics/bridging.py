@@ -25,6 +25,8 @@ def bridged(numbers: Array, periodic: bool) -> Array:
 
     holes = np.isnan(numbers)
     count = int(np.count_nonzero(holes))
+    if not count:
+        return numbers
     index = np.full(numbers.shape, -1)
     index[holes] = np.arange(count)
     rows, columns, weights = [], [], []
@@ -69,7 +71,7 @@ def spikes(numbers: Array, times: float, periodic: bool) -> Array:
     from scipy.ndimage import rank_filter
 
     holes = np.isnan(numbers)
-    whole = bridged(numbers, periodic) if holes.any() else numbers
+    whole = bridged(numbers, periodic)
     around = np.zeros((AROUND, AROUND), dtype=bool)
     around[::2, ::2] = True  # every second one tells as much
     quarter, mode = int(np.count_nonzero(around)) // 4, "wrap" if periodic else "reflect"

@@ -20,8 +20,9 @@ from winkler.errors import NotConverged
 from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ComplexArray
+from winkler.values import value
 
-__all__ = ["Response", "transform", "wave_numbers"]
+__all__ = ["Response", "Stretched", "in_own_lengths", "stretched", "transform", "wave_numbers"]
 
 ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
@@ -39,7 +40,11 @@ AGREE = 300.0
 
 
 class Response(Protocol):
-    """What an integral equation asks of a medium: a value that can be a key of a cache."""
+    """What an integral equation asks of a medium: a value that can be a key of a cache.
+
+    One that also has `own`, the same response in a unit of length of its own and that unit [m], shares all that is
+    computed with those that differ from it by their unit alone.
+    """
 
     @property
     def length(self) -> float:
@@ -66,6 +71,67 @@ class Response(Protocol):
         ...
 
 
+@value
+class Stretched:
+    """A response that has its own unit of length, in m: what of it depends on the unit, but not on the moduli.
+
+    Parameters
+    ----------
+    response : Response
+        In its own unit.
+    unit : float
+        [m].
+    """
+
+    response: Response
+    unit: float
+
+    @property
+    def own(self) -> tuple[Response, float]:
+        """Both."""
+        return self.response, self.unit
+
+    @property
+    def length(self) -> float:
+        """M decays like exp(-2 xi length) [m]."""
+        return self.response.length * self.unit
+
+    @property
+    def smooth(self) -> float:
+        """C is smooth on this length [m]."""
+        return self.response.smooth * self.unit
+
+    @property
+    def span(self) -> float:
+        """M is a power series in xi below the inverse of this length [m]."""
+        return self.response.span * self.unit
+
+    @property
+    def precision(self) -> float:
+        """Error of M."""
+        return self.response.precision
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-]."""
+        return self.response.excess(xi * self.unit)
+
+
+@functools.lru_cache(maxsize=1024)
+def stretched(response: Hashable, unit: float) -> Stretched:
+    """Return the response of `Stretched`, the same object for the same content: caches find it sooner."""
+    return Stretched(cast(Response, response), unit)
+
+
+def in_own_lengths(response: Response) -> tuple[Response, float]:
+    """Return a response in its own unit of length, and the unit [m]; itself and one if it has none."""
+    return _in_own_lengths(cast(Hashable, response))
+
+
+@functools.lru_cache(maxsize=256)
+def _in_own_lengths(response: Hashable) -> tuple[Response, float]:
+    return cast(tuple[Response, float], getattr(response, "own", (response, 1.0)))
+
+
 def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array]:
     """Return nodes and weights on [0, end]: panels that double from `lowest` until they are `widest`."""
     edges = [0.0, min(lowest, widest, end)]
@@ -87,8 +153,16 @@ def transform(response: Response, end: float) -> Panels:
     NotConverged
         If the turned path gives another result than the one that checks it.
     """
-    octave = max(0, math.ceil(math.log2(end / response.length)))
-    return _joined(cast(Hashable, response), octave)
+    own, unit = in_own_lengths(response)
+    octave = max(0, math.ceil(math.log2(end / unit / own.length)))
+    return _stretched(cast(Hashable, own), octave, unit)
+
+
+@functools.lru_cache(maxsize=256)
+def _stretched(response: Hashable, octave: int, unit: float) -> Panels:
+    """Return C(x) with x in m, of a response in units of a length [m]."""
+    panels = _joined(response, octave)
+    return panels if unit == 1.0 else Panels(panels.edges * unit, panels.coefficients / unit)
 
 
 @functools.lru_cache(maxsize=256)

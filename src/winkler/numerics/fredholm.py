@@ -35,7 +35,7 @@ from winkler.numerics.cosine import Response
 from winkler.numerics.punch_tables import Punches, octave_of, tables
 from winkler.numerics.types import Array
 
-__all__ = ["Pairs", "area", "edge", "edge_slope", "punches", "push", "resolvent"]
+__all__ = ["Pairs", "area", "edge", "edge_slope", "on_pieces", "punches", "push", "resolvent", "slopes"]
 
 BLOCK = 4096
 """Places at which a series is summed at once: what fits into a processor's cache."""
@@ -107,6 +107,52 @@ def punches(response: Response, x: Array, a: Array) -> Array:
 def push(response: Response, r: Array, a: Array) -> Array:
     """Return sigma(r; a) = pi sqrt(a^2 - r^2) p1(r; a) / E* [-], for 0 <= r <= a of one shape."""
     return _value(response, r, a, "push")
+
+
+def on_pieces(response: Response, a: Array, ratio: Array, low: Array, high: Array) -> Array:
+    """Return a rho(x; a), its derivative by a at fixed x/a [1/m], and phi(x; a), many places of each radius at once.
+
+    Parameters
+    ----------
+    response : Response
+    a : ndarray, (m,)
+        Radii [m], positive.
+    ratio : ndarray, (m, q, n)
+        x/a, on q pieces of which none reaches across a panel of the tables.
+    low, high : ndarray, (m, q)
+        Ends of the pieces, as x/a.
+
+    Returns
+    -------
+    ndarray, (3, m, q, n)
+    """
+    cheb = np.polynomial.chebyshev
+    result = np.empty((3, *ratio.shape))
+    for members, table, s in _grouped(response, a):
+        powers = cheb.chebvander(s, table.rho.shape[0] - 1)
+        by_s = slopes(powers, s) * (2.0 / (table.high - table.low))
+        rows = np.stack([np.tensordot(by, part, 1) for by, part in _parts(powers, by_s, table)], axis=-1)
+        middle = 0.5 * (low[members] + high[members])
+        panel = np.clip(np.searchsorted(table.panels, middle, side="right") - 1, 0, table.panels.size - 2)
+        start, stop = table.panels[panel][..., None], table.panels[panel + 1][..., None]
+        place = np.clip((2.0 * ratio[members] - start - stop) / (stop - start), -1.0, 1.0)
+        basis = cheb.chebvander(place, rows.shape[2] - 1)
+        result[:, members] = np.moveaxis(basis @ rows[np.arange(s.size)[:, None], panel], -1, 0)
+    return result
+
+
+def _parts(powers: Array, by_s: Array, table: Punches) -> tuple[tuple[Array, Array], ...]:
+    return (powers, table.rho), (by_s, table.rho), (powers, table.phi)
+
+
+def slopes(powers: Array, s: Array) -> Array:
+    """Return the derivatives of Chebyshev polynomials, k U_(k-1), of which these are the values ``(m, n)`` at s."""
+    slopes = np.zeros_like(powers)
+    last, current = np.zeros_like(s), np.ones_like(s)
+    for k in range(1, powers.shape[1]):
+        slopes[:, k] = k * current
+        last, current = current, 2.0 * s * current - last
+    return slopes
 
 
 def _value(response: Response, x: Array, a: Array, part: str) -> Array:

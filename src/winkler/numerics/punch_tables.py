@@ -16,7 +16,7 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.cosine import Response, transform
+from winkler.numerics.cosine import Response, in_own_lengths, transform
 from winkler.numerics.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
@@ -30,6 +30,8 @@ COUNTS = (12, 16, 24, 32)
 SETTLED = 1e-12
 LAST = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
+ROUNDED = 1e-16
+"""What rounding leaves of the end of a series, over the largest phi: it does not get shorter on halving the octave."""
 FINEST = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
 FINEST_ROUNDED = 4.0
@@ -57,7 +59,8 @@ class Punches(NamedTuple):
 
 def first_radius(response: Response) -> float:
     """Return the end of the lowest octave [m], which reaches down to zero: a power series in a holds there."""
-    return _first_radius(cast(Hashable, response))
+    own, unit = in_own_lengths(response)
+    return unit * _first_radius(cast(Hashable, own))
 
 
 @functools.lru_cache(maxsize=256)
@@ -82,7 +85,14 @@ def tables(response: Response, octave: int) -> tuple[Punches, ...]:
     NotConverged
         If the solution does not settle.
     """
-    return _tables(cast(Hashable, response), max(octave, 0))
+    own, unit = in_own_lengths(response)
+    return _stretched(cast(Hashable, own), max(octave, 0), unit)
+
+
+@functools.lru_cache(maxsize=512)
+def _stretched(given: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
+    """Return the tables with radii in m, of a response in units of a length [m]."""
+    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(given, octave))
 
 
 @functools.lru_cache(maxsize=512)
@@ -94,7 +104,8 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
     while waiting:
         low, high, depth = waiting.pop()
         table, tail = _solve(response, low, high)
-        if tail <= 10.0 * _settled(response) or depth == HALVINGS:
+        rounded = ROUNDED * float(np.max(np.abs(table.phi)))
+        if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
             if tail > max(LAST, 100.0 * _settled(response)):
                 raise NotConverged(
                     f"The flat punches between {low:.3g} m and {high:.3g} m are not resolved (the series ends at "

@@ -1,4 +1,4 @@
-"""Inversion of rising functions, for many targets at once."""
+"""Inversion of rising functions, for many targets at once, and where to begin."""
 
 from __future__ import annotations
 
@@ -10,15 +10,22 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["invert"]
+__all__ = ["invert", "rough_root"]
 
 ITERATIONS = 200
 CLOSE = 3e-9
 """A step of this part of the distance from the nearer end is the last."""
+STRIDE = 20.0
+"""Octaves of one step of a search, at most."""
+SLOW = 0.25
+"""Least power of x that is believed: waves come back to where they were."""
+FARTHEST = 100.0
+"""Octaves from one: as far as any length is."""
+TRIES = 50
 
 
 def invert(
-    function: Callable[[Array], tuple[Array, Array]], target: Array, *, lower: float, upper: float, guess: float
+    function: Callable[[Array], tuple[Array, Array]], target: Array, *, lower: float, upper: float, guess: float | Array
 ) -> Array:
     """Return x with function(x) = target, for a function that rises from 0 at `lower`.
 
@@ -33,7 +40,7 @@ def invert(
         Positive values to be met.
     lower, upper
         The interval; `upper` may be infinite, and the function may diverge there.
-    guess
+    guess : float or ndarray, (m,)
         Where to begin, inside the interval.
 
     Returns
@@ -98,3 +105,30 @@ def _middle(low: Array, high: Array, lower: float) -> Array:
     middle = lower + np.where(far > 4.0 * near, geometric, arithmetic)
     # beside `lower` the geometric middle may round to it
     return np.where((middle > low) & (middle < high), middle, lower + arithmetic)
+
+
+def rough_root(value: Callable[[Array], Array], asked: float) -> float:
+    """Return where a power of x reaches a value, whatever the unit of x; only of that order where it is no power.
+
+    Parameters
+    ----------
+    value
+        Takes places ``(m,)``, rises from zero.
+    asked
+        Positive.
+    """
+    octaves = 0.0
+    for _ in range(TRIES):
+        place = math.exp2(octaves)
+        with np.errstate(all="ignore"):
+            near, far = value(np.array([place, 2.0 * place])).tolist()
+        if near == far == 0.0:
+            step = STRIDE
+        elif 0.0 < near < far < math.inf:
+            step = (math.log2(asked) - math.log2(near)) / max(math.log2(far) - math.log2(near), SLOW)
+        else:
+            step = -0.5 * STRIDE  # towards zero, where it rises
+        octaves += min(max(step, -STRIDE), STRIDE)
+        if abs(step) <= 1.0 or abs(octaves) >= FARTHEST:
+            break
+    return math.exp2(min(max(octaves, -FARTHEST), FARTHEST))

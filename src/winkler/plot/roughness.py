@@ -11,7 +11,8 @@ from winkler.plot.draw import draw
 from winkler.plot.families import spans_decades, stretch
 from winkler.plot.series import Series, middle_scale, scale_of, series, told
 from winkler.plot.viscoelastic import refuse_extent
-from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, Spectrum, spectrum_of
+from winkler.profiles.map_spectrum import spectrum_of
+from winkler.profiles.spectrum import PowerSpectrum, SelfAffine, Spectrum
 from winkler.profiles.topography import Topography
 
 if TYPE_CHECKING:

@@ -16,11 +16,13 @@ from winkler.plot.series import Scale, Series, places, scale_of, series
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["at_first_touch", "draw_ground", "draw_springs", "plane_profile"]
+__all__ = ["at_first_touch", "draw_ground", "draw_springs", "plane_profile", "stretched"]
 
 COILS = 9
 SPRINGS = 33
 """How many springs are drawn; the method itself has no such number."""
+SEEN = 1e-6
+"""Part of the greatest displacement below which a spring is neither pressed nor stretched, but rounded."""
 
 
 def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
@@ -84,11 +86,23 @@ def draw_springs(axes: Axes, pressed: Pressed, extent: float) -> None:
 
 
 def _pull(pressed: Pressed) -> float:
-    """Return how far springs are stretched at most [m]; zero where none is."""
+    """Return how far springs are stretched at most [m]; zero where none is by more than rounding."""
     if pressed.radius == 0.0:
         return 0.0
     x = np.append(places(pressed.radius, (*(b for b, _ in pressed.kinks), pressed.touching)), pressed.radius)
-    return max(-float(np.min(pressed.value(x))), 0.0)
+    moved = np.asarray(pressed.value(x))
+    return -float(np.min(moved)) if np.any(stretched(moved)) else 0.0
+
+
+def stretched(moved: Array) -> Array:
+    """Return which springs pull: those that are stretched by more than rounding beside the one that moves most.
+
+    Parameters
+    ----------
+    moved : ndarray
+        How far springs are pressed [m], negative where they are stretched.
+    """
+    return np.asarray(moved < -SEEN * float(np.max(np.abs(moved))))
 
 
 def draw_ground(axes: Axes, end: float, top: float, thick: float) -> None:
@@ -117,14 +131,15 @@ def _coils(axes: Axes, pressed: Pressed, extent: float, bottom: float, across: S
     squeezed = np.zeros(x.shape)
     squeezed[touched] = pressed.value(place[touched])
     most = max(float(np.max(np.abs(squeezed))), 1e-300)
-    for one, sunk, hit, thick in zip(x, squeezed, touched, _thickness(pressed.bed, place), strict=True):
+    pulls = stretched(squeezed)
+    for one, sunk, hit, pull, thick in zip(x, squeezed, touched, pulls, _thickness(pressed.bed, place), strict=True):
         height = -sunk - bottom
         rungs = np.concatenate([[0.0, 0.1], 0.1 + 0.8 * (np.arange(2 * COILS) + 0.5) / (2 * COILS), [0.9, 1.0]])
         side = np.concatenate([[0.0, 0.0], np.where(np.arange(2 * COILS) % 2 == 0, 1.0, -1.0), [0.0, 0.0]])
         line = np.stack(
             [(one + 0.32 * step * side) / across.factor, (bottom + rungs * height) / upright.factor], axis=-1
         )
-        colour = (style.RED if sunk >= 0.0 else style.BLUE) if hit else style.MUTED
+        colour = (style.BLUE if pull else style.RED) if hit else style.MUTED
         strength = 0.55 + 0.45 * abs(sunk) / most if hit else 0.55
         axes.add_collection(LineCollection([line], colors=colour, linewidths=thick, alpha=strength, zorder=3))
 

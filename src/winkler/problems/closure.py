@@ -1,7 +1,7 @@
 r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
 
 Where the body is known to let g rise, all loads are met at once; on media where that does not make every contact one
-disc, `winkler.problems.disc` looks at them afterwards.  All others go through it one by one.
+disc, `winkler.problems.one_disc` looks at them afterwards.  All others go through it one by one.
 """
 
 from __future__ import annotations
@@ -12,9 +12,11 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.numerics.roots import invert
+from winkler.media.body_of import thickness_of
+from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.problems import disc
+from winkler.problems.one_disc import refuse_unless_discs, rises
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
 
@@ -81,7 +83,7 @@ def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
             "and touches there at once; give a force or a depth."
         )
     depth = bed.gap(radius)
-    disc.refuse_unless_discs(bed, depth, radius, end)
+    refuse_unless_discs(bed, depth, radius, end)
     return depth, radius.copy()
 
 
@@ -89,11 +91,11 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
     if bed.rising:
         radius = _radii_at_depth(bed, depth)
-        if disc.rises(bed, float(np.max(radius, initial=0.0))):
-            disc.refuse_unless_discs(bed, depth, radius, _end(bed))
+        if rises(bed, float(np.max(radius, initial=0.0))):
+            refuse_unless_discs(bed, depth, radius, _end(bed))
             return depth.copy(), radius
     radius = np.zeros(depth.shape)
-    _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed)))
+    _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed, bed.gap, d)))
     return depth.copy(), radius
 
 
@@ -106,12 +108,9 @@ def _radii_at_depth(bed: Bed, depth: Array) -> Array:
     radius[pinned] = _end(bed)
     free = (depth > 0.0) & ~pinned
     if free.any():
+        upper, guess = _bracket(bed, bed.gap, depth[free])
         found = invert(
-            lambda a: (bed.gap(a), bed.gap_slope(a)),
-            depth[free],
-            lower=flat_radius(bed),
-            upper=_end(bed),
-            guess=_guess(bed),
+            lambda a: (bed.gap(a), bed.gap_slope(a)), depth[free], lower=flat_radius(bed), upper=upper, guess=guess
         )
         radius[free] = _not_beyond(bed, found, bed.gap(found) > (1.0 + 1e-6) * depth[free])
     return radius
@@ -120,12 +119,12 @@ def _radii_at_depth(bed: Bed, depth: Array) -> Array:
 def _met_before(bed: Bed, value: Callable[[Array], Array], asked: Array) -> bool:
     """Return whether all loads are met well before the profile ends; there it may cost much to know its g."""
     end, most = _end(bed), float(np.max(asked, initial=0.0))
-    place = _guess(bed)
+    if not np.isfinite(end):
+        return False
+    place = _guess(bed, value, most)
     while place < 0.5 * end:
         if float(value(np.array([place]))[0]) >= most:
             return True
-        if not np.isfinite(end):
-            return False
         place *= 2.0
     return False
 
@@ -157,7 +156,7 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
     if not looked_at:
-        disc.refuse_unless_discs(bed, depth, radius, _end(bed))
+        refuse_unless_discs(bed, depth, radius, _end(bed))
     return depth, radius
 
 
@@ -165,10 +164,14 @@ def _radius_at_force(bed: Bed, force: Array) -> tuple[Array, bool]:
     """Return the radii, and whether the contacts were looked at."""
     if bed.rising:
         radius = _radii_at_force(bed, force)
-        if disc.rises(bed, float(np.max(radius, initial=0.0))):
+        if rises(bed, float(np.max(radius, initial=0.0))):
             return radius, False
     radius = np.zeros(force.shape)
-    _one_by_one(radius, force, lambda load: disc.radius_at_force(bed, load, _end(bed), _guess(bed)))
+
+    def borne(a: Array) -> Array:
+        return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
+
+    _one_by_one(radius, force, lambda load: disc.radius_at_force(bed, load, _end(bed), _guess(bed, borne, load)))
     return radius, True
 
 
@@ -187,7 +190,8 @@ def _radii_at_force(bed: Bed, force: Array) -> Array:
     free = (force > 0.0) & ~pinned
 
     if free.any():
-        found = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=_end(bed), guess=_guess(bed))
+        upper, guess = _bracket(bed, lambda a: force_and_slope(a)[0], force[free])
+        found = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=upper, guess=guess)
         radius[free] = _not_beyond(bed, found, force_and_slope(found)[0] > (1.0 + 1e-6) * force[free])
     return radius
 
@@ -201,13 +205,37 @@ def _one_by_one(radius: Array, asked: Array, answer: Callable[[float], float]) -
             raise OutsideValidity(f"{error} (load at index {index})" if asked.size > 1 else str(error)) from None
 
 
-def _guess(bed: Bed) -> float:
-    """Return a radius of the order of the body's lengths, where the search begins."""
-    flat, end = flat_radius(bed), _end(bed)
+def _guess(bed: Bed, value: Callable[[Array], Array], asked: float) -> float:
+    """Return a radius of the order of the lengths of body, layers and load, where the search begins."""
+    flat, end, layers = flat_radius(bed), _end(bed), thickness_of(bed.medium)
     if np.isfinite(end):
-        return flat + 0.02 * (end - flat)
+        return flat + min(0.02 * (end - flat), layers)
     if flat > 0.0:
-        return 2.0 * flat
+        return flat + min(flat, layers)
     if np.isfinite(bed.size):
-        return 0.02 * bed.size
-    return min((b for b, _ in bed.kinks), default=1e-3)
+        return min(0.02 * bed.size, layers)
+    length = min([layers, *(b for b, _ in bed.kinks)])
+    return length if np.isfinite(length) else rough_root(value, asked)
+
+
+def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[float, float | Array]:
+    """Return a radius beyond all that are sought, and one or many where the search may begin.
+
+    Layers are not asked for contacts far wider than those sought: these take long, or cannot be carried.
+    """
+    end, place = _end(bed), _guess(bed, value, float(np.max(asked)))
+    if not np.isfinite(thickness_of(bed.medium)):
+        return end, place
+    flat, most = flat_radius(bed), float(np.max(asked))
+    places, values = [place], [float(value(np.array([place]))[0])]
+    while values[-1] < most:
+        place = flat + 2.0 * (place - flat)
+        places.append(min(place, end))
+        if place >= end:  # where g may be infinite
+            break
+        values.append(float(value(np.array([place]))[0]))
+    known = [(place - flat, own) for place, own in zip(places, values, strict=False) if own > 0.0]
+    if len(places) < 2 or not known:
+        return end, places[0]
+    beside, below = np.log(np.array(known)).T
+    return places[-1], np.clip(flat + np.exp(np.interp(np.log(asked), below, beside)), places[0], places[-1])

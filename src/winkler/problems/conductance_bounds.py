@@ -24,8 +24,8 @@ from winkler.media.conduction import BARBER
 from winkler.media.conductors import ElectricalConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
-from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
+from winkler.problems.one_disc import rises
 from winkler.problems.yield_statement import unknown_yield
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

@@ -21,6 +21,7 @@ from winkler.foundation.bed import Bed, Pressed
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.numerics.types import Array
 from winkler.problems import griffith
+from winkler.problems.own_length import shape_length
 from winkler.values import value
 
 __all__ = [
@@ -213,8 +214,7 @@ def states_of(bed: Bed, law: AdhesionLaw) -> EdgeStates:
 
 def _apex_radius(bed: Bed) -> float:
     """Return the radius of curvature at the apex [m]."""
-    scale = min([b for b, _ in bed.kinks] + [x for x in (bed.reach, bed.rim, bed.size) if x < math.inf], default=1e-3)
-    r = scale * np.array([1e-8, 1e-6])
+    r = shape_length(bed) * np.array([1e-8, 1e-6])
     near, far = bed.slope(r) / r
     if not (near > 0.0 and far > 0.0 and abs(math.log(near / far)) <= 1e-3 * math.log(100.0)):
         what = "flat" if far == 0.0 else "pointed, or flatter than a paraboloid"

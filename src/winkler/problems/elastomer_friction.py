@@ -19,7 +19,7 @@ from winkler.errors import InvalidInput
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.types import Array
 from winkler.problems.rough_checks import check_spectrum
-from winkler.profiles.spectrum import Spectrum
+from winkler.profiles.spectrum import Spectrum, wave_numbers_for
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
 
@@ -90,8 +90,8 @@ class ElastomerFriction:
 
     def solve(self) -> ElastomerFrictionSolution:
         """Return the coefficient of friction at every velocity."""
-        logs = np.linspace(np.log(self.spectrum.smallest), np.log(self.spectrum.greatest), WAVES)
-        q = np.exp(logs)
+        q = wave_numbers_for(self.spectrum, WAVES)
+        logs = np.log(q)
         weight = q**4 * self.spectrum.at(q)
         omega = np.ravel(self.velocity)[:, None] * q
         storage, loss = self.solid.storage(omega), self.solid.loss(omega)

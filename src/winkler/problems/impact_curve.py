@@ -24,11 +24,11 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.chebyshev import Panels, fit_panels
-from winkler.numerics.roots import invert
+from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array, Curve
 from winkler.problems.closure import at_depth, at_end, flat_radius
-from winkler.problems.disc import rises
 from winkler.problems.indentation import Indentation
+from winkler.problems.one_disc import rises
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 
 __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_ratio"]
@@ -36,8 +36,8 @@ __all__ = ["NormalCurve", "deepest", "normal_curve", "rough_depth", "stiffness_r
 MARGIN = 1e-3
 """How far beyond the greatest depth the curve is known, for the trial steps of the march."""
 STRIDE = 1.3
-SMALLEST = 1e-15
-"""A radius [m] below which no contact of a body without end is looked for."""
+BEGINNING = 1e-3
+"""Part of the radius that the energy asks for of a power, where a search begins."""
 LADDER = ((1e-15, 128), (1e-13, 512))
 """Relative errors that are tried one after the other, with so many panels: g by quadrature is not exact to rounding."""
 LAST = 1e-11
@@ -217,11 +217,13 @@ def deepest(bed: Bed, energy: float) -> float:
 def rough_depth(bed: Bed, energy: float) -> float:
     """Return a depth [m] of the order of that at which a bed has stored an energy [J]."""
     end = min(bed.reach, bed.rim)
-    radius = np.array([1e-6 * end if math.isfinite(end) else SMALLEST])
-    while radius[0] < end:
+
+    def stored(radius: Array) -> Array:
         gap = bed.gap(radius)
-        if 0.4 * float(((bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)[0]) >= energy:
-            break
+        return np.asarray(0.4 * (bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)
+
+    radius = np.array([1e-6 * end if math.isfinite(end) else BEGINNING * rough_root(stored, energy)])
+    while radius[0] < end and float(stored(radius)[0]) < energy:
         radius = np.minimum(2.0 * radius, end)
     depth = float(bed.gap(0.999 * radius)[0])
     if radius[0] == bed.rim:

@@ -21,7 +21,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.bracketing import between
-from winkler.numerics.roots import invert
+from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_depth
@@ -123,7 +123,9 @@ class NearlyRoundIndentation:
         springs = _Directions(self.profiles, self.medium)
         if isinstance(self.load, Force):
             forces = given.ravel()
-            depths = invert(lambda d: springs.pressed(d)[:2], forces, lower=0.0, upper=math.inf, guess=springs.shallow)
+            depths = invert(
+                lambda d: springs.pressed(d)[:2], forces, lower=0.0, upper=math.inf, guess=springs.shallow(forces)
+            )
             _, stiffness, contours = springs.pressed(depths)
         else:
             depths = given.ravel()
@@ -150,11 +152,15 @@ class _Directions:
         self.ends = np.array([min(bed.rim, bed.reach * (1.0 - CLOSE)) for bed in self.beds])[self.which]
         self.twice = 2.0 * medium.modulus
 
-    @property
-    def shallow(self) -> float:
-        """A depth [m] where a search may begin."""
-        place = np.array([min(1e-3, 0.01 * float(np.min(self.ends)))])
-        return max(*(float(bed.gap(place)[0]) for bed in self.beds), 1e-6 * float(place[0]))
+    def shallow(self, forces: Array) -> float:
+        """Return a depth [m] where a search for these forces [N] may begin."""
+        bed = self.beds[0]
+        length = 0.01 * float(np.min(self.ends))
+        if not math.isfinite(length):
+            most = float(np.max(forces))
+            length = rough_root(lambda a: bed.stiffness(a) * bed.gap(a) - bed.gap_load(a), most)
+        place = np.array([length])
+        return max(*(float(bed.gap(place)[0]) for bed in self.beds), 1e-6 * length)
 
     def pressed(self, depths: Array) -> tuple[Array, Array, Array]:
         """Return forces [N], stiffnesses [N/m] (m,) and contours [m] (m, n) at depths (m,)."""

@@ -23,7 +23,7 @@ from scipy.special import erf, exp1
 from winkler.errors import InvalidInput
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
-from winkler.profiles.spectrum import Spectrum
+from winkler.profiles.spectrum import Spectrum, wave_numbers_for
 
 __all__ = ["area_fraction", "mean_separation"]
 
@@ -92,10 +92,9 @@ def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Arra
         raise InvalidInput(
             "mean_separation: a pressure is zero; without any the surfaces are as far apart as you like."
         )
-    logs = math.log(spectrum.smallest) + math.log(spectrum.greatest / spectrum.smallest) * np.linspace(0, 1, WAVES) ** 2
-    q = np.exp(logs)
+    q = wave_numbers_for(spectrum, WAVES, crowded=2.0)
     power = math.pi * q**4 * spectrum.at(q)
-    t = np.sqrt(np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(logs)))))
+    t = np.sqrt(np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(np.log(q))))))
     answer = np.zeros(given.size)
     for i, p in enumerate(given.ravel().tolist()):
         inner = np.zeros(t.size)  # exp(-s^2) at t = 0

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from winkler.materials.elastic import Elastic
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.proportional import RelaxingInProportion
-from winkler.values import value
 
 __all__ = ["StrongPart", "strong_parts"]
 
 
-@value
-class StrongPart:
+class StrongPart(NamedTuple):
     """A part of one of the bodies, of one isotropic solid that has a strength.
 
     Parameters

@@ -25,7 +25,7 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conducting_stiffness import conductance_of_stiffness
 from winkler.problems.rough_contact import RoughContact, RoughContactSolution
 from winkler.problems.surface_contact import SurfaceContact, SurfaceContactSolution
-from winkler.profiles.spectrum import spectrum_of
+from winkler.profiles.map_spectrum import spectrum_of
 from winkler.profiles.topography import Topography
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

@@ -37,6 +37,8 @@ __all__ = ["SurfaceContact", "SurfaceContactSolution"]
 
 EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
 """What counted pixels give too much, per length of the edge of the contact and pixel size."""
+BLURRED = 0.25
+"""Error of the corrected area, likewise."""
 NEARBY = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 PUNCHED = 3e-3
@@ -211,7 +213,7 @@ class SurfaceContact:
                     raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
                 stiffness = modulus * patch * float(np.sum(under))
             yield SurfaceState(
-                found.depth, modulus * patch * float(np.sum(start)), stiffness, _area(touching, pixel, rough.periodic),
+                found.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel, rough.periodic),
                 float(np.mean(found.gap)), found.penetration, found.work, modulus * start, np.maximum(found.gap, 0.0),
             )  # fmt: skip
 
@@ -230,20 +232,20 @@ class SurfaceContact:
         return self.gathered(self.steps())
 
 
-def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> float:
-    """Return the area of a contact [m^2] from its pixels, less what its edge counts too much (Yastrebov).
+def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[float, float]:
+    """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
 
     Where a map that stands alone ends, its last pixels are whole.
     """
     counted = float(np.count_nonzero(touching)) * pixel[0] * pixel[1]
     if touching.all():
-        return counted
+        return counted, 0.0
     if periodic:
         across, along = touching != np.roll(touching, 1, 0), touching != np.roll(touching, 1, 1)
     else:
         across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
     edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
-    return counted - EDGE * float(edge)
+    return counted - EDGE * float(edge), BLURRED * float(edge)
 
 
 @value
@@ -254,7 +256,7 @@ class SurfaceContactSolution:
     ----------
     problem : SurfaceContact
         What was asked.
-    depth, force, stiffness, area, mean_gap, penetration, misfit : float or ndarray
+    depth, force, stiffness, area, area_error, mean_gap, penetration, misfit : float or ndarray
         As in `SurfaceState`.
     last : SurfaceState
         The contact under the last load, with its maps of pressure and separation.
@@ -265,6 +267,7 @@ class SurfaceContactSolution:
     force: Quantity
     stiffness: Quantity
     area: Quantity
+    area_error: Quantity
     mean_gap: Quantity
     penetration: Quantity
     misfit: Quantity
@@ -283,15 +286,16 @@ class SurfaceContactSolution:
             return numbers.reshape(given.shape) if numbers.size == given.size else numbers
 
         return cls(
-            problem, column("depth"), column("force"), column("stiffness"), column("area"), column("mean_gap"),
-            column("penetration"), column("misfit"), states[-1],
+            problem, column("depth"), column("force"), column("stiffness"), column("area"),
+            column("area_error"), column("mean_gap"), column("penetration"), column("misfit"), states[-1],
         )  # fmt: skip
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: border, residual, slopes, pixels."""
         asked = self.problem
-        notes = surface_notes(asked.topography, asked.hardness, self.area, self.penetration, self.misfit)
+        blurred = float(np.max(np.asarray(self.area_error) / self.area))
+        notes = surface_notes(asked.topography, asked.hardness, blurred, self.penetration, self.misfit)
         if float(np.max(self.depth)) > self.last.depth:
             return (
                 *notes,

@@ -19,13 +19,13 @@ ALMQVIST = (
     "doi:10.1016/j.triboint.2005.11.008"
 )
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
-FEW, FEWEST = 300, 9
-"""Pixels in contact below which a note says so."""
+FINE, LOST = 0.05, 0.4
+"""Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is not seen any more."""
 STEEP = 0.1
 
 
 def surface_notes(
-    rough: Topography, hardness: float, area: Quantity, penetration: Quantity, misfit: Quantity
+    rough: Topography, hardness: float, blurred: float, penetration: Quantity, misfit: Quantity
 ) -> tuple[Note, ...]:
     """Return what was assumed of a map, and what the solver left.
 
@@ -35,7 +35,9 @@ def surface_notes(
         The map.
     hardness : float
         At which pressures are cut [Pa]; infinite if they are not.
-    area, penetration, misfit : float or ndarray
+    blurred : float
+        Error of the area of contact over the area, the greatest of all loads.
+    penetration, misfit : float or ndarray
         As in `winkler.problems.surface_states.SurfaceState`.
     """
     border = (
@@ -61,14 +63,14 @@ def surface_notes(
             POLONSKY,
         ),
     ]
-    pixels = float(np.max(area)) / (rough.pixel[0] * rough.pixel[1])
-    if pixels < FEW:
+    if blurred > 0.0:
         notes.append(
             Note(
                 Assumption.RESOLUTION,
-                Standing.OUTSIDE if pixels < FEWEST else Standing.APPROXIMATE,
-                f"The contact covers about {max(pixels, 1.0):.0f} pixels; below {FEW} its area and stiffness are "
-                f"known to some per cent only, below {FEWEST} not at all: take a finer map.",
+                Standing.OUTSIDE if blurred > LOST else Standing.APPROXIMATE if blurred > FINE else Standing.ASYMPTOTIC,
+                f"Spots of contact are about {0.5 / blurred:.2g} pixels wide: on this grid the area is known to about "
+                f"{100.0 * blurred:.2g} per cent, and the greatest pressure may be up to {600.0 * blurred**2:.2g} per "
+                f"cent too low{'; take a finer map.' if blurred > LOST else '.'}",
                 YASTREBOV,
             )
         )

@@ -23,6 +23,9 @@ class SurfaceState:
         Infinite where a periodic map touches everywhere.
     area : float
         Of the contact [m^2], pixels counted and the excess along its edge taken off.
+    area_error : float
+        Estimated error of the area that the grid leaves [m^2]: a quarter of a pixel all along the edge, within which
+        circles of three pixels and more lie; a straight edge along the grid may be half a pixel off.
     mean_gap : float
         Mean distance of the surfaces over the map [m].
     penetration : float
@@ -39,6 +42,7 @@ class SurfaceState:
     force: float
     stiffness: float
     area: float
+    area_error: float
     mean_gap: float
     penetration: float
     misfit: float

@@ -9,7 +9,7 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.film import film_notes
-from winkler.problems.disc import rises
+from winkler.problems.one_disc import rises, unfinished
 from winkler.problems.yield_statement import FRICTIONLESS, Rubbing, yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
@@ -61,12 +61,21 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
     deepest, force = float(depth[last]), float(bed.stiffness(radius[last]) * depth[last] - bed.gap_load(radius[last]))
     notes.extend(film_notes(bed, deepest, force, widest))
     if not bed.certain:
-        notes.append(_disc_note(bed, widest))
+        notes.append(_disc_note(bed, float(depth[last]), widest))
     return tuple(notes)
 
 
-def _disc_note(bed: Bed, radius: float) -> Note:
+def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
     """Return what was looked at to know that the contact is one disc."""
+    failed = unfinished(bed, depth, radius)
+    if failed:
+        return Note(
+            Assumption.SINGLE_CONTACT,
+            Standing.APPROXIMATE,
+            f"Whether the contact is one disc was not found out, because the check did not come to an end ({failed}); "
+            "depth, force and radius are those of a disc.",
+            "a-posteriori check of pressure and separation, at sampled places",
+        )
     if not rises(bed, radius):
         looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were looked at"
     elif bed.medium.punch_facts(radius).pulls:

@@ -24,6 +24,7 @@ from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
+from winkler.problems.own_length import shape_length
 from winkler.problems.trust import contact_notes
 from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.yield_statement import relaxing_yield
@@ -144,7 +145,7 @@ class ViscoelasticImpact:
         elastic, energy = elastic_like(self.bed), 0.5 * self.mass * self.velocity**2
         # any number to begin with
         modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
-        depth, last = _depth_of(elastic, energy / modulus, 1e-6), 0.0
+        depth, last = _depth_of(elastic, energy / modulus, 1e-3 * shape_length(elastic)), 0.0
         for _ in range(60):
             if abs(depth - last) <= CLOSE * depth:
                 break

@@ -27,7 +27,6 @@ from winkler.problems.greatest_stress import GreatestStress, greatest_stress
 from winkler.problems.strong_parts import StrongPart, strong_parts
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import value
 
 __all__ = [
     "FRICTIONLESS",
@@ -51,8 +50,7 @@ WIDE = 10.0
 """Contact radius over the thickness of the uppermost layer beyond which stresses in layers are not computed here."""
 
 
-@value
-class Rubbing:
+class Rubbing(NamedTuple):
     """What is known of the friction in a contact.
 
     Parameters
@@ -84,8 +82,10 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     rubbing : Rubbing
     """
     depths, radii = np.ravel(depth), np.ravel(radius)
-    if not np.any(radii > 0.0) or not strong_parts(bed.medium):
+    if not np.any(radii > 0.0):
         return ()
+    if not strong_parts(bed.medium):  # of a height map springs know no more than what it was pressed into
+        return unknown_yield(getattr(bed, "pressed_into", None), "the bed does not tell the outline of the contact")
     last = int(np.argmax(depths))
     widest = Pressed(bed, float(depths[last]), float(radii[last]))
     contacts = [widest]

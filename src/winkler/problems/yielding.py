@@ -12,8 +12,8 @@ from winkler.foundation.bed import Bed, Pressed
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.closure import at_end, flat_radius
-from winkler.problems.disc import refuse_unless_disc
 from winkler.problems.greatest_stress import GreatestStress, greatest_stress, sharp_places
+from winkler.problems.one_disc import refuse_unless_disc
 from winkler.problems.strong_parts import StrongPart, strong_parts
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

@@ -18,10 +18,9 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.given import positive_fields
 from winkler.numerics.types import Array
-from winkler.profiles.topography import Topography
 from winkler.values import frozen_array, value
 
-__all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "spectrum_of"]
+__all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 
 PER_DECADE = 20
 """Bins of a measured spectrum, equal on a logarithmic axis."""
@@ -197,8 +196,8 @@ class PowerSpectrum:
 
     def _mean_square(self, power: int) -> float:
         """Return 2 pi times the integral of q^(1 + power) C(q), which is a power of q between the numbers."""
-        logs = np.log(self.wave_numbers)
-        steps, rise = np.diff(logs), np.diff((2 + power) * logs + np.log(self.densities))
+        steps = np.log1p(np.diff(self.wave_numbers) / self.wave_numbers[:-1])  # not a difference of two logarithms
+        rise = (2 + power) * steps + np.diff(np.log(self.densities))
         parts = self.wave_numbers[:-1] ** (2 + power) * self.densities[:-1] * steps
         small = np.abs(rise) < 1e-8
         return float(2.0 * np.pi * np.sum(parts * np.where(small, 1.0, np.expm1(rise) / np.where(small, 1.0, rise))))
@@ -236,59 +235,20 @@ class PowerSpectrum:
         return np.where(inside, np.minimum(place - low, high - place) / (high - low) + 1e-6, 0.0)
 
 
-def spectrum_of(topography: Topography) -> PowerSpectrum:
-    """Return the isotropic spectrum of a map: the mean over all directions, in bins of a logarithmic axis.
-
-    A map that stands alone is detrended by a plane and faded out towards its border (Hann's window), whose loss of
-    height is made good.  The longest waves that fit stand for all down to the cell of the mean, and so for wavelengths
-    up to 1.77 times the length of a square; with them the spectrum has the root mean square height of the map.  What
-    lies beyond pi over the longer side of a pixel, in the corners of the plane of wave numbers, is left out.
+def wave_numbers_for(spectrum: Spectrum, count: int, crowded: float = 1.0) -> Array:
+    """Return wave numbers [rad/m] for sums over a spectrum: all of a measured one, and so many over its range.
 
     Parameters
     ----------
-    topography : Topography
-
-    Returns
-    -------
-    PowerSpectrum
-
-    Raises
-    ------
-    InvalidInput
-        If heights are missing, or the map is flat, or has no range of wave numbers in both directions.
+    spectrum : Spectrum
+    count : int
+        How many, even on a logarithmic axis.
+    crowded : float, optional
+        Power by which they crowd towards the smallest one.
     """
-    if topography.missing:
-        raise InvalidInput(
-            f"spectrum_of: {topography.missing} heights are missing; fill them with topography.filled() before."
-        )
-    heights = (topography if topography.periodic else topography.detrended(1)).heights
-    heights = heights - np.mean(heights)
-    nx, ny = heights.shape
-    if not topography.periodic:
-        window = np.hanning(nx + 1)[:-1, None] * np.hanning(ny + 1)[None, :-1]
-        heights = heights * window / math.sqrt(float(np.mean(window**2)))
-    amplitude = np.abs(np.fft.fft2(heights)) ** 2 / float(nx * ny) ** 2
-    density = amplitude * topography.area / (2.0 * np.pi) ** 2
-    dx, dy = topography.pixel
-    steps = 2.0 * np.pi / topography.lengths
-    q = np.hypot(2.0 * np.pi * np.fft.fftfreq(nx, dx)[:, None], 2.0 * np.pi * np.fft.fftfreq(ny, dy)[None, :])
-    low, high = float(np.max(steps)), np.pi / max(dx, dy)
-    edges = np.geomspace(low * (1.0 - 1e-9), high, max(int(PER_DECADE * math.log10(high / low)), 2) + 1)
-    which = np.digitize(q.ravel(), edges) - 1
-    inside = (which >= 0) & (which < edges.size - 1)
-    counts = np.bincount(which[inside], minlength=edges.size - 1)
-    sums = np.bincount(which[inside], weights=density.ravel()[inside], minlength=edges.size - 1)
-    places = np.bincount(which[inside], weights=np.log(q.ravel()[inside]), minlength=edges.size - 1)
-    there = (counts > 0) & (sums > 0.0)
-    if np.count_nonzero(there) < 2:
-        raise InvalidInput(
-            "spectrum_of: the map is flat, or too small or narrow for a spectrum; give a rough one of similar sides."
-        )
-    middle, mean = places[there] / counts[there], np.log(sums[there] / counts[there])
-    # waves stand for their cell of the lattice: the longest ones for all down to the cell of the mean, which has none
-    first = min(0.5 * math.log(float(np.prod(steps)) / math.pi), middle[0] - 1e-9)
-    steep = (mean[-1] - mean[-2]) / (middle[-1] - middle[-2])
-    last = max(math.log(high), middle[-1] + 1e-9)
-    places = np.concatenate(([first], middle, [last]))
-    logs = np.concatenate((mean[:1], mean, [mean[-1] + steep * (last - middle[-1])]))
-    return PowerSpectrum(np.exp(places), np.exp(logs))
+    low, high = math.log(spectrum.smallest), math.log(spectrum.greatest)
+    even = np.exp(low + (high - low) * np.linspace(0.0, 1.0, count) ** crowded)
+    if not isinstance(spectrum, PowerSpectrum):
+        return np.asarray(even)
+    inside = even[(even > spectrum.smallest) & (even < spectrum.greatest)]
+    return np.union1d(inside, spectrum.wave_numbers)

@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array, ArrayLike
+from winkler.profiles.spikes import Spikes
 from winkler.values import frozen_array, value
 
 __all__ = ["Topography"]
@@ -171,14 +172,15 @@ class Topography:
             )
         return Topography(np.where(lost, np.nan, self.heights), self.lengths, self.periodic)
 
-    def without_spikes(self, times: float = 4.0) -> Topography:
-        """Return the map with spikes missing: they would bear the load before anything else touches.
+    def spikes(self, times: float = 4.0) -> Spikes:
+        """Return where heights are no surface: they would bear the load before anything else touches.
 
-        A height is a spike if it lies outside of Tukey's fences around it: `times` the distance of the quartiles above
-        the upper or below the lower one, among the heights within four pixels.  So grains and dropouts are found, and
-        scratches, up to some four pixels wide; `missing` tells how many pixels it were.  Structured surfaces (narrow
-        ridges, pillars) are not for it: they look like spikes.  J. W. Tukey, Exploratory Data
-        Analysis, Addison-Wesley 1977.
+        A height is a grain or dropout if it lies outside of Tukey's fences around it: `times` the distance of the
+        quartiles above the upper or below the lower one, among the heights within four pixels; so they are found up to
+        some four pixels wide.  A scar is a run of pixels along a line, up to three pixels wide, whose steps on both
+        sides lie outside of these fences among the steps around; long runs, and what continues a scar, by half of it.
+        Structured surfaces (narrow ridges, pillars) are not for it: they look like spikes.  J. W. Tukey, Exploratory
+        Data Analysis, Addison-Wesley 1977.
 
         Parameters
         ----------
@@ -191,18 +193,37 @@ class Topography:
             If `times` is not positive.
         """
         if isinstance(times, bool) or not isinstance(times, int | float) or not times > 0.0:
-            raise InvalidInput(f"Topography: without_spikes is given times = {times!r}; give a positive number.")
-        from winkler.numerics.bridging import spikes
+            raise InvalidInput(f"Topography: spikes are asked for with times = {times!r}; give a positive number.")
+        from winkler.numerics.bridging import bridged, spikes
+        from winkler.numerics.scars import scars
 
-        return self.masked(spikes(self.heights, times, self.periodic))
+        grains = spikes(self.heights, times, self.periodic)
+        clean = bridged(np.where(grains, np.nan, self.heights), self.periodic)
+        found = scars(clean, times, self.periodic) & ~np.isnan(self.heights)
+        bare = self.masked(grains | found).filled().heights
+        return Spikes(grains, found & ~grains, np.where(grains | found, self.heights - bare, 0.0))
+
+    def without_spikes(self, times: float = 4.0) -> Topography:
+        """Return the map with grains, dropouts and scars missing; `spikes` tells which they are.
+
+        Parameters
+        ----------
+        times : float, optional
+            As for `spikes`.
+
+        Raises
+        ------
+        InvalidInput
+            If `times` is not positive.
+        """
+        return self.masked(self.spikes(times).where)
 
     def filled(self) -> Topography:
         """Return the map with missing heights bridged, each island by the smoothest surface through its border.
 
         The filled heights solve Laplace's equation, so that none lies above the highest of its border.
         """
-        holes = np.isnan(self.heights)
-        if not holes.any():
+        if not self.missing:
             return self
         from winkler.numerics.bridging import bridged
 

@@ -17,7 +17,9 @@ __all__ = ["Chapter", "chapters", "digits", "markdown", "shown", "where"]
 
 MEANT = {
     "analytical": "a closed form, or an integral done at 30 digits",
-    "cross-code": "another code, or another method of solution",
+    "cross-code": "a program of others",
+    "independent implementation": "the same equations by a second program or formula of this project: it "
+    "verifies the code, not the physics",
     "published table": "a number as it was printed",
     "measured": "an experiment",
 }

@@ -25,7 +25,7 @@ __all__ = ["Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"
 PICTURES = ("svg", "png", "pdf")
 """Formats that figures can be written in."""
 
-GRADES = ("analytical", "cross-code", "published table", "measured")
+GRADES = ("analytical", "cross-code", "independent implementation", "published table", "measured")
 """How independent a literature case is of this package."""
 
 

@@ -44,7 +44,7 @@ def read_surface(
     channel
         Which one of several height channels of an instrument's file.
     without_spikes
-        Whether what stands far out of its surroundings, such as a grain of dust, counts as missing.
+        Whether what stands far out of its surroundings, such as dust or the scar of a scan, counts as missing.
     detrend
         What is taken off the heights, fitted by least squares: none, mean, plane or paraboloid.
     filled

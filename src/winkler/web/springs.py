@@ -11,7 +11,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.friction_springs import coil
 from winkler.plot.series import scale_of
-from winkler.plot.springs import plane_profile
+from winkler.plot.springs import plane_profile, stretched
 from winkler.web.chart import Chart, axis, chart, label, line, remark
 from winkler.web.view import View
 
@@ -65,10 +65,9 @@ def row_of(state: Any, extent: float) -> Row:
     sunk, aside = np.zeros(place.shape), np.zeros(place.shape)
     sunk[touching] = pressed.value(np.abs(place[touching]))
     if not hasattr(state, "sheared"):
-        colour = [
-            (style.RED if down >= 0.0 else style.BLUE) if hit else style.MUTED for down, hit in _pairs(sunk, touching)
-        ]
-        told = {style.RED: "pressed"} | ({style.BLUE: "pull"} if float(np.min(sunk)) < 0.0 else {})
+        pulls = stretched(sunk)
+        colour = [(style.BLUE if pull else style.RED) if hit else style.MUTED for pull, hit in _pairs(pulls, touching)]
+        told = {style.RED: "pressed"} | ({style.BLUE: "pull"} if np.any(pulls) else {})
         return Row(place, sunk, aside, tuple(colour), told)
     for part in state.sheared.components[0]:
         within = np.abs(place) < part.radius

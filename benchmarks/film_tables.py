@@ -1,0 +1,29 @@
+"""Everything that winkler remembers of layered media, to be forgotten before a round."""
+
+from __future__ import annotations
+
+from winkler.media import coated_load, depth_climb, depth_response, flat_punch, punch_facts, smooth_moments
+from winkler.numerics import cosine, fredholm, kernel_matrix, punch_tables
+from winkler.problems import one_disc
+
+PAGES = (
+    cosine,
+    fredholm,
+    kernel_matrix,
+    punch_tables,
+    smooth_moments,
+    flat_punch,
+    punch_facts,
+    coated_load,
+    depth_climb,
+    depth_response,
+    one_disc,
+)
+
+
+def forget() -> None:
+    """Empty every table of flat punches, so that each round begins from nothing."""
+    for page in PAGES:
+        for thing in vars(page).values():
+            if hasattr(thing, "cache_clear"):
+                thing.cache_clear()

@@ -1,0 +1,49 @@
+"""What on a height map is not the surface: grains and dropouts, and the scars that a scan leaves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.values import frozen_array, value
+
+__all__ = ["Spikes"]
+
+
+@value
+class Spikes:
+    """Where heights stand out of their surroundings; printed, it says how many and how far.
+
+    Parameters
+    ----------
+    grains : ndarray of bool, (nx, ny)
+        Spots up to some four pixels wide that lie far above or below the heights around.
+    scars : ndarray of bool, (nx, ny)
+        Runs of pixels along either direction, up to three pixels wide, that leap out of both neighbours and back.
+    height : ndarray, (nx, ny)
+        By how much the heights differ [m] from the surface bridged without them; zero where nothing was found.
+    """
+
+    grains: Array
+    scars: Array
+    height: Array
+
+    def __post_init__(self) -> None:
+        for word in ("grains", "scars", "height"):
+            object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word))))
+
+    @property
+    def where(self) -> Array:
+        """True where either was found."""
+        return np.asarray(self.grains | self.scars)
+
+    def __str__(self) -> str:
+        """Return what was found, in one line."""
+        count = int(np.count_nonzero(self.where))
+        if not count:
+            return "no spikes"
+        return (
+            f"{count} of {self.where.size} pixels stand out by up to {float(np.max(np.abs(self.height))):.3g} m: "
+            f"{int(np.count_nonzero(self.grains))} of grains and dropouts, "
+            f"{int(np.count_nonzero(self.scars & ~self.grains))} of scars"
+        )
