@@ -102,15 +102,19 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
         figure = style.figure(2, 2, height=3.3, width=4.8)
         panels = figure.subplots(2, 2, squeeze=False).ravel()
         draw_dragged(panels[0], sheared, stick, end)
-        fields = around_contact(sheared, near)
-        draw_traction(panels[1], fields, _coefficient(getattr(item, "law", None)), stick)
-        draw_slip(panels[2], fields, item.radius, stick)
         titles = ["springs", "traction", "displacement and slip of the surface", "stress below the surface"]
+        drawn = 1
         try:
+            fields = around_contact(sheared, near)
+            draw_traction(panels[1], fields, _coefficient(getattr(item, "law", None)), stick)
+            draw_slip(panels[2], fields, item.radius, stick)
+            drawn = 3
             draw_dragged_stress(panels[3], sheared, near)
+            drawn = 4
         except OutsideValidity:
-            panels[3].remove()
-            titles = titles[:3]
+            for axes in panels[drawn:]:
+                axes.remove()
+            titles = titles[:drawn]
         for axes, title in zip(panels, titles, strict=False):
             axes.set_title(title)
         shear = np.asarray(item.shear_force, dtype=float)
