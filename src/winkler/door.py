@@ -21,8 +21,9 @@ from winkler.fitting.contact_reading import (
     sample_young,
 )
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.fit import Fit, fit
+from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution
+from winkler.fitting.search import FitState
 from winkler.fitting.segments import Segment, SegmentKind
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
@@ -185,8 +186,8 @@ __all__ = [
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
     "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
     "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
-    "Fit", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation", "FractionalZener",
-    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
+    "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace",
     "HalfSpace", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
@@ -226,7 +227,7 @@ __all__ = [
     "area_fraction",
     "compare", "compare_terms", "contact_reading", "creep_coefficients",
     "design_for_pressure", "design_profile",
-    "fit",
+    "fit", "fit_steps",
     "intercept_factor",
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",

@@ -83,8 +83,10 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     rubbing : Rubbing
     """
     depths, radii = np.ravel(depth), np.ravel(radius)
-    if not np.any(radii > 0.0) or not strong_parts(bed.medium):
+    if not np.any(radii > 0.0):
         return ()
+    if not strong_parts(bed.medium):  # of a height map springs know no more than what it was pressed into
+        return unknown_yield(getattr(bed, "pressed_into", None), "the bed does not tell the outline of the contact")
     last = int(np.argmax(depths))
     widest = Pressed(bed, float(depths[last]), float(radii[last]))
     contacts = [widest]
