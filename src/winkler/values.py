@@ -20,10 +20,10 @@ from winkler.content import (
     guarded,
     guarded_answer,
     guarded_stream,
-    refuse_outline,
     refuse_wrong,
 )
 from winkler.errors import InvalidInput, WinklerError
+from winkler.outline import refuse_outline
 
 __all__ = ["frozen_array", "value"]
 
