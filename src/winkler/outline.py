@@ -1,13 +1,14 @@
-"""Refusal of contacts whose outline is not known to be a disc, where something needs one."""
+"""Refusal of beds that do not fit a problem: an outline that is not known to be a disc, bodies that relax."""
 
 from __future__ import annotations
 
 import dataclasses
 from typing import Any
 
+from winkler.assumption import Assumption
 from winkler.errors import OutsideValidity
 
-__all__ = ["refuse_outline", "refuse_unless_round"]
+__all__ = ["refuse_outline", "refuse_relaxing", "refuse_unless_round"]
 
 
 def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
@@ -43,3 +44,21 @@ def refuse_outline(content: Any) -> None:
     needed = getattr(type(content), "needs_round", "")
     for field in dataclasses.fields(content) if needed else ():
         refuse_unless_round(getattr(content, field.name), type(content).__name__, needed)
+
+
+def refuse_relaxing(content: Any) -> None:
+    """Refuse bodies that relax in a problem which knows no time: one that does not assume `Assumption.KNOWN_TIMES`.
+
+    Raises
+    ------
+    OutsideValidity
+        That of the medium, with what to use instead.
+    """
+    assumed = getattr(type(content), "assumptions", None)
+    if assumed is None or Assumption.KNOWN_TIMES in assumed:
+        return
+    for field in dataclasses.fields(content):
+        part = getattr(content, field.name)
+        timeless = getattr(part, "timeless", None) or getattr(getattr(part, "medium", None), "timeless", None)
+        if timeless is not None:
+            raise timeless()
