@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import re
 
+import numpy as np
 import pytest
 
 import winkler as wk
@@ -62,6 +63,15 @@ def test_the_page_on_coatings_says_which_problems_take_which_medium(root, column
     assert stated == {kind: takes(kind) for kind in CATALOGUE["problem"] if takes(kind) == "taken" or kind in stated}
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("medium", ["coated_half_space", "depth_graded_half_space"])
+@pytest.mark.parametrize("kind", ["bimodal_damping", "fretting_heat"])
+def test_what_needs_one_ratio_of_stiffnesses_is_refused_on_layers(kind, medium):
+    """As coatings.md says; of an oblique impact tests/problems/test_impact.py says so."""
+    with pytest.raises(wk.OutsideValidity, match="tangential"):
+        build(example_study(kind, medium=medium)["problem"]).solve()
+
+
 def test_pages_lead_on_to_pages_that_are_there(root):
     docs = root / "docs"
     broken = []
@@ -83,3 +93,52 @@ def test_the_puzzle_is_the_first_page(root):
     assert listed[0] == "puzzle"
     pages = {path.stem for path in (root / "docs").glob("*.md")} - {"index"}
     assert pages == {page for page in listed if "/" not in page}
+
+
+PROMISES = re.compile(
+    r"\b(?:any|every|all)\s+(?:histor|profile|shape|medium|media|speed|amplitude|solid|law)\w*", re.IGNORECASE
+)
+KEPT = {
+    "conduction.md": {"any shape": "Barber's analogy, tests/problems/test_constriction.py presses an ellipse"},
+}
+
+
+def test_no_page_promises_more_than_was_tested(root):
+    """A page names the shapes, media and histories that it means; what is left of "any" and "every" has a test."""
+    docs = root / "docs"
+    found = []
+    for path in [root / "README.md", *docs.glob("*.md"), *(docs / "tutorials").glob("*.md")]:
+        said = {" ".join(words.split()).lower() for words in PROMISES.findall(path.read_text(encoding="utf-8"))}
+        found += [f"{path.name}: {words}" for words in said - set(KEPT.get(path.name, ()))]
+    assert found == []
+
+
+@pytest.mark.parametrize("medium", sorted(CATALOGUE["medium"]))
+def test_elastic_media_are_pressed_stick_and_wear_to_a_limit(medium):
+    """As adhesion.md and wear.md say: half-spaces, layers and gradings; bodies that relax are refused."""
+    bed = wk.Foundation(wk.Paraboloid(0.01), build(example_study("indentation", medium=medium)["problem"]).bed.medium)
+    asked = (
+        wk.Indentation(bed, wk.Depth(1e-6)),
+        wk.AdhesiveIndentation(bed, wk.ShortRange(0.05), wk.Depth(1e-6)),
+        wk.LimitingProfile(bed, wk.Coulomb(0.5), wk.Depth(1e-6), wk.Shift(0.2e-6)),
+    )
+    for problem in asked:
+        if medium in {"viscoelastic_half_space", "relaxing_in_proportion"}:
+            with pytest.raises(wk.OutsideValidity, match="changes in time"):
+                problem.solve()
+        else:
+            assert problem.solve().radius > 0.0
+
+
+@pytest.mark.parametrize(("softer", "low", "high"), [(None, 0.08, 0.13), (10.0, -0.35, -0.28), (100.0, -0.75, -0.695)])
+def test_when_a_coating_matters(softer, low, high):
+    """What choosing.md says of the stiffness at a tenth of the thickness, from nu = 0 to 0.5."""
+    changes = []
+    for poisson in (0.0, 0.3, 0.5):
+        layer = wk.Elastic(1e9, poisson)
+        base = wk.Rigid() if softer is None else wk.Elastic(1e9 / softer, poisson)
+        film = wk.CoatedHalfSpace([wk.Layer(layer, 1.0)], on=base)
+        a = np.array(0.1)
+        changes.append(float(film.punch_stiffness(a) / wk.HalfSpace(layer).punch_stiffness(a)) - 1.0)
+    assert low <= min(changes)
+    assert max(changes) <= high

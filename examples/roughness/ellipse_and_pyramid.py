@@ -2,8 +2,8 @@
 Not quite round: an ellipse, a pyramid
 ======================================
 
-Two crossed cylinders touch on an ellipse; Hertz's solution is exact, and one ball stands for it in everything that asks
-for force and depth alone. A pyramid has edges: the contour that makes the force greatest is nearly that of the contact.
+Two crossed cylinders touch on an ellipse; Hertz's solution is exact, and one ball is as deep under the same forces. A
+pyramid has edges: the contour that makes the force greatest is nearly that of the contact.
 """
 
 import matplotlib.pyplot as plt

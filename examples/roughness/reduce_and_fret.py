@@ -2,7 +2,7 @@
 Springs in place of a surface
 =============================
 
-Boundary elements solve one contact at a time. Whatever asks for no more than forces and depths can do with springs: a
+Boundary elements solve one contact at a time. What asks for no more than forces and depths can do with springs: a
 dozen contacts tell the force curve F(d) of an arbitrary body, its slope tells the stiffness, and the springs that have
 both run any history of pressing and rubbing without another solve.
 """

@@ -17,6 +17,7 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 import numpy as np
 
+from winkler.contract import fits, lacking, listed
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError
 from winkler.vocabulary import word
 
@@ -110,11 +111,12 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
     """
     for field in expected:
         inside = getattr(content, field.name)
-        if _wrong(inside, field.sort):
+        if _wrong(inside, field.sort) or not _fits(type(content), field, inside):
             wanted = _wanted(type(content), field)
             if field.sort == "part":
+                lacks = lacking(type(content), field.name, inside)
                 raise InvalidInput(
-                    f"{type(content).__name__}: the {field.name} is a {type(inside).__name__}; give {wanted}."
+                    f"{type(content).__name__}: the {field.name} is a {type(inside).__name__}{lacks}; give {wanted}."
                 )
             raise InvalidInput(f"{type(content).__name__}: {field.name} is {_shown(inside)}; give {wanted}.")
         if field.sized and not _sized(inside, SMALLEST if field.name in NEVER_ZERO else 0.0):
@@ -137,6 +139,11 @@ def _wrong(inside: Any, sort: str) -> bool:
     if sort == "parts":
         return kind is not tuple or any(type(part) in NO_PART for part in inside)
     return kind is not {"str": str, "bool": bool}[sort]
+
+
+def _fits(cls: type, field: Expected, inside: Any) -> bool:
+    """Return whether the parts in a field are of the kinds that it names."""
+    return field.sort not in ("part", "parts") or fits(cls, field.name, inside if field.sort == "parts" else (inside,))
 
 
 def _sized(inside: Any, smallest: float = SMALLEST) -> bool:
@@ -164,14 +171,8 @@ def _wanted(cls: type, field: Expected) -> str:
         hint = field.written
     inner = typing.get_args(hint)
     if field.sort == "parts":
-        return f"a list of {_listed(inner[0])}"
-    return _listed(hint)
-
-
-def _listed(hint: Any) -> str:
-    """Return the names of a union as a sentence lists them."""
-    names = [getattr(part, "__name__", str(part)) for part in typing.get_args(hint)]
-    return f"{', '.join(names[:-1])} or {names[-1]}" if names else str(getattr(hint, "__name__", hint))
+        return f"a list of {listed(inner[0])}"
+    return listed(hint)
 
 
 def _shown(inside: Any) -> str:

@@ -21,12 +21,14 @@ from winkler.fitting.contact_reading import (
     sample_young,
 )
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.fit import Fit, fit
+from winkler.fitting.fit import Fit, fit, fit_steps
 from winkler.fitting.oliver_pharr import OliverPharr, OliverPharrSolution
+from winkler.fitting.search import FitState
 from winkler.fitting.segments import Segment, SegmentKind
 from winkler.fitting.viscoelastic_band import relaxation_band
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic_terms import compare_terms
+from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -100,7 +102,6 @@ from winkler.problems.creepage import Creepage
 from winkler.problems.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.design import design_for_pressure, design_profile
 from winkler.problems.elastomer_friction import ElastomerFriction, ElastomerFrictionSolution
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.elliptic_indentation import EllipticIndentation, EllipticSolution
 from winkler.problems.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.fretting_heat import FrettingHeat, FrettingHeatSolution
@@ -148,6 +149,7 @@ from winkler.profiles.area import AreaFunction
 from winkler.profiles.composite import Sum
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
 from winkler.profiles.designed import Designed
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.line_scan import LineScan
@@ -182,10 +184,10 @@ __all__ = [
     "CreepFit", "CreepTest", "Creepage", "CubeCorner", "Current", "CurrentFields", "CurvedBodies", "Cylinder",
     "Depth", "DepthGradedHalfSpace", "DerjaguinMullerToporov", "Designed", "Dugdale", "DynamicData",
     "Elastic", "ElasticPlasticParticle", "ElastomerFriction", "ElastomerFrictionSolution", "ElectricalConductor",
-    "ElectricalConductors", "Ellipsoid", "EllipticIndentation", "EllipticSolution", "EqualMaximum", "EqualMean",
-    "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
-    "Fit", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation", "FractionalZener",
-    "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
+    "ElectricalConductors", "Ellipsoid", "EllipticFoundation", "EllipticIndentation", "EllipticSolution",
+    "EqualMaximum", "EqualMean", "Equilibrium", "EquilibriumCurve", "ExponentialGrading",
+    "Fit", "FitState", "FixedShare", "FlatPunch", "Follow", "Force", "ForceCurve", "Formula", "Foundation",
+    "FractionalZener", "FrettingHeat", "FrettingHeatSolution", "FrettingSolution", "FrettingWear", "FrictionDamping",
     "FrictionDampingSolution", "FrictionHeating", "FrictionHeatingSolution",
     "GeneralisedKelvin", "GradedHalfSpace",
     "HalfSpace", "HarmonicIndentation", "HeatConductors", "HeatFields", "Hold", "Hyperboloid",
@@ -225,7 +227,7 @@ __all__ = [
     "area_fraction",
     "compare", "compare_terms", "contact_reading", "creep_coefficients",
     "design_for_pressure", "design_profile",
-    "fit",
+    "fit", "fit_steps",
     "intercept_factor",
     "material", "material_names", "maugis_parameter", "mean_separation",
     "peak_stress",

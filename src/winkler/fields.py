@@ -26,6 +26,7 @@ from winkler.foundation.sheared_fields import (
 )
 from winkler.media.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
+from winkler.outline import refuse_unless_round
 from winkler.problems.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.torsion_states import TorsionState
 from winkler.values import value
@@ -42,6 +43,8 @@ __all__ = [
     "restore_shift",
     "springs_of",
 ]
+
+FIELD = "the field"
 
 
 class Restorable(Protocol):
@@ -170,6 +173,7 @@ def restore(
             )
         if isinstance(solution, TorsionState):
             return twisted_surface(solution, radii)
+        refuse_unless_round(solution.sheared.pressed, "restore", FIELD)
         return sheared_surface(solution.sheared, radii)
     pressed = springs_of(solution)
     return _surface(pressed, radii) if z is None else below_surface(pressed, radii, _checked("z", z))
@@ -211,9 +215,12 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     places = (_checked("x", x, "restore_body"), _checked("y", y, "restore_body"), _checked("z", z, "restore_body"))
     if isinstance(solution, TorsionState):
         return body_of_twisted(solution, *places)
-    if is_dragged(solution):
-        return body_of_sheared(solution.sheared, *places)
-    return body_of_pressed(springs_of(solution), *places)
+    springs = solution.sheared if is_dragged(solution) else springs_of(solution)
+    if isinstance(springs, ShearedSprings):
+        refuse_unless_round(springs.pressed, "restore_body", FIELD)
+        return body_of_sheared(springs, *places)
+    refuse_unless_round(springs, "restore_body", FIELD)
+    return body_of_pressed(springs, *places)
 
 
 @guarded_answer
@@ -241,6 +248,7 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
         If the medium is not a homogeneous isotropic half-space.
     """
     places = np.broadcast_arrays(_checked("x", x, "restore_shift"), _checked("y", y, "restore_shift"))
+    refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD)
     return shift_of_surface(solution.sheared, *places)
 
 
@@ -270,6 +278,7 @@ def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
 
 
 def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
+    refuse_unless_round(pressed, "restore", FIELD)
     if pressed.radius == 0.0:
         still = np.zeros(r.shape)
         return SurfaceFields(r, still, still, _height(pressed, r) - min(pressed.depth, 0.0))
@@ -288,6 +297,7 @@ def _height(pressed: Pressed, r: Array) -> Array:
 
 def below_surface(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
     """Return the fields at places of shapes that broadcast; the surface itself belongs to one of the bodies."""
+    refuse_unless_round(pressed, "restore", FIELD)
     r, z = np.broadcast_arrays(r, z)
     first = (z >= 0.0) if surface_is_first else (z > 0.0)
     parts = np.zeros((6, *r.shape))

@@ -11,6 +11,7 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
 from winkler.media.peak import greatest, greatest_around
 from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
 from winkler.problems.torsion_fields import body_of_twisted
 from winkler.problems.torsion_states import TorsionState
 from winkler.values import value
@@ -93,6 +94,7 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
 
 def _sheared_peak(sheared: ShearedSprings, sign: float) -> PlacedStress:
     pressed = sheared.pressed
+    refuse_unless_round(pressed, "peak_stress", "the stress below the surface")
     if pressed.radius == 0.0:
         return PlacedStress(0.0, 0.0, 0.0, 0.0)
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]

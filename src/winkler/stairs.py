@@ -27,6 +27,7 @@ from winkler.fields import Restorable
 from winkler.foundation.bed import Pressed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike
+from winkler.outline import refuse_unless_round
 from winkler.values import value
 
 __all__ = ["Staircase", "staircase"]
@@ -184,6 +185,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     if isinstance(count, bool) or not isinstance(count, int | np.integer) or not 1 <= count <= 1_000_000:
         raise InvalidInput(f"staircase: count is {count!r}; give a whole number of punches, 1 to 1000000.")
     pressed = solution.pressed
+    refuse_unless_round(pressed, "staircase", "a staircase of punches")
     medium = pressed.bed.medium
     if not isinstance(medium, HomogeneousMedium):
         raise OutsideValidity(

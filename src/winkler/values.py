@@ -13,8 +13,17 @@ from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
-from winkler.content import FAULTS, careful, expected_of, guarded, guarded_answer, guarded_stream, refuse_wrong
+from winkler.content import (
+    FAULTS,
+    careful,
+    expected_of,
+    guarded,
+    guarded_answer,
+    guarded_stream,
+    refuse_wrong,
+)
 from winkler.errors import InvalidInput, WinklerError
+from winkler.outline import refuse_outline, refuse_relaxing
 
 __all__ = ["frozen_array", "value"]
 
@@ -104,6 +113,8 @@ def value(cls: type[T]) -> type[T]:
             if frozen is not content:
                 object.__setattr__(self, field.name, frozen)
         try:
+            refuse_outline(self)
+            refuse_relaxing(self)
             if check is not None:
                 with np.errstate(**strict):
                     check(self)

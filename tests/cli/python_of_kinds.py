@@ -208,6 +208,9 @@ ROUGHNESS = {
     "height_map": wk.SurfaceContact(wk.Topography(PYRAMID, MILLIMETRES), STEEL_BODY, LOADS),
     "surface_conduction": wk.SurfaceConduction(wk.SurfaceContact(STAMP, STEEL_BODY, LOADS), PAIR),
     "reduction": wk.Reduction(STAMP, STEEL_BODY, 3e-6),
+    "elliptic_foundation": wk.Indentation(
+        wk.EllipticFoundation(wk.CurvedBodies(20e-3, 10e-3), STEEL_BODY), wk.Force(100.0)
+    ),
     "reduced_bed": wk.Indentation(wk.ReducedBed(STAMP, STEEL_BODY, 3e-6), wk.Force(100.0)),
     **{kind: rough(BLASTED) for kind in ("rough_contact", "self_affine")},
     "power_spectrum": rough(MEASURED_SPECTRUM),

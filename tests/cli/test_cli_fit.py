@@ -149,15 +149,90 @@ def test_what_was_fitted_before_a_stop_is_kept(here, monkeypatch, capsys):
 
     plain = fit_run._fit_piece
 
-    def stopped(study, piece):
+    def stopped(study, piece, watch):
         if piece.endswith("curve3.csv"):
             raise KeyboardInterrupt
-        return plain(study, piece)
+        return plain(study, piece, watch)
 
     monkeypatch.setattr(fit_run, "_fit_piece", stopped)
     assert main(["fit", "gel.toml"]) == 130
     assert "2 curves were done" in capsys.readouterr().err
     assert names(here / "results" / "gel") == [*CURVES[:2], "fit.csv", "fit.nc", PROVENANCE, "study.toml"]
+
+
+def one_curve(here: Path, more: str = "") -> None:
+    text = STUDY.replace('"gel"\npart', '"gel/curve1.csv"\npart').replace("[fit]\n", f"[fit]\n{more}")
+    (here / "gel.toml").write_text(text, encoding="utf-8")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT of a process alone there")
+def test_ctrl_c_tells_the_best_numbers_so_far(here, monkeypatch, capsys):
+    """The signal comes at the tenth evaluation, as a reader would send it."""
+    from winkler.fitting.search import Search
+
+    plain = Search.seen
+
+    def stopped(self, *seen):
+        if self.evaluations == 9:
+            os.kill(os.getpid(), signal.SIGINT)
+        plain(self, *seen)
+
+    monkeypatch.setattr(Search, "seen", stopped)
+    one_curve(here)
+    assert main(["fit", "gel.toml"]) == 130
+    told = capsys.readouterr().err
+    assert re.fullmatch(
+        r"winkler: interrupted after \d+ evaluations, residuals of [\d.]+ pN; the best numbers so far, not settled: "
+        r"problem\.bed\.medium\.first\.young = [\d.]+ kPa, contact_point = .*m; nothing was written\.\n",
+        told,
+    ), told
+    assert not (here / "results").exists()
+
+
+def test_a_time_limit_of_the_study_and_of_the_command(here, capsys):
+    one_curve(here, 'time_limit = "1 ns"\n')
+    assert main(["fit", "gel.toml"]) == 3
+    assert "within the time limit of 1e-09 s, after 1 evaluation; give more time" in capsys.readouterr().err
+    assert main(["fit", "gel.toml", "--time-limit", "600", "--quiet"]) == 0
+    assert main(["fit", "gel.toml", "--time-limit", "1e-9", "--overwrite"]) == 3
+    assert main(["fit", "gel.toml", "--time-limit", "0"]) == 2
+    assert "--time-limit is 0; give a positive time" in capsys.readouterr().err
+    one_curve(here, 'time_limit = "-1 s"\n')
+    assert main(["fit", "gel.toml"]) == 2
+    assert "fit.time_limit is '-1 s'; it must be positive" in capsys.readouterr().err
+
+
+def test_a_curve_that_takes_too_long_does_not_stop_the_others(here, monkeypatch, capsys):
+    from winkler.study import fit_run
+
+    plain = fit_run.fit_steps
+
+    def slow_at_one(curve, *asked, **how):
+        return plain(curve, *asked, **how | {"time_limit": 1e-9 if "curve2" in curve.name else np.inf})
+
+    monkeypatch.setattr(fit_run, "fit_steps", slow_at_one)
+    assert main(["fit", "gel.toml", "--json"]) == 3
+    answer = json.loads(capsys.readouterr().out)
+    assert [item["curve"] for item in answer["failed"]] == ["gel/curve2.csv"]
+    assert "time limit" in answer["failed"][0]["reason"]
+
+
+def test_a_bar_tells_how_far_the_fit_has_come(here, monkeypatch):
+    from winkler.cli import fit as module
+
+    told = []
+    plain = module._UnderWay.watch
+
+    def heard(self, states):
+        for state in plain(self, states):
+            told.append(self.told())
+            yield state
+
+    monkeypatch.setattr(module._UnderWay, "watch", heard)
+    one_curve(here)
+    assert main(["fit", "gel.toml", "--quiet"]) == 0
+    assert re.fullmatch(r"fitting: 1 evaluation, residuals of [\d.]+ \S?N", told[0])
+    assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", told[-2])
 
 
 @pytest.mark.slow

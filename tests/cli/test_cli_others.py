@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import tomllib
+import typing
 from pathlib import Path
 
 import pytest
@@ -467,11 +468,34 @@ def test_help_and_wrong_words_load_nothing_heavy():
     assert heavy & loaded == set()
 
 
-def test_the_module_is_the_command(here):
-    answer = subprocess.run(
-        [sys.executable, "-m", "winkler.cli", "--version"], capture_output=True, text=True, check=True
-    )
+@pytest.mark.parametrize("module", ["winkler", "winkler.cli"])
+def test_the_module_is_the_command(here, module):
+    command = [sys.executable, "-m", module]
+    answer = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
     assert answer.stdout == f"winkler {wk.__version__}\n"
+    wrong = subprocess.run([*command, "show", "sfere"], capture_output=True, text=True, check=False)
+    assert wrong.returncode == 2
+    assert wrong.stderr.startswith("winkler: ")
+
+
+def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
+    """Brackets are markup there; without a backslash "[fit]" and the extra of "winkler[app]" were lost."""
+    from winkler.cli.app import app
+
+    monkeypatch.setenv("COLUMNS", "200")
+    seen = []
+    for command in app.registered_commands:
+        callback = command.callback
+        hints = typing.get_type_hints(callback, include_extras=True)
+        given = [note.help for hint in hints.values() for note in getattr(hint, "__metadata__", ())]
+        told = "\n".join(filter(None, [callback.__doc__, *given])).replace("\\[", "[")
+        brackets = re.findall(r"\[[a-z]+\]", told)
+        seen += brackets
+        assert main([callback.__name__, "--help"]) == 0
+        shown = capsys.readouterr().out
+        for bracket in brackets:
+            assert bracket in shown, (callback.__name__, bracket)
+    assert {"[fit]", "[app]", "[s]"} <= set(seen)
 
 
 @pytest.mark.parametrize(

@@ -74,6 +74,27 @@ def creep(seed, *, noise=3e-9, count=301, load=1e-9):
     return ForceCurve(depth, np.full(count, load), time=time, direction=np.zeros(count), name=f"seed {seed}")
 
 
+def ramp_and_hold(seed, *, offset=5e-11, tilt=2e-5, noise=1e-11, scatter=2e-9, count=1200, load=1e-9):
+    """A bead on a standard solid: a free way of a second, a force that grows evenly for a second, and seven held.
+
+    While the contact does not shrink, d^(3/2) = 3/(4 sqrt(R)) int C(t-s) dF(s) (Lee and Radok); of a ramp the integral
+    of C(t) = 1/(4 G) (1 - G_1/(G + G_1) exp(-t/theta)) is elementary.
+    """
+    relaxed, shear, time_ = TRUE["creep"]
+    slow, time = time_ * (relaxed + shear) / relaxed, np.linspace(-1.0, 8.0, count)
+
+    def ramp(t):
+        t = np.maximum(t, 0.0)
+        return load / (4.0 * relaxed) * (t - shear / (relaxed + shear) * slow * (1.0 - np.exp(-t / slow)))
+
+    depth = (0.75 / np.sqrt(BEAD) * (ramp(time) - ramp(time - 1.0))) ** (2.0 / 3.0)
+    random = np.random.default_rng(seed)
+    along = np.where(time < 0.0, 1e-6 * time, depth)
+    force = load * np.clip(time, 0.0, 1.0) + offset + tilt * along + noise * random.standard_normal(count)
+    position = along + 4e-7 + scatter * random.standard_normal(count)
+    return ForceCurve(position, force, time=time + 1.0, direction=np.where(time <= 1.0, 1.0, 0.0), name=f"seed {seed}")
+
+
 def curve(kind, seed, **more):
     """A curve of one of the three kinds."""
     match kind:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import pathlib
 import pickle
@@ -96,10 +97,13 @@ def test_scatter():
 def test_fields_are_refused():
     bed = MeasuredBed.from_curve(DEPTH, curve(wk.Paraboloid(1e-3)).force, GLASS.modulus)
     contact = wk.Indentation(bed, wk.Depth(1e-6)).solve()
-    with pytest.raises(wk.OutsideValidity, match="neither the body nor the medium"):
+    with pytest.raises(wk.OutsideValidity, match="restore: the field needs a round contact"):
         wk.restore(contact, 0.0)
-    with pytest.raises(wk.OutsideValidity, match="neither the body nor the medium"):
+    with pytest.raises(wk.OutsideValidity, match="restore: the field needs a round contact"):
         wk.restore(contact, 0.0, 1e-6)
+    known = dataclasses.replace(bed, disc=True)
+    with pytest.raises(wk.OutsideValidity, match="neither the body nor the medium"):
+        wk.restore(wk.Indentation(known, wk.Depth(1e-6)).solve(), 0.0)
     with pytest.raises(wk.OutsideValidity, match="mindlin_ratio"):
         bed.tangential_stiffness(np.array([1e-6]))
     with pytest.raises(wk.OutsideValidity, match="beyond the reach"):
@@ -214,7 +218,10 @@ def test_a_bed_answers_every_load():
     by_force = wk.Indentation(bed, wk.Force(by_radius.force)).solve()
     assert by_force.radius == pytest.approx(a, rel=1e-9)
     assert by_force.energy == pytest.approx(0.4 * by_radius.force * by_radius.depth, rel=1e-9)  # Hertz: U = 2 F d / 5
-    assert by_force.mean_pressure == pytest.approx(by_radius.force / (np.pi * a**2), rel=1e-9)
+    with pytest.raises(wk.OutsideValidity, match="The area of the contact is not known"):
+        _ = by_force.mean_pressure
+    disc = wk.Indentation(dataclasses.replace(bed, disc=True), wk.Force(by_radius.force)).solve()
+    assert disc.mean_pressure == pytest.approx(by_radius.force / (np.pi * a**2), rel=1e-9)
     load = by_force.line_load(np.array([0.0, 0.5 * a, 2.0 * a]))
     np.testing.assert_allclose(load, GLASS.modulus * by_radius.depth * np.array([1.0, 0.75, 0.0]), rtol=1e-8)
     row = wk.Springs.of(bed, a, 200)

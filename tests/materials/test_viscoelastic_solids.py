@@ -40,6 +40,30 @@ def test_kelvin_and_prony_are_the_same_solid():
     assert gel.creep(TIMES) == pytest.approx(exact, rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    "solid",
+    [
+        Prony(1e3, [1e3, 5e2], [0.1, 3.0]),
+        StandardSolid(1e3, 3e3, 2.0),
+        Maxwell(1e3, 0.5),
+        GeneralisedKelvin(1e-3, [1e-3, 2e-3], [0.5, 5.0]),
+        FractionalZener(0.5e6, 50e6, relaxation_time=0.1, exponent=0.6, shortest=1e-4, longest=100.0),
+        PowerLawSolid(1e3, 1.0, 0.2, shortest=1e-4, longest=1e3),
+    ],
+    ids=lambda solid: type(solid).__name__,
+)
+@pytest.mark.parametrize("time", [0.05, 1.0, 20.0])
+def test_creep_and_relaxation_undo_each_other(solid, time):
+    """Int_0^t G(t - s) J(s) ds = t, by panels that crowd at both ends."""
+    edge = np.logspace(-7.0, -1.0, 25)
+    breaks = time * np.concatenate([[0.0], edge, [0.5], 1.0 - edge[::-1], [1.0]])
+    nodes, weights = np.polynomial.legendre.leggauss(20)
+    low, high = breaks[:-1, None], breaks[1:, None]
+    s = 0.5 * (high - low) * nodes + 0.5 * (high + low)
+    total = np.sum(0.5 * (high - low) * weights * solid.relaxation(time - s) * solid.creep(s))
+    assert total == pytest.approx(time, rel=1e-12)
+
+
 @pytest.mark.parametrize("alpha", [0.05, 0.2, 0.5, 0.9])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-8])
 def test_springpot(alpha, tolerance):

@@ -302,7 +302,9 @@ def test_griffith_is_the_release_of_energy():
 
 def test_measured_bed_and_tip():
     a = np.geomspace(1e-6, 1e-3, 60)
-    bed = MeasuredBed(a, 2.0 * E * a, a**2 / R)
+    with pytest.raises(OutsideValidity, match="adhesion, whose edge runs round the contact, needs a round contact"):
+        PullOff(MeasuredBed(a, 2.0 * E * a, a**2 / R), LAW)
+    bed = MeasuredBed(a, 2.0 * E * a, a**2 / R, disc=True)
     assert PullOff(bed, LAW).solve().force == pytest.approx(-1.5 * math.pi * R * W, rel=1e-9)
     r = np.linspace(0.0, 1e-3, 400)
     tip = wk.Foundation(wk.Measured(r, r**2 / (2.0 * R)), GEL)

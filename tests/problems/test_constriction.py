@@ -73,9 +73,11 @@ def test_an_elliptic_contact_given_by_its_force_curve():
     assert contact.resistance == pytest.approx(2.0 * k / (2.0 * np.pi * 1.3499607), rel=1e-6)
     filmed = wk.ElectricalConductors(unit, unit, wk.SurfaceFilm(1.0))
     plated = wk.ElectricalConductors(unit, wk.Plated(wk.ElectricalConductor(2.0), 1.0, on=unit))
-    for pair in (filmed, plated):
-        with pytest.raises(wk.OutsideValidity, match="the area"):
+    for pair, why in ((filmed, "The area of the contact is not known"), (plated, "a plating needs a round contact")):
+        with pytest.raises(wk.OutsideValidity, match=why):
             wk.Constriction(bed, pair, wk.Force(1.0)).solve()
+        with pytest.raises(wk.OutsideValidity, match=why):
+            wk.JouleHeating(bed, pair, wk.Force(1.0), wk.Current(1.0)).solve()
 
 
 def test_a_thousand_loads_come_at_once_and_as_one_by_one():

@@ -11,9 +11,9 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.elliptic_indentation import EllipticIndentation
 from winkler.problems.indentation import Indentation
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.profiles.power import Paraboloid
 from winkler.validity import Standing
 

@@ -21,9 +21,9 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.numerics.fastsim import rolled
 from winkler.problems.creepage import Creepage
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import creep_coefficients
 from winkler.problems.simplified_rolling import SimplifiedRolling
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.reference.rolling import cubic_creep_force, simplified_creep_force
 
 MU = 0.3

@@ -315,3 +315,13 @@ def test_flat_punch_away_from_its_rim():
     least = mean * float(np.max(np.abs(axial - radial)))
     bed = wk.Foundation(wk.FlatPunch(a), wk.HalfSpace(wk.Elastic(1e9, 0.5, 0.99 * least)))
     assert statement(wk.Indentation(bed, wk.Force(force)).solve()).standing is wk.Standing.OUTSIDE
+
+
+def test_springs_of_a_height_map():
+    """They tell forces, not pressures: whatever the strength of what the map was pressed into, that is said."""
+    x = np.linspace(-0.5, 0.5, 65)[:-1] + 1.0 / 128.0
+    ball_map = wk.Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
+    bed = wk.ReducedBed(ball_map, wk.HalfSpace(wk.Elastic(1.0, 0.3, 1e-9)), 0.05)
+    note = statement(wk.Indentation(bed, wk.Depth(0.02)).solve())
+    assert note.standing is wk.Standing.APPROXIMATE
+    assert "does not tell the outline" in note.statement

@@ -14,11 +14,11 @@ def app(
     browser: Annotated[
         bool, typer.Option("--browser/--no-browser", help="Whether to open a page of the browser.")
     ] = True,
-    time_limit: Annotated[float, typer.Option(help="The longest that a study may take [s].")] = 60.0,
+    time_limit: Annotated[float, typer.Option(help=r"The longest that a study may take \[s].")] = 60.0,
 ) -> None:
-    """Open the app in the browser: forms, sliders, pictures, and the study file that tells it all.
+    r"""Open the app in the browser: forms, sliders, pictures, and the study file that tells it all.
 
-    It serves this machine alone, works without a network, and ends with Ctrl-C. Needs: pip install "winkler[app]".
+    It serves this machine alone, works without a network, and ends with Ctrl-C. Needs: pip install "winkler\[app]".
 
     Example: winkler app --port 8080
     """

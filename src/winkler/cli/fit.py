@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
+import math
 import time
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,7 +14,10 @@ import typer
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
 
 if TYPE_CHECKING:
+    from winkler.fitting.compare import AnyFit
+    from winkler.fitting.search import FitState
     from winkler.study.fit_outcome import FitOutcome
+    from winkler.study.fitting import FitStudy
 
 __all__ = ["fit"]
 
@@ -20,10 +26,14 @@ SHOWN = 24
 
 
 def fit(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML) with [fit].", show_default=False)],
+    study: Annotated[Path, typer.Argument(help=r"A study file (TOML) with \[fit].", show_default=False)],
     output: Output = None,
     overwrite: Overwrite = False,
     workers: Annotated[int, typer.Option("--workers", "-w", help="Processes that fit many curves.")] = 1,
+    time_limit: Annotated[
+        float | None,
+        typer.Option(help=r"The longest that the fit of one curve may take \[s]; that of the study if not given."),
+    ] = None,
     segments: Annotated[
         str,
         typer.Option(
@@ -36,33 +46,40 @@ def fit(
     """Fit numbers of a model to one curve, a batch of files, or a force map.
 
     The results are written whole or not at all; after Ctrl-C with what was fitted so far. If curves have no answer, the
-    exit code is that of the first one.
+    exit code is that of the first one. A curve that takes longer than the time limit has none; the others go on.
 
     Example: winkler fit examples/studies/fit_gel.toml --output results/gel
     """
     from winkler.cli import terminal
     from winkler.cli.run import may_overwrite
-    from winkler.errors import Interrupted, WinklerError
+    from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.fit_reading import read_fit_study
     from winkler.study.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.fit_writing import write_fits
     from winkler.study.writing import holds_results, placed
 
     started = time.perf_counter()
+    if time_limit is not None and not time_limit > 0.0:
+        raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
     asked = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
+    if time_limit is not None:
+        asked = dataclasses.replace(asked, time_limit=time_limit)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     if holds_results(folder) and not overwrite:
         overwrite = may_overwrite(folder)
     results: list[Any] = []
     done = 0
+    under_way = _UnderWay(asked)
     with placed(folder, overwrite=overwrite) as partial:
         todo = pieces(asked)
-        stream = fit_curves(asked, todo, workers=workers)
+        stream = fit_curves(asked, todo, workers=workers, watch=under_way.watch)
         try:
-            for many in terminal.tracked(stream, len(todo), hidden=quiet or as_json, doing="fitting"):
+            for many in terminal.tracked(stream, len(todo), hidden=quiet or as_json, doing=under_way.told):
                 results += many
                 done += 1
         except KeyboardInterrupt:
+            if not results and under_way.state is not None:
+                raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
             if not results:
                 raise
         left = len(todo) - done
@@ -81,6 +98,43 @@ def fit(
             f"{'files' if len(asked.sources) > 1 else 'curves'} are missing."
         )
     return outcome.refused[0].code if outcome.refused else 0
+
+
+class _UnderWay:
+    """How far the fit has come that is under way."""
+
+    def __init__(self, study: FitStudy) -> None:
+        self.study = study
+        self.state: FitState | None = None
+
+    def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
+        """Pass states on, and keep the last."""
+        from winkler.fitting.search import FitState
+
+        for state in states:
+            self.state = state if isinstance(state, FitState) else None
+            yield state
+
+    def told(self) -> str:
+        """Return how far it has come, in a few words."""
+        return f"fitting: {_course(self.state, self.study)}" if self.state is not None else "fitting"
+
+    def best(self) -> str:
+        """Return the best numbers so far, in a sentence."""
+        from winkler.plot.series import told
+
+        assert self.state is not None
+        keys = {free.path: free.key for free in self.study.free}
+        numbers = zip(self.state.names, self.state.values.tolist(), strict=True)
+        words = (f"{keys[name]} = {told(n, self.study.word(keys[name]).unit, 5)}" for name, n in numbers)
+        return f"{_course(self.state, self.study)}; the best numbers so far, not settled: {', '.join(words)}"
+
+
+def _course(state: FitState, study: FitStudy) -> str:
+    from winkler.plot.series import told
+
+    left = f", residuals of {told(state.scatter, study.spread.unit)}" if math.isfinite(state.scatter) else ""
+    return f"{state.evaluations} evaluation{'s' * (state.evaluations != 1)}{left}"
 
 
 def _print(outcome: FitOutcome, folder: Path) -> None:
@@ -128,7 +182,8 @@ def _table(outcome: FitOutcome, out: Any) -> None:
         out.print(table)
         out.print(
             f"{fit.count} points, worth {fit.effective_count:.0f} independent ones; noise "
-            f"{told(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}.",
+            f"{told(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}, in "
+            f"contact {fit.chi_square_in_contact:.3g}.",
             soft_wrap=True,
         )
         return

@@ -143,8 +143,23 @@ def _marching(states: Iterable[T], total: int | None, *, hidden: bool) -> Iterat
     yield from tracked(states, total, hidden=hidden, doing="marching")
 
 
+class _Spoken:
+    """A text that is asked for whenever it is drawn."""
+
+    def __init__(self, text: Callable[[], str]) -> None:
+        self.text = text
+
+    def __rich__(self) -> str:
+        return self.text()
+
+
 def tracked(
-    points: Iterable[T], total: int | None, *, hidden: bool, doing: str = "solving", before: int = 0
+    points: Iterable[T],
+    total: int | None,
+    *,
+    hidden: bool,
+    doing: str | Callable[[], str] = "solving",
+    before: int = 0,
 ) -> Iterator[T]:
     """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches.
 
@@ -157,18 +172,30 @@ def tracked(
     hidden
         Whether nothing is shown.
     doing
-        What is said beside the bar.
+        What is said beside the bar; of a single point only if it changes, and a function tells it.
     before
         How many of them are known already: they do not count in the time that is left.
     """
-    if hidden or (total is not None and total < 2) or not sys.stderr.isatty():
+    alone = total is not None and total < 2
+    if hidden or (alone and not callable(doing)) or not sys.stderr.isatty():
         yield from points
         return
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        RenderableColumn,
+        SpinnerColumn,
+        TextColumn,
+        TimeElapsedColumn,
+        TimeRemainingColumn,
+    )
 
-    bar = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*bar, console=console(stderr=True), transient=True) as progress:
-        task = progress.add_task(doing, total=total, completed=before)
+    text = RenderableColumn(_Spoken(doing)) if callable(doing) else TextColumn("{task.description}")
+    bar = (text, BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    one = (SpinnerColumn(), text, TimeElapsedColumn())
+    with Progress(*(one if alone else bar), console=console(stderr=True), transient=True) as progress:
+        task = progress.add_task("" if callable(doing) else doing, total=total, completed=before)
         for number, point in enumerate(points):
             yield point
             if number >= before:

@@ -9,7 +9,8 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.checks import Flag
-from winkler.fitting.noise import memory_of_fit, spread
+from winkler.fitting.estimate import Estimate
+from winkler.fitting.noise import memory, memory_of_fit, spread
 from winkler.fitting.task import Parameter
 from winkler.numerics.types import Array
 
@@ -18,6 +19,11 @@ __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 SINGULAR = 1e-7
 ALIKE = 0.99
 MISFIT = 2.0
+"""Squared misfit over the noise, per degree of freedom, that no model that explains a curve leaves."""
+SURE = 0.999
+"""Of so many right models, the contact part stays below its own limit, however few points it has."""
+QUIET = 20
+"""Fewest free points that tell how far the noise remembers."""
 FEW_EACH = 10
 """Fewest independent points for each number."""
 
@@ -90,20 +96,18 @@ def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest:
         )
 
 
-def doubts(
-    parameters: tuple[Parameter, ...], coordinates: Array, values: Array, errors: Array, sure: Certainty, chi: float
-) -> list[Flag]:
+def doubts(parameters: tuple[Parameter, ...], coordinates: Array, found: Estimate, sure: Certainty) -> list[Flag]:
     """Return what speaks against the numbers of a fit.
 
     Parameters
     ----------
     parameters : tuple of Parameter, (p,)
-    coordinates, values, errors : ndarray, (p,)
-        Coordinates, the numbers, and their standard errors.
+    coordinates : ndarray, (p,)
+    found : Estimate
+        The fit, flags of its own not yet among them.
     sure : Certainty
-    chi : float
-        Squared misfit over the noise.
     """
+    values, errors = found.values, found.standard_errors
     flags = []
     for index, parameter in enumerate(parameters):
         here = float(coordinates[index])
@@ -127,11 +131,23 @@ def doubts(
                 "the model misses the course of the curve; the errors are rough.",
             )
         )
-    if chi > MISFIT:
+    whole, contact = found.chi_square, found.chi_square_in_contact
+    if whole > MISFIT or contact > _limit(found):
         flags.append(
             Flag(
                 "misfit",
-                f"The residuals are {math.sqrt(chi):.3g} times the noise: the model does not explain the curve.",
+                f"The residuals are {math.sqrt(whole):.3g} times the noise, in contact {math.sqrt(contact):.3g} times: "
+                "the model does not explain the curve.",
             )
         )
     return flags
+
+
+def _limit(found: Estimate) -> float:
+    """Return the squared misfit of the contact part over the noise that chance alone hardly reaches."""
+    from scipy.special import gammaincinv
+
+    quiet = (found.weights * found.residuals)[~found.touched & (found.weights > 0.0)]
+    share = memory(quiet).effective_count / quiet.size if quiet.size >= QUIET else 1.0
+    half = 0.5 * max(found.contact_freedom * share, 1.0)
+    return max(MISFIT, float(gammaincinv(half, SURE)) / half)

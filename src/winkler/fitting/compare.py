@@ -69,7 +69,11 @@ class Comparison:
 
 
 def compare(
-    curve: ForceCurve, models: Mapping[str, tuple[Model | ViscoelasticIndentation, Any]], *, noise: Quantity = 0.0
+    curve: ForceCurve,
+    models: Mapping[str, tuple[Model | ViscoelasticIndentation, Any]],
+    *,
+    noise: Quantity = 0.0,
+    time_limit: float = math.inf,
 ) -> Comparison:
     """Fit several models to a curve, and tell which one it speaks for.
 
@@ -80,6 +84,8 @@ def compare(
         For every name the model and its free numbers, as `fit` takes them.
     noise : float or ndarray, optional
         As in `fit`.
+    time_limit : float, optional
+        The longest that the fit of one model may take [s].
 
     Returns
     -------
@@ -98,7 +104,7 @@ def compare(
     refused = []
     for name, (model, free) in models.items():
         try:
-            fits[name] = fit(curve, model, free=free, noise=noise)
+            fits[name] = fit(curve, model, free=free, noise=noise, time_limit=time_limit)
         except (OutsideValidity, NotConverged) as error:
             refused.append(f"{name}: {error}")
     if not fits:

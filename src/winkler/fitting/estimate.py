@@ -12,6 +12,10 @@ from winkler.numerics.types import Array
 
 __all__ = ["Estimate"]
 
+LARGEST = math.log(np.finfo(float).max)
+OF_THE_LINE = ("baseline", "tilt", "drag")
+"""Numbers that the free points tell."""
+
 
 class Estimate:
     """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
@@ -27,6 +31,11 @@ class Estimate:
     @property
     def residuals(self) -> Array:
         """What was measured less what is fitted ``(n,)``."""
+        raise NotImplementedError
+
+    @property
+    def touched(self) -> Array:
+        """Which points are in contact ``(n,)``."""
         raise NotImplementedError
 
     @property
@@ -57,6 +66,8 @@ class Estimate:
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
 
+        It ends at zero and infinity where the error is so much greater than the number that no float tells it.
+
         Parameters
         ----------
         name : str
@@ -67,7 +78,8 @@ class Estimate:
         number, error = float(self.values[index]), float(self.standard_errors[index])
         width = self.quantile(confidence)
         if self._on_logarithm[index]:
-            return number * math.exp(-width * error / number), number * math.exp(width * error / number)
+            part = width * error / number if number > 0.0 else math.inf
+            return number * math.exp(-part), number * math.exp(part) if part < LARGEST else math.inf
         return number - width * error, number + width * error
 
     def quantile(self, confidence: float) -> float:
@@ -90,6 +102,21 @@ class Estimate:
     def chi_square(self) -> float:
         """Squared misfit over the noise, per degree of freedom: near one if the model explains the curve."""
         return self.misfit / max(self.count - len(self.names), 1) / self.noise**2
+
+    @property
+    def contact_count(self) -> int:
+        """How many of the fitted points are in contact."""
+        return int(np.count_nonzero(self.weights * self.touched))
+
+    @property
+    def contact_freedom(self) -> int:
+        """How many of them are left over when the numbers of the contact are told."""
+        return max(self.contact_count - sum(name not in OF_THE_LINE for name in self.names), 1)
+
+    @property
+    def chi_square_in_contact(self) -> float:
+        """Squared misfit over the noise of the points in contact alone, which a long baseline does not dilute."""
+        return float(np.sum((self.weights * self.residuals)[self.touched] ** 2)) / self.contact_freedom / self.noise**2
 
     @property
     def aic(self) -> float:

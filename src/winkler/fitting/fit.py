@@ -9,7 +9,8 @@ Least squares give the numbers; the noise's own memory (`winkler.fitting.noise`)
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Mapping
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, overload
 
 import numpy as np
@@ -20,15 +21,17 @@ from winkler.fitting.checks import Flag, refuse
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.outcome import Fit
 from winkler.fitting.prediction import Model, states_for
+from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start, solved
 from winkler.fitting.task import Prediction, Task, task
 from winkler.fitting.viscoelastic import viscoelastic_fit
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.loading import Depth
+from winkler.numerics.streaming import streamed
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 
-__all__ = ["Fit", "fit"]
+__all__ = ["Fit", "fit", "fit_steps"]
 
 MOST_PREDICTIONS = 200
 QUIET = 20
@@ -36,7 +39,14 @@ QUIET = 20
 
 
 @overload
-def fit(curve: ForceCurve, model: Model, *, free: Mapping[str, Any] | Iterable[str], noise: Quantity = 0.0) -> Fit: ...
+def fit(
+    curve: ForceCurve,
+    model: Model,
+    *,
+    free: Mapping[str, Any] | Iterable[str],
+    noise: Quantity = 0.0,
+    time_limit: float = math.inf,
+) -> Fit: ...
 
 
 @overload
@@ -46,6 +56,7 @@ def fit(
     *,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
+    time_limit: float = math.inf,
 ) -> ViscoelasticFit | CreepFit: ...
 
 
@@ -55,6 +66,7 @@ def fit(
     *,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
+    time_limit: float = math.inf,
 ) -> Fit | ViscoelasticFit | CreepFit:
     """Fit numbers of a model to a curve.
 
@@ -73,6 +85,8 @@ def fit(
     noise : float or ndarray, optional
         Standard deviation of what is fitted, forces [N] or positions [m], one for all or ``(n,)``; zero (unless given):
         read from the free points.
+    time_limit : float, optional
+        The longest that it may take [s]; looked at after every prediction of the curve.
 
     Returns
     -------
@@ -86,7 +100,7 @@ def fit(
     OutsideValidity
         If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
     NotConverged
-        If least squares do not settle.
+        If least squares do not settle, or not within the time limit.
 
     Examples
     --------
@@ -101,8 +115,52 @@ def fit(
     >>> round(found.value("bed.medium.first.young"), -1), round(found.value("contact_point"), 9)
     (10000.0, 3e-06)
     """
+    return _searched(curve, model, free, noise, Search(time_limit))
+
+
+def fit_steps(
+    curve: ForceCurve,
+    model: Model | ViscoelasticIndentation,
+    *,
+    free: Mapping[str, Any] | Iterable[str],
+    noise: Quantity = 0.0,
+    time_limit: float = math.inf,
+) -> Iterator[FitState | Fit | ViscoelasticFit | CreepFit]:
+    """Yield how far a fit has come after each of its evaluations, and last what it has found.
+
+    Parameters and errors are those of `fit`, and so are the numbers.  A stream that is left early ends the fit.
+
+    Yields
+    ------
+    FitState, and last a Fit, ViscoelasticFit or CreepFit
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from winkler import Depth, Elastic, Foundation, HalfSpace, Indentation, Paraboloid
+    >>> model = Indentation(Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e6, 0.5))), Depth(0.0))
+    >>> position = np.linspace(-1e-6, 1e-6, 50)
+    >>> gel = ForceCurve(position, 0.04 * np.maximum(position, 0.0) ** 1.5)
+    >>> *states, found = fit_steps(gel, model, free=["bed.medium.first.young"])
+    >>> states[-1].values == found.values
+    array([ True])
+    """
+
+    def searched(hand_over: Callable[[FitState], None]) -> Fit | ViscoelasticFit | CreepFit:
+        return _searched(curve, model, free, noise, Search(time_limit, hand_over))
+
+    yield from streamed(searched)
+
+
+def _searched(
+    curve: ForceCurve,
+    model: Model | ViscoelasticIndentation,
+    free: Mapping[str, Any] | Iterable[str],
+    noise: Quantity,
+    search: Search,
+) -> Fit | ViscoelasticFit | CreepFit:
     if isinstance(model, ViscoelasticIndentation):
-        return viscoelastic_fit(curve, model, free=free, noise=noise)
+        return viscoelastic_fit(curve, model, free=free, noise=noise, search=search)
     moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
     flags = refuse(moving)
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
@@ -110,7 +168,7 @@ def fit(
         raise InvalidInput(f"fit: {moving.count} points cannot tell {len(given)} numbers; give more, or free fewer.")
     question = task(moving, model, given, _spread(curve, noise))
     try:
-        coordinates, _ = solved(question, best_start(question), MOST_PREDICTIONS)
+        coordinates, _ = solved(question, best_start(question, search), MOST_PREDICTIONS, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
     return _told(question, coordinates, float(np.mean(noise)), flags)
@@ -161,8 +219,8 @@ def _told(question: Task, coordinates: Array, noise: float, flags: tuple[Flag, .
         np.where(prediction.attached, prediction.held.radius, 0.0),
         flags,
     )
-    told = doubts(question.parameters, coordinates, values, result.standard_errors, sure, result.chi_square)
-    return dataclasses.replace(result, flags=(*flags, *told))
+    against = doubts(question.parameters, coordinates, result, sure)
+    return dataclasses.replace(result, flags=(*flags, *against))
 
 
 def _at_largest_depth(question: Task, numbers: dict[str, float], prediction: Prediction) -> Model:

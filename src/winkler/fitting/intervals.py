@@ -15,6 +15,7 @@ import math
 import numpy as np
 
 from winkler.fitting.outcome import Fit, task_of
+from winkler.fitting.search import Search
 from winkler.fitting.start import bounds, solved
 from winkler.fitting.task import Task
 from winkler.numerics.types import Array
@@ -83,7 +84,7 @@ def _end(question: Task, best: Array, index: int, step: float, wall: float, leas
         number = parameter.outward(float(best[index]) + math.copysign(distance, step))
         fixed = rest._replace(fixed=((parameter.name, number),))
         if begin.size:
-            begin, misfit = solved(fixed, begin, MOST_PREDICTIONS)
+            begin, misfit = solved(fixed, begin, MOST_PREDICTIONS, Search())
         else:
             misfit = float(np.sum(fixed.residuals(begin) ** 2))
         return math.sqrt(max(misfit - least, 0.0) / allowed) - 1.0, begin

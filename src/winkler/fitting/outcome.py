@@ -78,6 +78,11 @@ class Fit(Estimate):
         return tuple(parameter.logarithmic for parameter in task_of(self).parameters)
 
     @property
+    def touched(self) -> Array:
+        """Where the tip is in contact ``(n,)``."""
+        return self.contact
+
+    @property
     def residuals(self) -> Array:
         """Measured less fitted forces [N]."""
         return np.asarray(self.curve.force - self.predicted)

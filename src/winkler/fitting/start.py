@@ -16,6 +16,7 @@ from winkler.fitting.checks import Outline, outline
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.prediction import Model, runs_of, states_for
 from winkler.fitting.response import Response, response
+from winkler.fitting.search import Search
 from winkler.fitting.task import OF_THE_CURVE, Parameter, Prediction, Task
 from winkler.numerics.types import Array
 from winkler.problems.adhesive import AdhesiveIndentation
@@ -35,7 +36,9 @@ HOPELESS = 10.0
 SETTLED = 1e-10
 
 
-def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SETTLED) -> tuple[Array, float]:
+def solved(
+    task: Task, coordinates: Array, evaluations: int, search: Search, settled: float = SETTLED
+) -> tuple[Array, float]:
     """Return the coordinates of least squares, and the sum there.
 
     Parameters
@@ -45,13 +48,15 @@ def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SE
         Where to begin.
     evaluations : int
         How many predictions are allowed at most.
+    search : Search
+        Counts them.
     settled : float
         Relative change of sum and coordinates at which to stop.
 
     Raises
     ------
     NotConverged
-        If they do not suffice (unless `settled` is coarse).
+        If they do not suffice (unless `settled` is coarse), or the time of the search is over.
     """
     last: dict[bytes, Prediction] = {}
 
@@ -63,6 +68,7 @@ def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SE
         return last[key]
 
     return least(
+        task.numbers,
         lambda at: predicted(at).force,
         lambda at: task.jacobian(at, predicted(at)),
         task.curve.force,
@@ -70,11 +76,13 @@ def solved(task: Task, coordinates: Array, evaluations: int, settled: float = SE
         coordinates,
         bounds(task.parameters, coordinates),
         evaluations,
+        search,
         settled,
     )
 
 
 def least(
+    numbers: Callable[[Array], dict[str, float]],
     predicted: Callable[[Array], Array],
     jacobian: Callable[[Array], Array],
     measured: Array,
@@ -82,20 +90,21 @@ def least(
     coordinates: Array,
     ends: tuple[Array, Array],
     evaluations: int,
+    search: Search,
     settled: float = SETTLED,
 ) -> tuple[Array, float]:
     """Return the coordinates of least squares within their ends, and the sum there.
 
     Parameters
     ----------
-    predicted, jacobian : callable
-        Of coordinates: what the model says ``(n,)``, and its weighted derivatives ``(n, p)``.
+    numbers, predicted, jacobian : callable
+        Of coordinates: the numbers by name, what the model says ``(n,)``, and its weighted derivatives ``(n, p)``.
     measured, weights : ndarray, (n,)
     coordinates : ndarray, (p,)
         Where to begin.
     ends : tuple of ndarray
         Lowest and highest coordinates.
-    evaluations, settled
+    evaluations, search, settled
         As for `solved`.
 
     Raises
@@ -110,18 +119,27 @@ def least(
     inside = np.maximum(np.minimum(coordinates, high - room), low + room)
     size = float(np.linalg.norm(measured * weights)) or 1.0
 
+    count = int(np.count_nonzero(weights))
+    search.begin()
+
     def misfit(at: Array) -> Array:
         try:
-            return np.asarray((predicted(at) - measured) * weights / size)
+            left = np.asarray((predicted(at) - measured) * weights / size)
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
-            return np.full(measured.size, HOPELESS)  # where the theory does not reach, nothing is explained
+            left = np.full(measured.size, HOPELESS)  # where the theory does not reach, nothing is explained
+        search.seen(numbers(at), float(left @ left) * size**2, count)
+        return left
+
+    def slopes(at: Array) -> Array:
+        search.check()
+        return np.asarray(jacobian(at) / size)
 
     answer = least_squares(
         misfit,
         inside,
-        jac=lambda at: jacobian(at) / size,
+        jac=slopes,
         bounds=(low, high),
         x_scale="jac",
         max_nfev=evaluations,
@@ -145,7 +163,7 @@ def bounds(parameters: tuple[Parameter, ...], coordinates: Array) -> tuple[Array
     return np.maximum(low, coordinates - wide), np.minimum(high, coordinates + wide)
 
 
-def best_start(task: Task) -> Array:
+def best_start(task: Task, search: Search) -> Array:
     """Return the coordinates from which a fit should begin."""
     strokes = outline(task.curve)
     parameter = next((p for p in task.parameters if p.name == "contact_point"), None)
@@ -158,9 +176,12 @@ def best_start(task: Task) -> Array:
     if len(begins) == 1:
         return begins[0]
     coarse = _coarse(task)
-    starts = [(begin, float(np.sum(coarse.residuals(begin) ** 2))) for begin in begins]
+    starts = []
+    for begin in begins:
+        starts.append((begin, float(np.sum(coarse.residuals(begin) ** 2))))
+        search.seen(coarse.numbers(begin), starts[-1][1], coarse.curve.count)
     starts.sort(key=lambda start: start[1])
-    return min((solved(coarse, begin, 25, 1e-3) for begin, _ in starts[:TRIED]), key=lambda start: start[1])[0]
+    return min((solved(coarse, begin, 25, search, 1e-3) for begin, _ in starts[:TRIED]), key=lambda start: start[1])[0]
 
 
 def _coarse(task: Task) -> Task:

@@ -18,11 +18,14 @@ from winkler.fitting.checks import Flag, Outline, examined, outline
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.outline import FEWEST
 from winkler.fitting.parameters import each
+from winkler.fitting.search import Search
+from winkler.fitting.viscoelastic_asked import driven_task
+from winkler.fitting.viscoelastic_creep import Under
 from winkler.fitting.viscoelastic_doubts import unidentified
 from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic_response import elastic_table
 from winkler.fitting.viscoelastic_start import best_driven_start, improve
-from winkler.fitting.viscoelastic_task import Driven, Pressed, Told, driven_task
+from winkler.fitting.viscoelastic_task import Driven, Pressed, Told
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
@@ -35,6 +38,8 @@ MOST_PREDICTIONS = 200
 QUIET = 20
 """Fewest free points from which the noise is read."""
 SETTLED = 1e-9
+WEIGHED = 2
+"""How often the points are weighed anew, by the noise that the last fit tells."""
 STEADY = 0.05
 """A force that changes by less of itself is held."""
 
@@ -45,8 +50,9 @@ def viscoelastic_fit(
     *,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
+    search: Search,
 ) -> ViscoelasticFit | CreepFit:
-    """Fit numbers of a relaxing contact to a curve; parameters as for `winkler.fitting.fit.fit`.
+    """Fit numbers of a relaxing contact to a curve; parameters as for `winkler.fitting.fit.fit`, and what counts.
 
     Raises
     ------
@@ -55,21 +61,20 @@ def viscoelastic_fit(
     OutsideValidity
         If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
     NotConverged
-        If least squares do not settle.
+        If least squares do not settle, or the time of the search is over.
     """
     strokes, flags = _looked_at(curve)
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
-    baseline = strokes.baseline if isinstance(strokes, Outline) else 0.0
     spread = _spread(curve, noise, model)
-    question = driven_task(curve, model, given, spread, baseline=baseline)
+    question = driven_task(curve, model, given, spread, strokes)
     many = len(question.parameters)
     if np.count_nonzero(question.weights) < 3 * many:
         raise InvalidInput(
             f"fit: {np.count_nonzero(question.weights)} points cannot tell {many} numbers; give more, or free fewer."
         )
     try:
-        begin = best_driven_start(question, strokes)
-        coordinates, _ = improve(question, begin, MOST_PREDICTIONS, SETTLED)
+        begin = best_driven_start(question, strokes, search)
+        question, coordinates = _settled(question, begin, strokes, spread, search)
         coordinates = _in_order(question, coordinates)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
@@ -108,7 +113,7 @@ def _spread(curve: ForceCurve, noise: Quantity, model: ViscoelasticIndentation) 
         )
     if not np.all(np.isfinite(given)) or np.any(given < 0.0) or (given.ndim and np.any(given == 0.0)):
         raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be read from the curve).")
-    return given if given.any() else np.ones(())
+    return given if given.any() else np.zeros(())
 
 
 def _in_order(question: Driven, coordinates: Array) -> Array:
@@ -130,6 +135,33 @@ def _in_order(question: Driven, coordinates: Array) -> Array:
     return ordered
 
 
+def _settled(
+    question: Driven, begin: Array, strokes: Outline | None, noise: Array, search: Search
+) -> tuple[Driven, Array]:
+    """Return the coordinates of least squares, and the question with the weights that they belong to."""
+    coordinates, _ = improve(question, begin, MOST_PREDICTIONS, search, SETTLED)
+    if not isinstance(question, Under):
+        _refuse_blind(question, coordinates)
+        return question, coordinates
+    for _ in range(WEIGHED if strokes is not None else 0):
+        question = question.weighed(coordinates, strokes.noise if strokes is not None else 0.0, noise)
+        coordinates, _ = improve(question, coordinates, MOST_PREDICTIONS, search, SETTLED)
+    _refuse_blind(question, coordinates)
+    return question, question.unbiased(coordinates)
+
+
+def _refuse_blind(question: Driven, coordinates: Array) -> None:
+    """Refuse numbers that the curve cannot tell."""
+    measured = question.measured * question.weights
+    try:
+        refuse_singular(
+            question.parameters, question.jacobian(coordinates), float(np.linalg.norm(measured - measured.mean()))
+        )
+    except OutsideValidity as error:
+        hint = " One term less may do." if "shears[" in str(error) or "relaxation_times[" in str(error) else ""
+        raise OutsideValidity(f"{error}{hint}") from None
+
+
 def _found(question: Driven, coordinates: Array, noise: float, flags: tuple[Flag, ...]) -> ViscoelasticFit | CreepFit:
     """Return the answer at the coordinates of least squares."""
     numbers = question.numbers(coordinates)
@@ -137,27 +169,20 @@ def _found(question: Driven, coordinates: Array, noise: float, flags: tuple[Flag
     touched = told.contact.force > 0.0
     if not touched.any():
         raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
-    fitted = question.weights > 0.0
-    jacobian = question.jacobian(coordinates)[fitted]
-    measured = question.measured * question.weights
-    try:
-        refuse_singular(question.parameters, jacobian, float(np.linalg.norm((measured - measured.mean())[fitted])))
-    except OutsideValidity as error:
-        hint = " One term less may do." if "shears[" in str(error) or "relaxation_times[" in str(error) else ""
-        raise OutsideValidity(f"{error}{hint}") from None
-    residuals = (measured - told.predicted * question.weights)[fitted]
+    jacobian = question.jacobian(coordinates)
+    residuals = (question.measured - told.predicted) * question.weights
     sure = certainty(residuals, jacobian)
     values = np.array(list(numbers.values()))
     change = np.array([p.change(n) for p, n in zip(question.parameters, values.tolist(), strict=True)])
     errors = sure.errors * np.abs(change)
-    quiet = residuals[~touched[fitted]]
+    alone = ~question.by_force if isinstance(question, Under) else ~touched
+    quiet = residuals[alone]
     if noise == 0.0:
         noise = float(np.std(quiet)) if quiet.size >= QUIET else sure.scatter
     noise = noise or sure.scatter or np.finfo(float).tiny
-    chi = float(residuals @ residuals) / max(residuals.size - values.size, 1) / noise**2
     own = unidentified(question, numbers, dict(zip(numbers, errors.tolist(), strict=True)))
     kind = ViscoelasticFit if isinstance(question, Pressed) else CreepFit
-    return kind(
+    result = kind(
         question.curve,
         _replayed(question, numbers, told),
         tuple(numbers),
@@ -174,8 +199,10 @@ def _found(question: Driven, coordinates: Array, noise: float, flags: tuple[Flag
         told.predicted,
         told.contact.depth,
         _radii(question, numbers, told),
-        (*flags, *own, *doubts(question.parameters, coordinates, values, errors, sure, chi)),
+        (*flags, *own),
     )
+    against = doubts(question.parameters, coordinates, result, sure)
+    return dataclasses.replace(result, flags=(*result.flags, *against))
 
 
 def _radii(question: Driven, numbers: dict[str, float], told: Told) -> Array:

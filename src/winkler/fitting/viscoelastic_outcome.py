@@ -7,6 +7,7 @@ import numpy as np
 from winkler.fitting.checks import Flag
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.estimate import Estimate
+from winkler.fitting.outline import FEWEST, outline
 from winkler.fitting.trust import free_notes
 from winkler.numerics.types import Array
 from winkler.problems.trust import contact_notes
@@ -47,6 +48,11 @@ class _RelaxingFit(Estimate):
     depth: Array
     radius: Array
     flags: tuple[Flag, ...]
+
+    @property
+    def touched(self) -> Array:
+        """Where the tip is in contact ``(n,)``."""
+        return np.asarray(self.radius > 0.0)
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:
@@ -117,7 +123,7 @@ class CreepFit(_RelaxingFit):
     Parameters
     ----------
     curve : ForceCurve
-        Its forces drive; the positions were fitted where the weights are not zero.
+        Its forces drive and the positions were fitted; on the way to a tenth of the greatest force, the forces.
     model : ViscoelasticIndentation
         With the fitted numbers, under the forces of the contact.
     names : tuple of str, (p,)
@@ -133,15 +139,16 @@ class CreepFit(_RelaxingFit):
     logarithmic : tuple of bool, (p,)
         Of which numbers the logarithm was varied.
     noise : float
-        Standard deviation of the positions [m]: as given, else the scatter.
+        Standard deviation of the positions [m]: as given, else the scatter of those that were fitted.
     weights : ndarray, (n,)
-        What the residuals were multiplied with; zero where the force is too small to tell a depth.
+        What the residuals were multiplied with; less than 1 where the noise of the force adds to that of the position.
     scatter : float
         Standard deviation of the weighted residuals [m].
     effective_count : float
         Number of independent points that the curve is worth.
     predicted : ndarray, (n,)
-        Fitted positions [m].
+        Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
+        the force for one of the position.
     depth, radius : ndarray, (n,)
         Fitted d and a [m].
     flags : tuple of Flag
@@ -156,4 +163,7 @@ class CreepFit(_RelaxingFit):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the fitted contact can be trusted."""
-        return (*self._contact_notes, QUASISTATIC)
+        if np.count_nonzero(self.curve.direction > 0.0) < FEWEST:
+            return (*self._contact_notes, QUASISTATIC)
+        error = outline(self.curve.approach).noise / max(float(np.ptp(self.curve.force)), 1e-300)
+        return (*self._contact_notes, *free_notes(self.curve, self.radius > 0.0, error), QUASISTATIC)

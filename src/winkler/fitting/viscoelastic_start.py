@@ -13,6 +13,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.fitting.checks import Outline
 from winkler.fitting.parameters import unit_of
+from winkler.fitting.search import Search
 from winkler.fitting.start import SHARES, bounds, least
 from winkler.fitting.task import Parameter
 from winkler.fitting.viscoelastic_response import elastic_table, forces
@@ -55,7 +56,7 @@ def window(task: Driven) -> tuple[float, float]:
     return float(np.median(steps[steps > 0.0])), float(curve.time[watched[-1]] - curve.time[watched[0]])
 
 
-def best_driven_start(task: Driven, strokes: Outline | None) -> Array:
+def best_driven_start(task: Driven, strokes: Outline | None, search: Search) -> Array:
     """Return the coordinates from which a fit should begin.
 
     Parameters
@@ -63,6 +64,8 @@ def best_driven_start(task: Driven, strokes: Outline | None) -> Array:
     task : Driven
     strokes : Outline or None
         What the way in looks like; none where there is no way in.
+    search : Search
+        Counts the evaluations.
     """
     coarse = _coarse(task)
     trials = []
@@ -71,18 +74,23 @@ def best_driven_start(task: Driven, strokes: Outline | None) -> Array:
         try:
             trials.append((begin, float(np.sum(coarse.residuals(begin) ** 2))))
         except OutsideValidity:
+            search.check()
             continue
+        search.seen(coarse.numbers(begin), trials[-1][1], int(np.count_nonzero(coarse.weights)))
     if not trials:
         raise OutsideValidity("fit: none of the starts is within the reach of the model; give starts or bounds.")
     trials.sort(key=lambda trial: trial[1])
-    improved = [improve(coarse, begin, EVALUATIONS, SETTLED) for begin, _ in trials[:TRIED]]
+    improved = [improve(coarse, begin, EVALUATIONS, search, SETTLED) for begin, _ in trials[:TRIED]]
     return min(improved, key=lambda found: found[1])[0]
 
 
-def improve(task: Driven, begin: Array, evaluations: int, settled: float) -> tuple[Array, float]:
+def improve(task: Driven, begin: Array, evaluations: int, search: Search, settled: float) -> tuple[Array, float]:
     """Return the coordinates of least squares from a start, and the sum there."""
     ends = bounds(task.parameters, begin)
-    return least(task.predicted, task.jacobian, task.measured, task.weights, begin, ends, evaluations, settled)
+    return least(
+        task.numbers, task.predicted, task.jacobian, task.measured, task.weights, begin, ends, evaluations, search,
+        settled,
+    )  # fmt: skip
 
 
 def _coarse(task: Driven) -> Driven:

@@ -5,40 +5,32 @@ both the contact bears what is left of the measured force,
 
 .. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i ,
 
-without baseline, tilt, and the drag of a liquid on the cantilever.
+without baseline, tilt, and the drag of a liquid on the cantilever.  Positions are the matter of
+`winkler.fitting.viscoelastic_creep`.
 """
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.curve import ForceCurve
-from winkler.fitting.parameters import changed, each
-from winkler.fitting.task import FREELY, Parameter, asked
-from winkler.fitting.viscoelastic_response import Answered, elastic_table, forces, positions
-from winkler.loading import Depth
-from winkler.media.relaxing import RelaxingMedium
+from winkler.fitting.parameters import changed
+from winkler.fitting.task import Parameter
+from winkler.fitting.viscoelastic_response import Answered, elastic_table, forces
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.problems.viscoelastic_march import elastic_like, relaxation_of
 
-__all__ = ["OF_A_TIMED_CURVE", "Driven", "Pressed", "Told", "Under", "driven_task"]
+__all__ = ["OF_A_TIMED_CURVE", "Driven", "Pressed", "Told"]
 
 OF_A_TIMED_CURVE = ("contact_point", "baseline", "tilt", "drift", "drag")
 """Names of what a curve with times itself leaves open."""
-ALPHA = (1e-3, 0.999)
-"""Bounds of the exponent of a solid."""
 STEP = 1e-5
 COARSE_STEP = 1e-3
 """Step of numbers that change the number of terms of a series, whose error jumps there."""
 SHAPES = ("exponent", "relaxation_time")
-SMOOTH = 100
-"""The velocity is smoothed over this part of the points."""
-SHARE = 0.1
-"""Part of the greatest force from which on positions are fitted; below it they say little about the depth."""
 
 
 class Told(NamedTuple):
@@ -58,9 +50,12 @@ class _Question(NamedTuple):
     model : ViscoelasticIndentation
     parameters : tuple of Parameter
     weights : ndarray, (n,)
-        What residuals are multiplied with; zero where a point only drives.
+        What residuals are multiplied with.
     velocity : ndarray, (n,)
         Of the machine [m/s].
+    per_force : ndarray, (n,)
+        Where positions are fitted: the position [m/N] that counts as much as a misfit of force, at points whose force
+        is fitted instead; zero at all others.
     """
 
     curve: ForceCurve
@@ -68,6 +63,7 @@ class _Question(NamedTuple):
     parameters: tuple[Parameter, ...]
     weights: Array
     velocity: Array
+    per_force: Array
 
 
 class Driven(_Question):
@@ -148,9 +144,14 @@ class Driven(_Question):
             case _:
                 return self.velocity
 
-    def chosen(self, kept: Array) -> Driven:
+    def chosen(self, kept: Array) -> Self:
         """Return the question of some of the points, given as indices."""
-        return self._replace(curve=self.curve.chosen(kept), weights=self.weights[kept], velocity=self.velocity[kept])
+        return self._replace(
+            curve=self.curve.chosen(kept),
+            weights=self.weights[kept],
+            velocity=self.velocity[kept],
+            per_force=self.per_force[kept],
+        )
 
 
 class Pressed(Driven):
@@ -176,104 +177,7 @@ class Pressed(Driven):
         return Told(contact.force + self.line(numbers), contact)
 
 
-class Under(Driven):
-    """The forces drive, positions are fitted."""
-
-    @property
-    def measured(self) -> Array:
-        """The positions [m]."""
-        return self.curve.position
-
-    def told(self, numbers: dict[str, float]) -> Told:
-        """Return the positions with drift and the way the machine gives."""
-        model = self.with_numbers(numbers)
-        medium = model.bed.medium
-        assert isinstance(medium, RelaxingMedium)
-        borne = self.curve.force - self.line(numbers)
-        travel = float(np.ptp(self.curve.position)) + float(np.max(np.abs(self.curve.depth(0.0))) * 1e-12)
-        table = elastic_table(elastic_like(model.bed), 2.0 * travel)
-        depth = positions(table, medium.creep, self.curve.time, borne)
-        if not np.all(np.isfinite(depth)):
-            raise OutsideValidity(
-                "fit: the solid sinks in farther than twice the way of the machine; give bounds or starts nearer to "
-                "the answer."
-            )
-        since = self.curve.time - self.curve.time[0]
-        beyond = numbers.get("contact_point", 0.0) + numbers.get("drift", 0.0) * since
-        return Told(beyond + depth + self.curve.compliance * borne, Answered(borne, depth, depth))
-
-
 def _moved(coordinates: Array, index: int, step: float) -> Array:
     moved = coordinates.copy()
     moved[index] += step
     return moved
-
-
-def _velocity(curve: ForceCurve) -> Array:
-    """Return the velocity of the machine [m/s], smoothed within each stretch of one direction, zero while held."""
-    velocity = np.zeros(curve.count)
-    turns = np.flatnonzero(np.diff(curve.direction)) + 1
-    for stretch in np.split(np.arange(curve.count), turns):
-        time, position = curve.time[stretch], curve.position[stretch]
-        if curve.direction[stretch[0]] == 0.0 or stretch.size < 3 or not np.all(np.diff(time) > 0.0):
-            continue
-        wide = max(1, stretch.size // SMOOTH)
-        high = np.minimum(np.arange(stretch.size) + wide, stretch.size - 1)
-        low = np.maximum(np.arange(stretch.size) - wide, 0)
-        velocity[stretch] = (position[high] - position[low]) / (time[high] - time[low])
-    return velocity
-
-
-def driven_task(
-    curve: ForceCurve, model: ViscoelasticIndentation, free: dict[str, Any], noise: Array, *, baseline: float
-) -> Driven:
-    """Return a fit as a task.
-
-    Parameters
-    ----------
-    curve : ForceCurve
-        With times, one way in, held or not, and at most one way out.
-    model : ViscoelasticIndentation
-        Its path is only a placeholder: of depths, and forces are fitted; of forces, and positions are.
-    free : dict
-        As for `winkler.fitting.task.task`; the name of a row means each of its numbers.
-    noise : ndarray
-        Standard deviation of what is fitted, ``()`` or ``(n,)``; only its course matters here.
-    baseline : float
-        Roughly the force out of contact [N].
-
-    Raises
-    ------
-    InvalidInput
-        If a name leads nowhere, its bounds contradict themselves, or the way out is to be told from forces.
-    """
-    if not free:
-        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.relaxed_shear'.")
-    strength = float(np.ptp(curve.force))
-    span = float(np.ptp(curve.position)) or float(np.abs(curve.position).max())
-    lasting = float(np.ptp(curve.time))
-    if not (strength > 0.0 or span > 0.0) or not lasting > 0.0:
-        raise InvalidInput(f"fit: the curve '{curve.name}' has no range of forces or times; nothing can be fitted.")
-    strength = strength or float(np.abs(curve.force).max())
-    velocity = _velocity(curve)
-    fastest = float(np.abs(velocity).max()) or span / lasting
-    scales = {
-        "contact_point": 0.1 * span,
-        "baseline": strength,
-        "tilt": strength / span,
-        "drift": span / lasting,
-        "drag": strength / fastest,
-    }
-    wanted = {path: given for name, given in free.items() for path in (each(model, name) if "." in name else (name,))}
-    weights = np.array(np.broadcast_to(np.mean(noise) / noise, curve.position.shape))
-    exponents = {name: ALPHA for name in wanted if name.startswith("bed.medium.") and name.endswith(".exponent")}
-    parameters = asked(model, wanted, scales, FREELY | exponents)
-    if isinstance(model.path.normal, Depth):
-        return Pressed(curve, model, parameters, weights, velocity)
-    if np.any(curve.direction < 0.0):
-        raise InvalidInput(
-            "fit: forces drive a contact only while it grows; leave out the points that come out, or fit forces."
-        )
-    borne = curve.force - baseline
-    weights[(curve.direction > 0.0) & (borne < SHARE * float(borne.max()))] = 0.0
-    return Under(curve, model, parameters, weights, velocity)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -28,6 +29,7 @@ def compare_terms(
     free: Mapping[str, Any] | Iterable[str],
     most: int = 5,
     noise: Quantity = 0.0,
+    time_limit: float = math.inf,
 ) -> Comparison:
     """Fit solids of one to `most` relaxation times to a curve, and tell which one it speaks for.
 
@@ -45,6 +47,8 @@ def compare_terms(
         The greatest number of terms, up to 8.
     noise : float or ndarray, optional
         As for `fit`.
+    time_limit : float, optional
+        The longest that one of the fits may take [s].
 
     Returns
     -------
@@ -76,4 +80,4 @@ def compare_terms(
         one = dataclasses.replace(solid, shears=np.full(count, whole / count), relaxation_times=inner)
         bed: Any = dataclasses.replace(model.bed, medium=dataclasses.replace(medium, first=one))  # type: ignore[type-var]
         models[f"{count} term{'s' * (count > 1)}"] = (dataclasses.replace(model, bed=bed), kept)
-    return compare(curve, models, noise=noise)
+    return compare(curve, models, noise=noise, time_limit=time_limit)

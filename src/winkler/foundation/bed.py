@@ -6,6 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
+from winkler.footprint import Footprint
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.validity import Note
@@ -27,6 +28,11 @@ class Bed(Protocol):
     @property
     def medium(self) -> Medium:
         """What translates between springs and body."""
+        ...
+
+    @property
+    def footprint(self) -> Footprint:
+        """What outline the contact has: what needs a disc is refused on a bed without one."""
         ...
 
     @property

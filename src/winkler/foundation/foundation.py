@@ -8,19 +8,17 @@ plane profile g(x); with :math:`g(a) = d`
 
 from __future__ import annotations
 
-from winkler.foundation.on_medium import OnMedium
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.footprint import Footprint, footprint_of
+from winkler.foundation.on_medium import UnderProfile
 from winkler.media.medium import Medium
-from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-from winkler.validity import Note
 from winkler.values import value
 
 __all__ = ["Foundation"]
 
 
 @value
-class Foundation(OnMedium):
+class Foundation(UnderProfile):
     """The springs that stand for a profile pressed into a medium.
 
     Parameters
@@ -40,56 +38,6 @@ class Foundation(OnMedium):
     medium: Medium
 
     @property
-    def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
-        return self.profile.reach
-
-    @property
-    def rim(self) -> float:
-        """Where the contact is pinned [m]."""
-        return self.profile.rim
-
-    @property
-    def size(self) -> float:
-        """Radius of the body [m]."""
-        return self.profile.size
-
-    @property
-    def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)`` where g is not smooth, as the medium says."""
-        return self.medium.kinks(self.profile)
-
-    @property
-    def rising(self) -> bool:
-        """Whether the body, on a homogeneous half-space, is known to have a g that never falls."""
-        return self.profile.rising
-
-    @property
-    def certain(self) -> bool:
-        """Whether every contact is known to be one disc: on a homogeneous half-space a g that never falls suffices."""
-        return isinstance(self.medium, HomogeneousMedium) and self.profile.rising
-
-    @property
-    def notes(self) -> tuple[Note, ...]:
-        """What must be said about shape and medium."""
-        return (*self.medium.notes, *self.profile.notes)
-
-    def height(self, r: Array) -> Array:
-        """f(r) [m]."""
-        return self.profile.height(r)
-
-    def slope(self, r: Array) -> Array:
-        """f'(r) [-]."""
-        return self.profile.slope(r)
-
-    def gap(self, x: Array) -> Array:
-        """g(x) [m]."""
-        return self.medium.gap(self.profile, x)
-
-    def gap_slope(self, x: Array) -> Array:
-        """g'(x) [-]."""
-        return self.medium.gap_slope(self.profile, x)
-
-    def gap_load(self, radius: Array) -> Array:
-        """The integral of k'(x) g(x) from 0 to `radius` [N]."""
-        return self.medium.gap_load(self.profile, radius)
+    def footprint(self) -> Footprint:
+        """That of the profile: a body of revolution leaves a disc."""
+        return footprint_of(self.profile)

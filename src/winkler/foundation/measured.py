@@ -15,6 +15,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.footprint import DISC, Footprint, Unknown
 from winkler.foundation.force_curve import FEWEST, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
 from winkler.numerics import abel
@@ -27,6 +28,11 @@ __all__ = ["MeasuredBed"]
 
 NEXT_TO_AXIS = 1e-6
 """Where slopes at the axis are taken, relative to the first radius."""
+ANY = Unknown(
+    "measured or computed stiffnesses",
+    "of a height map ask SurfaceContact or SurfaceConduction, of a contact that is known to be a disc give "
+    "MeasuredBed(..., disc=True) or Foundation(profile, medium)",
+)
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
@@ -47,6 +53,9 @@ class MeasuredBed:
     mindlin_ratio : float, optional
         c_T/c_N = G*/E* [-], for tangential problems; 2 (1 - nu) / (2 - nu) for a homogeneous body against a rigid
         one. Zero (the default) if it is not known.
+    disc : bool, optional
+        Whether the contact is known to be a disc of these radii: problems that need one, such as adhesion, are refused
+        otherwise.
 
     Raises
     ------
@@ -59,6 +68,7 @@ class MeasuredBed:
     depths: Array
     scatter: float = 0.0
     mindlin_ratio: float = 0.0
+    disc: bool = False
 
     def __post_init__(self) -> None:
         for word in ("radii", "stiffnesses", "depths"):
@@ -93,7 +103,7 @@ class MeasuredBed:
 
     @classmethod
     def from_curve(
-        cls, depth: ArrayLike, force: ArrayLike, modulus: float, *, mindlin_ratio: float = 0.0
+        cls, depth: ArrayLike, force: ArrayLike, modulus: float, *, mindlin_ratio: float = 0.0, disc: bool = False
     ) -> MeasuredBed:
         """Return the bed behind one measured or computed force curve.
 
@@ -105,7 +115,7 @@ class MeasuredBed:
             d [m] and F [N] of the loading, from first touch on, in any order, at least six different depths.
         modulus : float
             E* [Pa]. It scales radii alone: forces and stiffnesses at given depths do not depend on it.
-        mindlin_ratio : float, optional
+        mindlin_ratio, disc : optional
             As for the class.
 
         Raises
@@ -115,7 +125,13 @@ class MeasuredBed:
             curve that they are no contact.
         """
         points = bed_points(depth, force, modulus)
-        return cls(points.radii, points.stiffnesses, points.depths, scatter=points.scatter, mindlin_ratio=mindlin_ratio)
+        rows = (points.radii, points.stiffnesses, points.depths)
+        return cls(*rows, scatter=points.scatter, mindlin_ratio=mindlin_ratio, disc=disc)
+
+    @property
+    def footprint(self) -> Footprint:
+        """A disc if it is known to be one."""
+        return DISC if self.disc else ANY
 
     @property
     def medium(self) -> MeasuredMedium:

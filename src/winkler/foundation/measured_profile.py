@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from winkler.footprint import Footprint
 from winkler.foundation.measured import MeasuredBed
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
@@ -22,6 +23,11 @@ class MeasuredPlaneProfile(Shape):
     """
 
     bed: MeasuredBed
+
+    @property
+    def footprint(self) -> Footprint:
+        """As the bed."""
+        return self.bed.footprint
 
     @property
     def reach(self) -> float:

@@ -1,17 +1,27 @@
-"""Springs that stand on a medium: their stiffness is the medium's, whatever profile presses them."""
+"""Springs that stand on a medium: their stiffness is the medium's; under a profile it tells their gap, too."""
 
 from __future__ import annotations
 
+import dataclasses
+from typing import Self
+
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
+from winkler.profiles.profile import Profile
+from winkler.validity import Note
 
-__all__ = ["OnMedium"]
+__all__ = ["OnMedium", "UnderProfile"]
 
 
 class OnMedium:
     """The part of a bed that its medium tells."""
 
     medium: Medium
+
+    def with_medium(self, medium: Medium) -> Self:
+        """Return the same bed on another medium."""
+        return dataclasses.replace(self, medium=medium)  # type: ignore[type-var]
 
     def stiffness(self, radius: Array) -> Array:
         """k(a) [N/m]."""
@@ -28,3 +38,64 @@ class OnMedium:
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""
         return self.medium.tangential_stiffness(x)
+
+
+class UnderProfile(OnMedium):
+    """The part of a bed that a profile tells together with the medium."""
+
+    profile: Profile
+
+    @property
+    def reach(self) -> float:
+        """Up to which x the bed is known [m]."""
+        return self.profile.reach
+
+    @property
+    def rim(self) -> float:
+        """Where the contact is pinned [m]."""
+        return self.profile.rim
+
+    @property
+    def size(self) -> float:
+        """Radius of the body [m]."""
+        return self.profile.size
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)`` where g is not smooth, as the medium says."""
+        return self.medium.kinks(self.profile)
+
+    @property
+    def rising(self) -> bool:
+        """Whether the body, on a homogeneous half-space, is known to have a g that never falls."""
+        return self.profile.rising
+
+    @property
+    def certain(self) -> bool:
+        """Whether every contact is known to be one disc: on a homogeneous half-space a g that never falls suffices."""
+        return isinstance(self.medium, HomogeneousMedium) and self.profile.rising
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What must be said about shape and medium."""
+        return (*self.medium.notes, *self.profile.notes)
+
+    def height(self, r: Array) -> Array:
+        """f(r) [m]."""
+        return self.profile.height(r)
+
+    def slope(self, r: Array) -> Array:
+        """f'(r) [-]."""
+        return self.profile.slope(r)
+
+    def gap(self, x: Array) -> Array:
+        """g(x) [m]."""
+        return self.medium.gap(self.profile, x)
+
+    def gap_slope(self, x: Array) -> Array:
+        """g'(x) [-]."""
+        return self.medium.gap_slope(self.profile, x)
+
+    def gap_load(self, radius: Array) -> Array:
+        """The integral of k'(x) g(x) from 0 to `radius` [N]."""
+        return self.medium.gap_load(self.profile, radius)

@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.footprint import Footprint, footprint_of
 from winkler.foundation.on_medium import OnMedium
 from winkler.media import body_of
 from winkler.media.body_of import Imprint
@@ -55,6 +56,11 @@ class PlaneFoundation(OnMedium):
                 f"PlaneFoundation: the medium is a {type(self.medium).__name__}; give HalfSpace, "
                 "TransverselyIsotropicHalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace."
             )
+
+    @property
+    def footprint(self) -> Footprint:
+        """That of the plane profile: a disc, unless the profile stands for another outline."""
+        return footprint_of(self.plane_profile)
 
     @property
     def reach(self) -> float:

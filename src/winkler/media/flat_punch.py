@@ -119,17 +119,19 @@ def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
     flat = _held(profile, x).ravel()
     octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
     result = np.zeros((3, flat.size))
-    kink = min((b for b, _ in profile.kinks), default=math.inf)
-    for octave in np.unique(octaves):
-        (members,) = np.nonzero(octaves == octave)
+    waiting = np.ones(flat.size, dtype=bool)
+    whole = (octaves > LOWEST) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
+    tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
+    for octave in np.unique(tabled[whole]):
+        (members,) = np.nonzero(whole & (tabled == octave))
+        found, holds = smooth_moments(response, profile, int(octave), flat[members])
+        result[:, members[holds]] = found[:, holds]
+        waiting[members[holds]] = False
+    for octave in np.unique(octaves[waiting]):
+        (members,) = np.nonzero(waiting & (octaves == octave))
         if octave == LOWEST:
             result[2, members] = profile.gap_integral(flat[members])
             continue
-        (whole,) = np.nonzero(flat[members] <= kink)
-        if whole.size:
-            found, holds = smooth_moments(response, profile, int(octave), flat[members[whole]])
-            result[:, members[whole[holds]]] = found[:, holds]
-            members = np.delete(members, whole[holds])
         steep = flat[members] > _tame(cast(Hashable, profile))
         for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
             if chosen.size:

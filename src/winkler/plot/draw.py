@@ -16,6 +16,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.oliver_pharr import OliverPharrSolution
 from winkler.fitting.outcome import Fit
+from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -47,7 +48,14 @@ from winkler.plot.friction_sheets import (
     torsion_sheet,
     twist_sheet,
 )
-from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness, stiffness_told, typical_width
+from winkler.plot.medium import (
+    body_is_known,
+    draw_makeup,
+    draw_spring_stiffness,
+    draw_stiffness,
+    stiffness_told,
+    typical_width,
+)
 from winkler.plot.method import Contact, draw_bed_makeup, headline
 from winkler.plot.outline import draw_profile
 from winkler.plot.particle import particle_sheet
@@ -171,6 +179,8 @@ def _profile(item: Shape, *, extent: float | None = None) -> Picture:
 @draw.register(PlaneFoundation)
 def _bed(item: Any, *, extent: float | None = None) -> Picture:
     end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
+    if not body_is_known(item):
+        return _outlined(item, extent)
     shape = item.profile if isinstance(item, Foundation) else item.plane_profile
     relaxes = isinstance(item.medium, RelaxingMedium)
     bed = dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
@@ -179,6 +189,21 @@ def _bed(item: Any, *, extent: float | None = None) -> Picture:
         draw_body(left, bed, end)
         draw_springs(right, at_first_touch(bed), end)
         left.set_title(type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$")
+        right.set_title(f"springs {'that relax' if relaxes else stiffness_told(bed, end)} under $g(x)$")
+    return figure
+
+
+@draw.register(EllipticFoundation)
+def _outlined(item: Any, extent: float | None = None) -> Picture:
+    """Draw springs that stand for a body that is none of revolution: their load tells no pressure."""
+    relaxes = isinstance(item.medium, RelaxingMedium)
+    bed = dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
+    end = checked_extent(extent) or typical(bed)
+    with style.styled():
+        figure, (left, right) = _sheet(2, height=3.3)
+        draw_stiffness(left, bed, end)
+        draw_springs(right, at_first_touch(bed), end)
+        left.set_title("stiffness")
         right.set_title(f"springs {'that relax' if relaxes else stiffness_told(bed, end)} under $g(x)$")
     return figure
 
@@ -217,24 +242,24 @@ def _indentation(item: IndentationSolution, *, extent: float | None = None) -> P
 
 def _one_load(item: IndentationSolution, extent: float | None) -> Picture:
     end, bed = around(item.pressed, extent), item.pressed.bed
-    measured = isinstance(bed, MeasuredBed)
+    known = body_is_known(bed)
     with style.styled():
         figure, panels = _sheet(2, 2, height=3.2)
         draw_springs(panels[1], item.pressed, end)
         draw_line_load(panels[2], item, end, float(item.force))
-        if isinstance(bed, MeasuredBed):
-            draw_stiffness(panels[0], bed, float(item.radius))
-            _force_curve(panels[3], item)
-        else:
+        if known:
             draw_contact(panels[0], item, end)
             draw_pressure(panels[3], item, end, float(item.mean_pressure))
+        else:
+            draw_stiffness(panels[0], bed, end, float(item.radius))
+            _force_curve(panels[3], item)
         for axes, title in zip(
             panels,
             (
-                "measured stiffness" if measured else "the contact",
+                "the contact" if known else "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness",
                 "springs under $g(x) − d$",
                 "load of the springs $q(x)$",
-                "force over depth" if measured else "pressure $p(r)$",
+                "pressure $p(r)$" if known else "force over depth",
             ),
             strict=True,
         ):

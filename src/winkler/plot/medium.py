@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.footprint import Round
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid
@@ -243,38 +244,48 @@ def draw_spring_stiffness(axes: Axes, medium: Medium, end: float, radius: float 
     axes.set_ylabel(series("Foundation", "normal_stiffness", stiffness).label(upright))
 
 
-def draw_stiffness(axes: Axes, bed: MeasuredBed, radius: float = 0.0) -> None:
-    """Draw what was measured: stiffness of the contact over its radius.
+def body_is_known(bed: Bed) -> bool:
+    """Return whether a bed tells body and pressure: one that was measured, or whose contact is no disc, does not."""
+    return isinstance(bed.footprint, Round) and not isinstance(bed, MeasuredBed)
+
+
+def draw_stiffness(axes: Axes, bed: Bed, to: float, radius: float = 0.0) -> None:
+    """Draw the stiffness of the contact over its radius, and what was measured of it.
 
     Parameters
     ----------
     axes : Axes
         Empty.
-    bed : MeasuredBed
+    bed : Bed
+    to : float
+        Greatest radius [m] of a bed that was not measured.
     radius : float
         Radius of a contact [m], marked; zero for none.
     """
-    a = np.linspace(0.0, bed.reach, 301)[1:]
+    end = bed.reach if isinstance(bed, MeasuredBed) else min(to, bed.reach)
+    a = np.linspace(0.0, end, 301)[1:]
     stiffness = np.asarray(bed.stiffness(a), dtype=float)
-    across, upright = scale_of("m", [bed.reach]), scale_of("N/m", stiffness)
+    across, upright = scale_of("m", [end]), scale_of("N/m", stiffness)
     axes.plot(a / across.factor, stiffness / upright.factor, color=style.BLUE)
-    few = bed.radii.size <= 60
-    axes.plot(
-        bed.radii / across.factor,
-        bed.stiffnesses / upright.factor,
-        "o" if few else ".",
-        color=style.ORANGE,
-        markersize=4.0 if few else 2.0,
-        label=f"{bed.radii.size} points given",
-    )
+    if isinstance(bed, MeasuredBed):
+        few = bed.radii.size <= 60
+        axes.plot(
+            bed.radii / across.factor,
+            bed.stiffnesses / upright.factor,
+            "o" if few else ".",
+            color=style.ORANGE,
+            markersize=4.0 if few else 2.0,
+            label=f"{bed.radii.size} points given",
+        )
     if radius > 0.0:
         here = float(bed.stiffness(np.array([radius]))[0])
         axes.plot([radius / across.factor], [here / upright.factor], "o", color=style.RED, label="this contact")
-    axes.set_xlim(0.0, 1.02 * bed.reach / across.factor)
+    axes.set_xlim(0.0, 1.02 * end / across.factor)
     axes.set_ylim(0.0, 1.08 * float(np.max(stiffness)) / upright.factor)
     axes.set_xlabel(series("IndentationSolution", "radius", a).label(across))
     axes.set_ylabel(series("IndentationSolution", "stiffness", stiffness).label(upright))
-    style.framed_legend(axes, loc="lower right")
+    if axes.get_legend_handles_labels()[0]:
+        style.framed_legend(axes, loc="lower right")
 
 
 def stiffness_told(bed: Bed, end: float) -> str:

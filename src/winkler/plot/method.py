@@ -94,7 +94,7 @@ def draw_bed_makeup(left: Axes, right: Axes, bed: Bed, to: float, radius: float 
         Radius of a contact [m], marked; zero for none.
     """
     if isinstance(bed, MeasuredBed):
-        draw_stiffness(left, bed, radius)
+        draw_stiffness(left, bed, to, radius)
         draw_spring_stiffness(right, bed.medium, min(to, bed.reach), radius)
     else:
         draw_makeup(left, bed.medium, to, radius)

@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.foundation.measured import MeasuredBed
 from winkler.loading import Force
 from winkler.plot import style
 from winkler.plot.adhesive import draw_cycle, draw_sheared
 from winkler.plot.body import draw_contact
 from winkler.plot.equilibria import draw_around, draw_equilibrium, draw_last, draw_radii
 from winkler.plot.extent import around
-from winkler.plot.medium import draw_stiffness
+from winkler.plot.medium import body_is_known, draw_stiffness
 from winkler.plot.method import headline, line_load_of, pressure_of
 from winkler.plot.series import told
 from winkler.plot.springs import draw_springs
@@ -42,25 +41,25 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Pictur
         [m].
     """
     end, bed = around(item.pressed, extent), item.pressed.bed
-    measured = isinstance(bed, MeasuredBed)
+    known = body_is_known(bed)
     with style.styled():
         figure = style.figure(2, 2, height=3.2)
         panels = figure.subplots(2, 2, squeeze=False).ravel()
         draw_springs(panels[1], item.pressed, end)
-        if isinstance(bed, MeasuredBed):
-            draw_stiffness(panels[0], bed, float(item.radius))
-            line_load_of(panels[2], item, end)
-        else:
+        if known:
             draw_contact(panels[0], item, end)
             pressure_of(panels[2], item, end)
+        else:
+            draw_stiffness(panels[0], bed, end, float(item.radius))
+            line_load_of(panels[2], item, end)
         if item.radius > 0.0:
             draw_around(panels[3], item)
         else:
             style.note(panels[3], "no contact", where="upper centre")
         titles = (
-            "measured stiffness" if measured else "the contact",
+            "the contact" if known else "measured stiffness",
             "springs under $g(x) − d$",
-            "load of the springs $q(x)$" if measured else "pressure $p(r)$",
+            "pressure $p(r)$" if known else "load of the springs $q(x)$",
             "force over depth: states of equilibrium",
         )
         for axes, title in zip(panels, titles, strict=True):

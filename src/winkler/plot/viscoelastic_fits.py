@@ -49,7 +49,7 @@ def relaxing_fit_sheet(item: ViscoelasticFit | CreepFit, *, extent: float | None
         model = Series("force", measured.word, item.predicted)
     fitted = item.weights > 0.0
     left = Series("residual", Word("", measured.word.unit, "measured less fitted"), item.residuals * fitted)
-    shown = fitted if creep else np.ones(fitted.size, dtype=bool)
+    shown = item.radius > 0.0 if creep else np.ones(fitted.size, dtype=bool)  # a free tip may be anywhere
     with style.styled():
         figure = style.figure(width=8.6, height=5.0)
         grid = figure.add_gridspec(2, 2, height_ratios=(2.6, 1.0), width_ratios=(1.35, 1.0))
@@ -101,11 +101,12 @@ def _dots(
 def _loop(axes: Axes, item: ViscoelasticFit | CreepFit, which: Array) -> None:
     """Draw the force of the contact over the depth."""
     creep = isinstance(item, CreepFit)
-    force = Series("force", Word("F_N", "N", "force"), item.model.path.across if creep else item.curve.force)
+    borne = item.curve.force - _outside(item)
+    force = Series("force", Word("F_N", "N", "force"), borne if creep else item.curve.force)
     origin = item.value("contact_point") if "contact_point" in item.names else 0.0
-    gone = item.curve.compliance * (force.content if creep else item.curve.force - _outside(item))
+    gone = item.curve.compliance * borne
     deep = Series("depth", Word("d", "m", "depth"), item.curve.position - origin - gone)
-    model = Series("force", force.word, force.content if creep else item.predicted)
+    model = Series("force", force.word, item.model.path.across if creep else item.predicted)
     near = which & (item.depth > -0.3 * float(item.depth.max()))
     scale, upright = _of(deep, near).scale, common_scale(_of(force, near), _of(model, near))
     _dots(axes, item, deep.shown(scale), force.shown(upright), near, labels=False)

@@ -72,6 +72,7 @@ class AdhesiveIndentation:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "maugis_1992")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def solve(self) -> AdhesiveSolution:
         """Return depth, force, radius, and whether the state is stable.

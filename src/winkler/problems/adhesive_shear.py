@@ -109,6 +109,7 @@ class AdhesiveShear:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "savkoor_briggs_1977")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.UNCOUPLED}
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
         for word, given, kinds in (

@@ -6,21 +6,22 @@ import math
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
+from winkler.footprint import Round
 from winkler.foundation.bed import Bed
-from winkler.foundation.measured import MeasuredBed
 from winkler.loading import Load
-from winkler.materials.conducting_body import ConductingBody, Plated
-from winkler.media.conduction import BARBER, HOLM
+from winkler.materials.conducting_body import Plated
+from winkler.media.conduction import BARBER, HOLM, Resistances
+from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.strong_parts import strong_parts
 from winkler.problems.trust import size_note, slope_note
 from winkler.problems.yield_statement import yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["disc_yield_notes", "mean_free_path_note", "pressed_disc", "refuse_unknown_area", "scope_notes"]
+__all__ = ["disc_yield_notes", "mean_free_path_note", "pressed_disc", "resistances_of", "scope_notes"]
 
 
 def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
@@ -28,19 +29,24 @@ def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
     return Indentation(bed, load).solve()
 
 
-def refuse_unknown_area(bed: Bed, bodies: tuple[ConductingBody, ConductingBody], area_resistance: float) -> None:
-    """Refuse a film or a plating in a contact whose area is not known.
+def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> Resistances:
+    """Return what stands in the way of a current through contacts of given radii `(m,)` [m].
+
+    A film counts by the area of the contact; how the current spreads below it, as in the disc of equal stiffness.
 
     Raises
     ------
     OutsideValidity
-        If the bed tells the stiffness alone.
+        If a film or a plating needs an area that the bed does not know; if the contact is nearly as wide as a rod.
     """
-    if isinstance(bed, MeasuredBed) and (area_resistance or any(isinstance(body, Plated) for body in bodies)):
-        raise OutsideValidity(
-            "A MeasuredBed tells how stiff the contact is, not how large its area; a film or a plating needs the area: "
-            "leave it out, or give the shape as a Foundation."
-        )
+    if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
+        refuse_unless_round(bed, type(conductors).__name__, "a plating")
+    parts = conductors.resistances(radius)
+    if not np.any(parts.film) or isinstance(bed.footprint, Round):
+        return parts
+    touching = radius > 0.0
+    a = np.where(touching, radius, 1.0)
+    return parts._replace(film=parts.film * math.pi * a**2 / bed.footprint.area(a))
 
 
 def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
@@ -54,12 +60,12 @@ def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
 def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
     """Return why the disc of this bed conducts as it does; of many loads for the widest contact."""
     widest = float(np.max(radius, initial=0.0))
-    if isinstance(bed, MeasuredBed):
+    if not isinstance(bed.footprint, Round):
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
             "The contact conducts like the disc of equal stiffness, whatever its shape, if the bodies are homogeneous "
-            "and elastic and the radii of the bed are k / (2 E*).",
+            "and elastic and the radii of the bed are k / (2 E*). A film counts by the true area, if that is known.",
             BARBER,
         )
     elif isinstance(bed.medium, HomogeneousMedium):

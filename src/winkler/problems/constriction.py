@@ -26,7 +26,7 @@ from winkler.problems.conducting_disc import (
     disc_yield_notes,
     mean_free_path_note,
     pressed_disc,
-    refuse_unknown_area,
+    resistances_of,
     scope_notes,
 )
 from winkler.problems.conducting_solution import ConductingSolution
@@ -109,11 +109,9 @@ class Constriction:
             If the load is tensile, leads beyond the reach of the profile or opens a contact that is no disc; if the
             contact is nearly as wide as a rod; if there is a film or a plating and the area of the contact is unknown.
         """
-        pair = self.conductors
-        refuse_unknown_area(self.bed, (pair.first, pair.second), pair.film.area_resistance)
         contact = pressed_disc(self.bed, self.load)
         radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
-        parts = self.conductors.resistances(radius.ravel())
+        parts = resistances_of(self.bed, self.conductors, radius.ravel())
 
         bulk = parts.bulk_first + parts.bulk_second
         shape = np.shape(contact.radius)

@@ -12,12 +12,12 @@ from typing import overload
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.measured import MeasuredBed
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.numerics.disc_field import disc_potential, disc_slopes
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
+from winkler.outline import refuse_unless_round
 from winkler.problems.heated_contact import Cold, hot_at_voltage, profile
 from winkler.problems.joule_heating import JouleHeatingSolution, cold_contact
 from winkler.problems.picking import single
@@ -120,11 +120,11 @@ def restore_conduction(
     match solution:
         case JouleHeatingSolution():
             _refuse(solution.problem.conductors, solution.problem.conductors.film.area_resistance)
-            _refuse_measured(solution.problem.bed)
+            refuse_unless_round(solution.problem.bed, "restore_conduction", "the field")
             return _current(solution, across, down)
         case ThermalConstrictionSolution():
             _refuse(solution.problem.conductors, solution.problem.conductors.interface.area_resistance)
-            _refuse_measured(solution.problem.bed)
+            refuse_unless_round(solution.problem.bed, "restore_conduction", "the field")
             return _heat(solution, across, down)
         case _:
             raise InvalidInput(
@@ -139,13 +139,6 @@ def _refuse(conductors: ElectricalConductors | HeatConductors, area_resistance: 
         raise OutsideValidity(
             "restore_conduction: with a film, a plating or a rod the field is not that of a plain disc, and is not "
             "known here; give thick bodies of one conductor that touch without a film."
-        )
-
-
-def _refuse_measured(bed: object) -> None:
-    if isinstance(bed, MeasuredBed):
-        raise OutsideValidity(
-            "restore_conduction: a MeasuredBed does not tell the shape of the contact; give the shape as a Foundation."
         )
 
 

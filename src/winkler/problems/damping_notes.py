@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from winkler.foundation.bed import Bed
 from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.stiffness_ratio import alike, stiffness_ratios
 from winkler.validity import Assumption, Note, Standing
 
@@ -59,6 +60,7 @@ def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ..
                 JAEGER,
             ),
             coupled,
+            *direction_notes(bed),
             ALONG,
             SLOW,
         )
@@ -72,6 +74,7 @@ def damping_notes(bed: Bed, radius: float, coefficient: float) -> tuple[Note, ..
             POPOV_HESS,
         ),
         coupled,
+        *direction_notes(bed),
         ALONG,
         SLOW,
     )

@@ -1,13 +1,13 @@
 r"""Bodies of two curvatures pressed together: Hertz's elliptic contact, exactly, and the round body that stands for it.
 
 With the larger semi-axis :math:`\alpha`, the smaller :math:`\beta`, :math:`m=1-\beta^2/\alpha^2`, and
-:math:`\alpha\propto F^{1/3}` of `winkler.problems.ellipse.CurvedBodies`,
+:math:`\alpha\propto F^{1/3}` of `winkler.profiles.ellipse.CurvedBodies`,
 
 .. math:: d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) , \qquad \frac{\mathrm dF}{\mathrm dd} = \frac{3F}{2d} , \qquad
           p = p_0\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}} , \quad p_0 = \frac{3F}{2\pi ab} .
 
-The force grows as that of a ball of the radius :math:`R_\mathrm{eq} = 9F^2/(16E^{*2}d^3)`: whatever asks for no more
-than force and depth runs on its springs.
+The force grows as that of a ball of the radius :math:`R_\mathrm{eq} = 9F^2/(16E^{*2}d^3)`: what asks for no more
+than force, depth and stiffness runs on its springs, `winkler.foundation.elliptic`.
 """
 
 from __future__ import annotations
@@ -18,14 +18,13 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.foundation import Foundation
+from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.ellipse import CurvedBodies
 from winkler.problems.yield_of_pressure import ellipse_yield_notes
-from winkler.profiles.power import Paraboloid
+from winkler.profiles.ellipse import CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -95,13 +94,12 @@ class EllipticIndentation:
     @property
     def equivalent_radius(self) -> float:
         """R_eq [m], of the ball whose force grows with depth as this one's."""
-        unit = self._unit_depth
-        return 9.0 / (16.0 * unit**3 * self.medium.modulus**2)
+        return self.bodies.equivalent_radius
 
     @property
-    def bed(self) -> Foundation:
-        """The springs that bear forces like these bodies, for every problem that asks for no more."""
-        return Foundation(Paraboloid(self.equivalent_radius), self.medium)  # type: ignore[arg-type]
+    def bed(self) -> EllipticFoundation:
+        """The springs that bear forces like these bodies, for problems that ask for no more; sheared along x."""
+        return EllipticFoundation(self.bodies, self.medium)  # type: ignore[arg-type]
 
     @property
     def _unit_axes(self) -> tuple[float, float]:
@@ -111,10 +109,7 @@ class EllipticIndentation:
     @property
     def _unit_depth(self) -> float:
         """Return d [m] under a force of 1 N."""
-        from scipy.special import elliprf
-
-        smaller, larger = sorted(self._unit_axes)
-        return 1.5 * float(elliprf(0.0, (smaller / larger) ** 2, 1.0)) / (math.pi * self.medium.modulus * larger)
+        return float(np.cbrt(9.0 / (16.0 * self.equivalent_radius * self.medium.modulus**2)))
 
     def solve(self) -> EllipticSolution:
         """Return force, depth and ellipse.

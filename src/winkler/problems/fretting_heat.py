@@ -91,6 +91,7 @@ class FrettingHeat:
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY}
+    needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:
         if not isinstance(self.motion, Tangential):

@@ -102,6 +102,7 @@ class FrettingWear:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "popov_2014", "archard_1953")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
+    needs_round: ClassVar[str] = "wear, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:
         wearable("FrettingWear", self.bed)

@@ -22,6 +22,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
+from winkler.footprint import Ellipse
 from winkler.foundation.bed import Pressed
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
@@ -32,7 +34,9 @@ from winkler.media.peak import ZOOMS, greatest
 from winkler.media.stress import von_mises
 from winkler.media.tensor import von_mises_of_tensor
 from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
 from winkler.problems.edge_states import Stretched
+from winkler.problems.elliptic_stress import greatest_under_ellipse
 from winkler.problems.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid
 
@@ -75,6 +79,9 @@ def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -
         If the stresses in this part are not known.
     """
     bed = pressed.bed
+    if isinstance(bed.footprint, Ellipse):
+        return _under_ellipse(pressed, bed.footprint, part, friction)
+    refuse_unless_round(bed, "yield", "the stress below the surface")
     if type(pressed) is Pressed and _is_ball(pressed):
         found = _ball(part.solid.poisson, friction)
         peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
@@ -101,6 +108,17 @@ def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -
         zooms=COARSE if layered else ZOOMS,
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
+
+
+def _under_ellipse(pressed: Pressed, outline: Ellipse, part: StrongPart, friction: float) -> GreatestStress:
+    """Return the greatest stress under Hertz's ellipse, whose springs are those of the disc of equal stiffness."""
+    if friction > 0.0:
+        raise OutsideValidity("The stresses of a traction under an ellipse are not computed.")
+    radius = np.array([pressed.radius])
+    force = float((pressed.bed.stiffness(radius) * pressed.depth - pressed.bed.gap_load(radius))[0])
+    smaller, larger = sorted(float(axis[0]) for axis in outline.semi_axes(radius))
+    found = greatest_under_ellipse(smaller / larger, part.solid.poisson)
+    return GreatestStress(found.value * 1.5 * force / (math.pi * smaller * larger), 0.0, found.depth * smaller, "")
 
 
 def sharp_places(pressed: Pressed, poisson: float, friction: float) -> Iterator[tuple[float, str]]:

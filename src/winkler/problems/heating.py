@@ -104,6 +104,7 @@ class FrictionHeating:
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "tian_kennedy_1994", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED
+    needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
         checked_heating("FrictionHeating", self.law, self.partition, self.conductors)

@@ -99,6 +99,7 @@ class TransientHeating:
 
     references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = HEATED
+    needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
         speed = self.speed

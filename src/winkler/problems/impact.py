@@ -24,6 +24,7 @@ from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
@@ -354,5 +355,5 @@ class ImpactSolution:
         rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
         notes = [*indentation_notes(bed, depth, radius, rubbing), wave_note(share), gravity_note(force)]
         if rubs:
-            notes += [PLANAR, sticking_note(bed.medium, mu)]
+            notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
         return tuple(notes)

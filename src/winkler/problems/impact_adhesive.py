@@ -92,6 +92,7 @@ class AdhesiveImpact:
         "thornton_ning_1998",
     )
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.INERTIA}
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, ShortRange):

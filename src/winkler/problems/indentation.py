@@ -130,8 +130,14 @@ class IndentationSolution:
 
     @property
     def mean_pressure(self) -> Quantity:
-        """F / (pi a^2) [Pa]; zero without contact."""
-        area = np.pi * np.asarray(self.radius) ** 2
+        """F over the area of the contact [Pa]; zero without contact.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bed does not tell the area.
+        """
+        area = np.asarray(self.problem.bed.footprint.area(np.asarray(self.radius)))
         return shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
 
     @property

@@ -20,6 +20,7 @@ from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
+from winkler.problems.conducting_disc import resistances_of
 from winkler.problems.conducting_solution import ConductingSolution
 from winkler.problems.constriction import Constriction
 from winkler.problems.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
@@ -172,7 +173,7 @@ def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
     OutsideValidity
         If a plating and what carries it resist differently as they are heated.
     """
-    parts = problem.conductors.resistances(radius)
+    parts = resistances_of(problem.bed, problem.conductors, radius)
     first, second = problem.conductors.first, problem.conductors.second
     return Cold(
         parts.first + parts.bulk_first,

@@ -124,6 +124,7 @@ class LimitingProfile:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_2014", "dmitriev_2016")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
+    needs_round: ClassVar[str] = "wear, which follows the slip from place to place,"
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed, Foundation):

@@ -106,6 +106,7 @@ class OscillatingRolling:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "wetter_popov_2014")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+    needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
         check_rolling("OscillatingRolling", self.bed, self.friction, Creepage(), self.load)

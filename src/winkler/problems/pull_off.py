@@ -72,6 +72,7 @@ class PullOff:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
         checked_machine("PullOff", self.machine_stiffness)

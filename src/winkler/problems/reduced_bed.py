@@ -8,6 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.footprint import Unknown
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
@@ -18,6 +19,11 @@ from winkler.values import value
 __all__ = ["ReducedBed"]
 
 SMOOTHNESS = 1e-3
+MAP = Unknown(
+    "a height map",
+    "ask SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
+    "or give Foundation(profile, medium)",
+)
 
 
 def _none() -> Array:
@@ -52,12 +58,18 @@ class ReducedBed(MeasuredBed):
     depths: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
     scatter: float = dataclasses.field(init=False, repr=False, default=0.0)
     mindlin_ratio: float = dataclasses.field(init=False, repr=False, default=0.0)
+    disc: bool = dataclasses.field(init=False, repr=False, default=False)
     topography: Topography = dataclasses.field()
     pressed_into: HomogeneousMedium = dataclasses.field()
     depth: float = dataclasses.field()
     tolerance: float = SMOOTHNESS
 
     references: ClassVar[tuple[str, ...]] = Reduction.references
+
+    @property
+    def footprint(self) -> Unknown:
+        """Not known: spots of any outline."""
+        return MAP
 
     def __post_init__(self) -> None:
         found = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))

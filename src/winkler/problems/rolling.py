@@ -94,6 +94,7 @@ class Rolling:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "vermeulen_johnson_1964", "kalker_1990")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+    needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
         check_rolling("Rolling", self.bed, self.friction, self.creepage, self.load)

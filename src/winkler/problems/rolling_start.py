@@ -102,6 +102,7 @@ class RollingStart:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "kalker_1990", "cattaneo_1938")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+    needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
         check_rolling("RollingStart", self.bed, self.friction, self.creepage, self.load)

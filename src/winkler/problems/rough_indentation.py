@@ -80,6 +80,7 @@ class RoughIndentation:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.ROUGHNESS}
+    needs_round: ClassVar[str] = "roughness on the springs of a line"
 
     def __post_init__(self) -> None:
         if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):

@@ -25,10 +25,10 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.creepage import AtCreepages, Creepage
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.kalker import CreepCoefficients, creep_coefficients, rolling_pair
 from winkler.problems.rolling import check_friction
 from winkler.problems.yield_of_pressure import ellipse_yield_notes
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 

@@ -90,6 +90,7 @@ class SlidingWear:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "archard_1953")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
+    needs_round: ClassVar[str] = "wear, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
         wearable("SlidingWear", self.bed)

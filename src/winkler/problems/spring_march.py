@@ -26,9 +26,12 @@ from winkler.numerics.slip_plane import march_plane
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.indentation import Indentation
 from winkler.problems.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
-from winkler.validity import Note
+from winkler.problems.stiffness_ratio import refuse_plane
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
@@ -111,6 +114,7 @@ class SpringMarch:
     count: int = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015",)
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce):
@@ -125,6 +129,7 @@ class SpringMarch:
             )
         if not self.count >= 2:
             raise InvalidInput(f"SpringMarch: count is {self.count!r}; give 2 springs or more.")
+        refuse_plane("SpringMarch", self.bed, self.path)
 
     def steps(self) -> Iterator[SpringState]:
         """Yield the springs at every point of the path.
@@ -173,6 +178,7 @@ class SpringMarch:
         return (
             *self.bed.notes,
             sticking_note(self.bed.medium, coefficient_of(self.law)),
+            *direction_notes(self.bed),
             *spring_notes(springs, self.law, in_plane=self.path.in_plane),
         )
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.errors import OutsideValidity
+from winkler.footprint import Ellipse
 from winkler.foundation.bed import Bed
+from winkler.path import Path
 
-__all__ = ["alike", "stiffness_ratios"]
+__all__ = ["alike", "refuse_plane", "stiffness_ratios"]
 
 LIKENESS = 1e-9
 """Springs whose ratio differs by less, relatively, are alike."""
@@ -25,6 +28,21 @@ def stiffness_ratios(bed: Bed, radius: float) -> tuple[float, float]:
     place = radius * np.linspace(0.0, 1.0, 129)[1:]
     ratio = bed.tangential_stiffness(place) / bed.normal_stiffness(place)
     return float(np.min(ratio)), float(np.max(ratio))
+
+
+def refuse_plane(owner: str, bed: Bed, path: Path) -> None:
+    """Refuse a path in the plane on a bed whose stiffness along the surface is known for one direction.
+
+    Raises
+    ------
+    OutsideValidity
+        With what to give instead.
+    """
+    if path.in_plane and isinstance(bed.footprint, Ellipse):
+        raise OutsideValidity(
+            f"{owner}: the path leaves its line, and an ellipse gives way differently along and across; give a path in "
+            "one direction, with EllipticFoundation(bodies, medium) for shear along x, its `turned` for y."
+        )
 
 
 def alike(ratios: tuple[float, float]) -> bool:

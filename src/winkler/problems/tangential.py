@@ -28,7 +28,7 @@ from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.spring_march import march
 from winkler.problems.spring_states import OwnLaw, SpringLaw, SpringState
-from winkler.problems.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.stiffness_ratio import alike, refuse_plane, stiffness_ratios
 from winkler.problems.tangential_march import Ways
 from winkler.problems.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.validity import Assumption, Note
@@ -97,6 +97,7 @@ class Tangential:
                 f"Tangential: the path prescribes a {type(self.path.lateral).__name__}; give Shift or ShearForce, or "
                 "ask for Torsion."
             )
+        refuse_plane("Tangential", self.bed, self.path)
 
     @property
     def normal(self) -> IndentationSolution:

@@ -14,6 +14,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.sheared_springs import sheared_by_pieces
 from winkler.problems.slip_memory import SlipMemory
@@ -132,6 +133,7 @@ def friction_notes(
     """
     rubbing = _rubbing(law, depth, force, shear_force)
     notes = [*indentation_notes(bed, depth, radius, rubbing), sticking_note(bed.medium, coefficient_of(law))]
+    notes += direction_notes(bed)
     last = states[-1]
     if isinstance(last, SpringState):
         notes += spring_notes(last.springs, law, in_plane=np.ndim(last.shift) == 1)

@@ -20,7 +20,7 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
-from winkler.problems.conducting_disc import disc_yield_notes, pressed_disc, refuse_unknown_area, scope_notes
+from winkler.problems.conducting_disc import disc_yield_notes, pressed_disc, resistances_of, scope_notes
 from winkler.problems.conducting_solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -97,11 +97,9 @@ class ThermalConstriction:
         OutsideValidity
             As for `winkler.problems.constriction.Constriction.solve`.
         """
-        pair = self.conductors
-        refuse_unknown_area(self.bed, (pair.first, pair.second), pair.interface.area_resistance)
         contact = pressed_disc(self.bed, self.load)
         radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
-        parts = self.conductors.resistances(radius.ravel())
+        parts = resistances_of(self.bed, self.conductors, radius.ravel())
 
         bulk = parts.bulk_first + parts.bulk_second
         whole = parts.first + parts.second + parts.film + bulk

@@ -96,6 +96,7 @@ class Torsion:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.SLIP}
+    needs_round: ClassVar[str] = "torsion"
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb):

@@ -10,7 +10,6 @@ steadily; of its work what is not stored is lost.
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
@@ -19,8 +18,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.foundation.foundation import Foundation
-from winkler.foundation.plane import PlaneFoundation
+from winkler.foundation.on_medium import OnMedium
 from winkler.laws.adhesion import ShortRange
 from winkler.laws.crack import CrackLaw
 from winkler.loading import Depth, Shift
@@ -31,7 +29,7 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
-from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.assumptions.declared import ADHESIVE, RELAXING
 from winkler.problems.gathering import rows
 from winkler.problems.viscoelastic_adhesion_crack import Crack
 from winkler.problems.yield_statement import relaxing_yield
@@ -130,7 +128,8 @@ class ViscoelasticAdhesion:
         "johnson_kendall_roberts_1971",
         "ciavarella_2021",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | RELAXING
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
         medium = self.bed.medium
@@ -165,8 +164,8 @@ class ViscoelasticAdhesion:
         medium = self.bed.medium
         if not isinstance(medium, ViscoelasticHalfSpace):
             return self.bed
-        assert isinstance(self.bed, Foundation | PlaneFoundation)
-        return dataclasses.replace(self.bed, medium=HalfSpace(Elastic(medium.relaxation.relaxed, 0.0)))
+        assert isinstance(self.bed, OnMedium)
+        return self.bed.with_medium(HalfSpace(Elastic(medium.relaxation.relaxed, 0.0)))
 
     @property
     def total(self) -> int:

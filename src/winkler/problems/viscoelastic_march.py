@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import NamedTuple
 
@@ -10,8 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.foundation.foundation import Foundation
-from winkler.foundation.plane import PlaneFoundation
+from winkler.foundation.on_medium import OnMedium
 from winkler.foundation.springs import Springs
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.relaxation import Recovery
@@ -50,7 +48,7 @@ class Carried(NamedTuple):
 def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     """Return by what the springs of a bed relax, E*(t) on half-spaces; refuse one that does not."""
     medium = bed.medium
-    if not isinstance(medium, RelaxingMedium) or not isinstance(bed, Foundation | PlaneFoundation):
+    if not isinstance(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(
             f"{owner}: the bed stands on a {type(medium).__name__}; give Foundation(profile, "
             "ViscoelasticHalfSpace(solid)), or RelaxingInProportion(medium, solid, shear) of a graded or layered "
@@ -61,9 +59,9 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
 
 def elastic_like(bed: Bed) -> Bed:
     """Return the bed as if it were elastic: on half-spaces with E* = 1 Pa, since g does not know the modulus."""
-    assert isinstance(bed, Foundation | PlaneFoundation)
+    assert isinstance(bed, OnMedium)
     assert isinstance(bed.medium, RelaxingMedium)
-    return dataclasses.replace(bed, medium=bed.medium.elastic)
+    return bed.with_medium(bed.medium.elastic)
 
 
 class Row:

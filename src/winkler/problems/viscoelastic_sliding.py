@@ -110,6 +110,7 @@ class SlidingResistance:
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "brilliantov_poschel_1998")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    needs_round: ClassVar[str] = "sliding over a solid that relaxes behind the contact"
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):

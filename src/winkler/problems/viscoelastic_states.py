@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
 from winkler.foundation.bed import Bed
-from winkler.foundation.foundation import Foundation
-from winkler.foundation.plane import PlaneFoundation
+from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
+from winkler.outline import refuse_unless_round
 from winkler.problems.relaxed_springs import RelaxedSprings, smooth
 from winkler.values import value
 
@@ -56,9 +54,9 @@ class ViscoelasticState:
     @property
     def pressed(self) -> RelaxedSprings:
         """The springs, from which the fields are restored; a smooth function of g between them."""
-        assert isinstance(self.bed, Foundation | PlaneFoundation)
+        assert isinstance(self.bed, OnMedium)
         assert isinstance(self.bed.medium, RelaxingMedium)
-        elastic = dataclasses.replace(self.bed, medium=self.bed.medium.elastic)
+        elastic = self.bed.with_medium(self.bed.medium.elastic)
         x, u = self.position, self.recess
         gaps = np.maximum(elastic.gap(x), 0.0)
         held, free = self.line_load > 0.0, (self.line_load == 0.0) & (u > 0.0) & (x > self.radius)
@@ -103,6 +101,7 @@ class ViscoelasticState:
         ndarray
             p(r) [Pa], zero outside the contact, infinite at an edge that is pinned.
         """
+        refuse_unless_round(self, "pressure", "the pressure")
         places = np.asarray(r, dtype=float)
         medium = self.bed.medium
         if not (isinstance(medium, RelaxingMedium) and isinstance(medium.elastic, HomogeneousMedium)):

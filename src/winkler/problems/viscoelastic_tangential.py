@@ -27,6 +27,7 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import RELAXING, SHEARED
+from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
@@ -170,7 +171,7 @@ class ViscoelasticTangential:
         elastic = elastic_like(self.bed)
         _, reach = at_depth(elastic, np.array([deepest]))
         springs = Springs.of(elastic, float(reach[0]), self.count)
-        normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed))
+        normal, shear = relaxation_of("", self.bed), shear_relaxation(_medium(self.bed), self.bed.footprint.shear_share)
         by_depth, by_shift = isinstance(self.path.normal, Depth), isinstance(self.path.lateral, Shift)
         row = Dragged(Row(elastic, springs, normal), shear, self.law.coefficient, by_depth, by_shift)
         row.row.motion[0] = min(float(self.path.across[0]), 0.0) if by_depth else row.row.depth
@@ -304,6 +305,7 @@ class ViscoelasticTangentialSolution:
             *bed.notes,
             CATTANEO,
             coupled,
+            *direction_notes(bed),
             *times,
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *relaxing_yield(bed.medium),

@@ -27,18 +27,21 @@ REST = 1e-11
 """A body under no force rests on the surface with this part of the greatest one."""
 
 
-def shear_relaxation(medium: ViscoelasticHalfSpace) -> RelaxationSeries:
-    """Return G*(t) [Pa] of a pair: the bodies bear the same traction, so their creep adds up, (2 - nu)/4 of each."""
+def shear_relaxation(medium: ViscoelasticHalfSpace, share: float = 0.5) -> RelaxationSeries:
+    """Return G*(t) [Pa] of a pair: the bodies bear the same traction, so their creep adds up.
+
+    Of a disc it is (2 - nu)/4 of each, of another outline (1 - nu + nu s)/2 with its `share` s in this direction.
+    """
     bodies = [body for body in (medium.first, medium.second) if isinstance(body, ViscoelasticSolid | Elastic)]
     if len(bodies) == 1 and isinstance(bodies[0], ViscoelasticSolid):
-        return bodies[0].series.scaled(4.0 / (2.0 - bodies[0].poisson))
+        return bodies[0].series.scaled(2.0 / (1.0 - (1.0 - share) * bodies[0].poisson))
     total = CreepSeries(0.0, 0.0, np.empty(0), np.empty(0))
     for body in bodies:
         if isinstance(body, Elastic):
-            compliance = (2.0 - body.poisson) * (1.0 + body.poisson) / (2.0 * body.young)
+            compliance = (1.0 - (1.0 - share) * body.poisson) * (1.0 + body.poisson) / body.young
             total = total.plus(CreepSeries(compliance, 0.0, np.empty(0), np.empty(0)))
         else:
-            total = total.plus(of_relaxation(body.series).scaled(0.25 * (2.0 - body.poisson)))
+            total = total.plus(of_relaxation(body.series).scaled(0.5 * (1.0 - (1.0 - share) * body.poisson)))
     return of_creep(total)
 
 

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
+from winkler.footprint import Ellipse
 from winkler.foundation.bed import Bed, Pressed
 from winkler.foundation.foundation import Foundation
 from winkler.media.coated import CoatedHalfSpace
@@ -82,8 +83,10 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     rubbing : Rubbing
     """
     depths, radii = np.ravel(depth), np.ravel(radius)
-    if not np.any(radii > 0.0) or not strong_parts(bed.medium):
+    if not np.any(radii > 0.0):
         return ()
+    if not strong_parts(bed.medium):  # of a height map springs know no more than what it was pressed into
+        return unknown_yield(getattr(bed, "pressed_into", None), "the bed does not tell the outline of the contact")
     last = int(np.argmax(depths))
     widest = Pressed(bed, float(depths[last]), float(radii[last]))
     contacts = [widest]
@@ -160,6 +163,8 @@ def _friction_unknown(pressed: Pressed, rubbing: Rubbing) -> str:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
+    if isinstance(pressed.bed.footprint, Ellipse):
+        return "the stresses of a traction under an ellipse are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"
     return ""
@@ -244,9 +249,10 @@ def _signed(part: StrongPart, depth: float) -> float:
 
 
 def _onset_of_ball(pressed: Pressed, share: float) -> float:
-    """Return the force at which a paraboloid on half-spaces begins to yield [N], F being as the cube of the stress."""
+    """Return the force at which a ball or an ellipse on half-spaces begins to yield [N], as the cube of the stress."""
     bed = pressed.bed
-    if type(pressed) is not Pressed or not isinstance(bed, Foundation) or not isinstance(bed.profile, Paraboloid):
+    ball = isinstance(bed, Foundation) and isinstance(bed.profile, Paraboloid)
+    if type(pressed) is not Pressed or not (ball or isinstance(bed.footprint, Ellipse)):
         return 0.0
     if not isinstance(bed.medium, HalfSpace):
         return 0.0

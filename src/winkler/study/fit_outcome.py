@@ -150,6 +150,11 @@ class FitOutcome:
         columns += [
             Column("noise", self.study.spread, self._each("noise")),
             Column("chi_square", Word(r"\chi^2", "", "squared misfit over the noise"), self._each("chi_square")),
+            Column(
+                "chi_square_in_contact",
+                Word(r"\chi^2", "", "squared misfit over the noise, of the points in contact alone"),
+                self._each("chi_square_in_contact"),
+            ),
             Column("effective_count", Word("", "", "independent points"), self._each("effective_count")),
             Column("largest_depth", Word("d", "m", "largest fitted depth"), self._largest("depth")),
             Column("largest_radius", Word("a", "m", "largest fitted contact radius"), self._largest("radius")),

@@ -8,12 +8,14 @@ import json
 import math
 import re
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput, NotConverged, WinklerError
 from winkler.fitting.compare import AnyFit
-from winkler.fitting.fit import fit
+from winkler.fitting.curve import ForceCurve
+from winkler.fitting.fit import fit, fit_steps
+from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
 from winkler.study.canonical import digest
 from winkler.study.correcting import corrected
@@ -24,10 +26,14 @@ from winkler.study.run import ERRORS, provenance
 from winkler.study.study import Study
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["fit_curves", "fit_study", "gather_fits", "pieces", "seen_from"]
+__all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces", "seen_from"]
 
 Piece = str | PlacedCurve | UnreadCurve
 """A file of many, or a curve of one file."""
+
+
+Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
+"""Passes on how far a fit has come, state after state, and last what it has found."""
 
 
 def fit_study(study: FitStudy, *, workers: int = 1) -> FitOutcome:
@@ -55,7 +61,9 @@ def pieces(study: FitStudy) -> list[Piece]:
     return list(study.sources) if len(study.sources) > 1 else list(_read(study, study.sources[0]))
 
 
-def fit_curves(study: FitStudy, todo: list[Piece], *, workers: int = 1) -> Iterator[tuple[Fitted | Refused, ...]]:
+def fit_curves(
+    study: FitStudy, todo: list[Piece], *, workers: int = 1, watch: Watch | None = None
+) -> Iterator[tuple[Fitted | Refused, ...]]:
     """Yield what came of every piece as soon as it is known, in their order.
 
     Parameters
@@ -66,14 +74,15 @@ def fit_curves(study: FitStudy, todo: list[Piece], *, workers: int = 1) -> Itera
         Files or curves, from `pieces`.
     workers
         Number of processes; 1 fits in this one.
+    watch
+        Sees every fit on its way; not those of other processes.
     """
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
         raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
-    answer = functools.partial(_fit_piece, study)
     if workers == 1 or len(todo) == 1:
-        yield from map(answer, todo)
+        yield from (_fit_piece(study, piece, watch) for piece in todo)
     else:
-        yield from pooled(answer, todo, min(workers, len(todo)))
+        yield from pooled(functools.partial(_fit_piece, study), todo, min(workers, len(todo)))
 
 
 def gather_fits(
@@ -112,12 +121,12 @@ def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
     return try_curves(path, spring_constant=study.spring_constant or None, sensitivity=study.sensitivity or None)
 
 
-def _fit_piece(study: FitStudy, piece: Piece) -> tuple[Fitted | Refused, ...]:
+def _fit_piece(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[Fitted | Refused, ...]:
     if isinstance(piece, str):
         where = seen_from(study, piece)
-        return tuple(_fit_curve(study, one, where) for one in _read(study, piece))
+        return tuple(_fit_curve(study, one, where, watch) for one in _read(study, piece))
     where = seen_from(study, study.sources[0]) if study.sources else ""
-    return (_fit_curve(study, piece, where),)
+    return (_fit_curve(study, piece, where, watch),)
 
 
 def seen_from(study: FitStudy, path: str) -> str:
@@ -128,7 +137,7 @@ def seen_from(study: FitStudy, path: str) -> str:
         return Path(path).as_posix()
 
 
-def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str) -> Fitted | Refused:
+def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watch: Watch | None) -> Fitted | Refused:
     """Fit one curve; an error of reading or of the physics becomes a `Refused`."""
     own = one.name if isinstance(one, UnreadCurve) else one.curve.name
     file = where.rpartition("/")[2]
@@ -138,10 +147,21 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str) -> F
         return Refused(name, math.nan, math.nan, reason, InvalidInput.exit_code)
     try:
         curve, steps = corrected(one.curve, study.correct, study.frame_stiffness, study.part, study.segments)
-        found = fit(curve, study.problem, free={free.path: free.asked for free in study.free}, noise=study.noise)
+        found = _found(study, curve, watch)
         return Fitted(name, one.x, one.y, steps, found, _notes(found))
     except WinklerError as error:
         return Refused(name, one.x, one.y, str(error), error.exit_code)
+
+
+def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:
+    free = {free.path: free.asked for free in study.free}
+    if watch is None:
+        found: AnyFit = fit(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
+        return found
+    steps = fit_steps(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
+    last = list(watch(steps))[-1]
+    assert isinstance(last, AnyFit)
+    return last
 
 
 def _notes(found: AnyFit) -> tuple[Note, ...]:

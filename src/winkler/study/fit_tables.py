@@ -58,7 +58,8 @@ def _single(outcome: FitOutcome, result: Fitted) -> str:
     facts = [
         f"{fit.count} points were fitted, worth {fit.effective_count:.0f} independent ones: the noise of "
         "neighbours may be alike.",
-        f"The noise is {told(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is {fit.chi_square:.3g}.",
+        f"The noise is {told(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is {fit.chi_square:.3g}, "
+        f"in contact {fit.chi_square_in_contact:.3g}.",
         f"The largest depth is {told(float(fit.depth.max()), 'm')}, with a contact radius of "
         f"{told(float(fit.radius.max()), 'm')}.",
     ]
@@ -98,8 +99,10 @@ def _many(outcome: FitOutcome) -> str:
                 for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
             ]
         )
-    heads += ["#χ²", "flags"]
-    bodies.append([number(f"{one.fit.chi_square:.3g}" if isinstance(one, Fitted) else "—") for one in outcome.results])
+    heads += ["#χ²", "#χ² in contact", "flags"]
+    for name in ("chi_square", "chi_square_in_contact"):
+        texts = (f"{getattr(one.fit, name):.3g}" if isinstance(one, Fitted) else "—" for one in outcome.results)
+        bodies.append([number(text) for text in texts])
     flags = [
         ", ".join(flag.name for flag in one.fit.flags) if isinstance(one, Fitted) else "no answer"
         for one in outcome.results

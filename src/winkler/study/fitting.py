@@ -99,6 +99,8 @@ class FitStudy:
         [N/m].
     noise
         [N], or [m] where positions are fitted; zero: read from the curves.
+    time_limit
+        The longest that the fit of one curve may take [s].
     output
         What is written.
     text
@@ -119,6 +121,7 @@ class FitStudy:
     sensitivity: float = 0.0
     frame_stiffness: float = math.inf
     noise: float = 0.0
+    time_limit: float = math.inf
     output: Output = Output()
     text: str = ""
     folder: str = "."

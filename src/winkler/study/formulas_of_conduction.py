@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from winkler.foundation.measured import MeasuredBed
+from winkler.footprint import Round
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.problems.conductance_bounds import ConductanceBounds
@@ -75,7 +75,7 @@ PROPORTION = Formula("Conductance and stiffness are in proportion", r"\frac{1}{R
 def conducted(problem: Constriction | ThermalConstriction | JouleHeating) -> tuple[Formula, ...]:
     """Return how the pressed contact conducts."""
     bodies = (problem.conductors.first, problem.conductors.second)
-    homogeneous = isinstance(problem.bed, MeasuredBed) or isinstance(problem.bed.medium, HomogeneousMedium)
+    homogeneous = not isinstance(problem.bed.footprint, Round) or isinstance(problem.bed.medium, HomogeneousMedium)
     found = [ANALOGY if homogeneous else DISC]
     if isinstance(problem, ThermalConstriction):
         filmed = problem.conductors.interface.area_resistance > 0.0

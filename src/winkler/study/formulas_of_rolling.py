@@ -6,12 +6,12 @@ from collections.abc import Callable
 from typing import Any
 
 from winkler.foundation.plane import PlaneFoundation
-from winkler.problems.ellipse import CurvedBodies
 from winkler.problems.oscillating_rolling import OscillatingRolling
 from winkler.problems.rolling import Rolling
 from winkler.problems.rolling_calibration import Kalker
 from winkler.problems.rolling_start import RollingStart
 from winkler.problems.simplified_rolling import SimplifiedRolling
+from winkler.profiles.ellipse import CurvedBodies
 from winkler.study.formula import Formula
 
 __all__ = ["OF_ROLLING"]

@@ -54,6 +54,7 @@ SECTIONS: dict[str, dict[str, str]] = {
         "frame_stiffness": "of the frame of the machine, which gives way too",
         "correct": "corrections in their order: a list of baseline, drift, drag, saturation",
         "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
+        "time_limit": "the longest that the fit of one curve may take; without end if left out",
     },
     "fit.free": {
         '"problem.bed.medium.first.young"': "a number of the problem: bounds as a list of two, a start, or true",
@@ -222,6 +223,7 @@ def study_form() -> type[BaseModel]:
         frame_stiffness=(_positive("N/m"), MISSING),
         correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
         noise=(Any, MISSING),
+        time_limit=(_positive("s"), MISSING),
     )
     expect = create_model(
         "expect",

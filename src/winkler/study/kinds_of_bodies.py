@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
@@ -141,6 +142,7 @@ BODIES: dict[str, dict[str, Kind]] = {
     "bed": {
         "foundation": kind(Foundation, "popov_hess_2015"),
         "plane_foundation": kind(PlaneFoundation, "popov_hess_2015"),
+        "elliptic_foundation": kind(EllipticFoundation, "johnson_1985"),
         "measured_bed": kind(
             MeasuredBed,
             "barber_1974",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from winkler.problems.creepage import Creepage
-from winkler.problems.ellipse import ContactEllipse, CurvedBodies
 from winkler.problems.oscillating_rolling import OscillatingRolling
 from winkler.problems.rolling import Rolling
 from winkler.problems.rolling_calibration import Kalker, Uncalibrated
 from winkler.problems.rolling_start import RollingStart
 from winkler.problems.simplified_rolling import SimplifiedRolling
+from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.study.kind import Kind, kind
 
 __all__ = ["ROLLING"]

@@ -99,7 +99,7 @@ def _series(fit: AnyFit, some: Array) -> tuple[Series, Series, Series]:
     else:
         along = Series("time", Word("t", "s", "time"), curve.time[some] - curve.time[0])
     if isinstance(fit, CreepFit):
-        counted = fit.weights[some] > 0.0  # elsewhere the force tells no position
+        counted = fit.radius[some] > 0.0  # elsewhere the force tells no position
         shown = [np.where(counted, content[some] - origin, np.nan) for content in (curve.position, fit.predicted)]
         return along, Series(name, place, shown[0]), Series(name, place, shown[1])
     return along, Series("force", force, curve.force[some]), Series("force", force, fit.predicted[some])

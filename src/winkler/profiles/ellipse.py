@@ -9,6 +9,7 @@ the larger one :math:`\alpha`, the smaller :math:`\beta` and :math:`m=1-\beta^2/
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -104,21 +105,51 @@ class CurvedBodies:
         """
         from scipy.special import elliprd
 
+        slenderness = self.slenderness
+        curvature = 1.0 / max(self.longitudinal_curvature_radius, self.lateral_curvature_radius)
+        ratio = min(slenderness, 1.0 / slenderness)
+        larger = (force * float(elliprd(0.0, ratio**2, 1.0)) / (math.pi * modulus * curvature)) ** (1.0 / 3.0)
+        return (larger, ratio * larger) if slenderness <= 1.0 else (ratio * larger, larger)
+
+    @property
+    def slenderness(self) -> float:
+        """b/a [-], the semi-axis across over that along.
+
+        Raises
+        ------
+        InvalidInput
+            If the curvatures are so different that the contact is a line.
+        """
         along, across = self.longitudinal_curvature_radius, self.lateral_curvature_radius
-        curvature = 1.0 / max(along, across)
-        ratio = max(along, across) / min(along, across)
-
-        def missing(logarithm: np.ndarray, _: np.ndarray) -> np.ndarray:
-            squared = np.exp(2.0 * logarithm)
-            return np.asarray(elliprd(0.0, 1.0, squared) / elliprd(0.0, squared, 1.0) - ratio)
-
-        most = np.array([math.log(SLENDEREST)])
-        if float(missing(most, most)[0]) < 0.0:
+        ratio = _slenderness(max(along, across) / min(along, across))
+        if ratio == 0.0:
             raise InvalidInput(
                 f"CurvedBodies: the curvature radii {along:g} m and {across:g} m are too different: the "
                 "contact is a line."
             )
-        slenderness = math.exp(float(between(missing, most, np.zeros(1))[0]))
-        larger = (force * float(elliprd(0.0, slenderness**2, 1.0)) / (math.pi * modulus * curvature)) ** (1.0 / 3.0)
-        smaller = slenderness * larger
-        return (larger, smaller) if along >= across else (smaller, larger)
+        return ratio if along >= across else 1.0 / ratio
+
+    @property
+    def equivalent_radius(self) -> float:
+        """R_eq [m] of the ball whose force grows with depth as that of the bodies."""
+        from scipy.special import elliprf
+
+        a, b = self.semi_axes(1.0, 1.0)
+        smaller, larger = sorted((a, b))
+        depth = 1.5 * float(elliprf(0.0, (smaller / larger) ** 2, 1.0)) / (math.pi * larger)
+        return 9.0 / (16.0 * depth**3)
+
+
+@functools.lru_cache(maxsize=256)
+def _slenderness(ratio: float) -> float:
+    """Return the smaller over the larger semi-axis under bodies of this ratio of radii; zero if it is too small."""
+    from scipy.special import elliprd
+
+    def missing(logarithm: np.ndarray, _: np.ndarray) -> np.ndarray:
+        squared = np.exp(2.0 * logarithm)
+        return np.asarray(elliprd(0.0, 1.0, squared) / elliprd(0.0, squared, 1.0) - ratio)
+
+    most = np.array([math.log(SLENDEREST)])
+    if float(missing(most, most)[0]) < 0.0:
+        return 0.0
+    return math.exp(float(between(missing, most, np.zeros(1))[0]))

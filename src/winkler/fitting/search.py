@@ -1,0 +1,102 @@
+"""The search for the best numbers of a fit: evaluations are counted, the best is kept, and a time limit ends it."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["FitState", "Search"]
+
+
+@value
+class FitState:
+    """How far a fit has come.
+
+    Parameters
+    ----------
+    evaluations : int
+        How often the curve was predicted.
+    names : tuple of str, (p,)
+        What is varied.
+    values : ndarray, (p,)
+        The best numbers so far, in SI units.
+    scatter : float
+        Standard deviation of the weighted residuals there, in units of what is fitted.
+    """
+
+    evaluations: int
+    names: tuple[str, ...]
+    values: Array
+    scatter: float
+
+
+class Search:
+    """Counts the evaluations of one fit, and ends it when its time is over.
+
+    Parameters
+    ----------
+    time_limit : float, optional
+        From now on [s].
+    hand_over : callable, optional
+        Is given a `FitState` after every evaluation.
+
+    Raises
+    ------
+    InvalidInput
+        If the limit is no positive time.
+    """
+
+    def __init__(self, time_limit: float = math.inf, hand_over: Callable[[FitState], None] | None = None) -> None:
+        if not isinstance(time_limit, int | float) or not time_limit > 0.0:
+            raise InvalidInput(f"fit: time_limit is {time_limit!r}; give a positive time in s.")
+        self.time_limit = time_limit
+        self.end = time.monotonic() + time_limit
+        self.hand_over = hand_over
+        self.evaluations = 0
+        self.scatter = math.inf
+        self.best: dict[str, float] = {}
+
+    def begin(self) -> None:
+        """Forget what was best: other points are looked at from now on, or other weights taken."""
+        self.scatter = math.inf
+
+    def seen(self, numbers: dict[str, float], squares: float, count: int) -> None:
+        """Count an evaluation, and hand over the state.
+
+        Parameters
+        ----------
+        numbers : dict of str to float
+            What was tried.
+        squares : float
+            Sum of the squared weighted residuals of `count` points.
+
+        Raises
+        ------
+        NotConverged
+            If the time is over.
+        """
+        self.evaluations += 1
+        scatter = math.sqrt(squares / max(count, 1))
+        if scatter < self.scatter or not self.best:
+            self.scatter, self.best = scatter, numbers
+        self.check()
+        if self.hand_over is not None:
+            values = np.array(list(self.best.values()))
+            self.hand_over(FitState(self.evaluations, tuple(self.best), values, self.scatter))
+
+    def check(self) -> None:
+        """Raise NotConverged if the time is over."""
+        if time.monotonic() > self.end:
+            many = f"{self.evaluations} evaluation{'s' * (self.evaluations != 1)}"
+            raise NotConverged(
+                f"fit: least squares have not settled within the time limit of {self.time_limit:g} s, after "
+                f"{many}; give more time, starts or bounds nearer to the answer, fewer free "
+                "numbers, or fewer points."
+            )

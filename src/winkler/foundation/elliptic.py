@@ -1,0 +1,139 @@
+r"""The springs that stand for bodies of two curvatures: as deep and as stiff as Hertz's ellipse, but no disc.
+
+:math:`F = \frac43E^*\sqrt{R_\mathrm{eq}}\,d^{3/2}` holds for an ellipse as well as for a ball; the radius of that ball
+follows from the curvatures alone,
+
+.. math:: R_\mathrm{eq} = \frac{9F^2}{16E^{*2}d^3} , \qquad d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) .
+
+Partial slip under Coulomb's law shrinks to similar ellipses, so it runs on the line, too, with the tangential
+stiffness of the direction of shear (`winkler.footprint.Ellipse`).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.footprint import DISC, Ellipse, Round
+from winkler.foundation.on_medium import UnderProfile
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.medium import Medium
+from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.types import Array
+from winkler.profiles.ellipse import CurvedBodies
+from winkler.profiles.power import Paraboloid
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["EllipticFoundation"]
+
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 4.2 and 7.2, doi:10.1017/CBO9781139171731"
+
+
+@value
+class EllipticFoundation(UnderProfile):
+    """The springs that stand for bodies of two curvatures, in problems that ask for force, depth and stiffness.
+
+    Problems that need a disc (adhesion, wear, heating, rolling, torsion, yield, the fields) refuse it.
+
+    Parameters
+    ----------
+    bodies : CurvedBodies
+        R_x and R_y; a shear force or shift is along x.  `turned` has it along y.
+    medium : HalfSpace, TransverselyIsotropicHalfSpace or ViscoelasticHalfSpace
+        Both bodies, homogeneous.
+
+    Raises
+    ------
+    InvalidInput
+        If the medium is not homogeneous, or the curvatures are so different that the contact is a line.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 4.2 and 7.2, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    Curvature radii of 1:10, nu = 0.3: c_T/c_N of a disc is 0.8235, of this ellipse less along than across.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> steel = HalfSpace(Elastic(210e9, 0.3))
+    >>> bed = EllipticFoundation(CurvedBodies(10e-3, 1e-3), steel)
+    >>> [round(float(b.tangential_stiffness(np.ones(1))[0] / steel.modulus), 4) for b in (bed, bed.turned)]
+    [0.7771, 0.8759]
+    """
+
+    bodies: CurvedBodies
+    medium: Medium
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bodies, CurvedBodies):
+            raise InvalidInput(
+                f"EllipticFoundation: bodies is a {type(self.bodies).__name__}; give CurvedBodies(R_x, R_y)."
+            )
+        if not isinstance(self.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"EllipticFoundation: the medium is a {type(self.medium).__name__}; Hertz's ellipse is known on "
+                "homogeneous half-spaces alone, give HalfSpace or ViscoelasticHalfSpace."
+            )
+        _ = self.bodies.slenderness
+
+    @property
+    def turned(self) -> EllipticFoundation:
+        """The same bodies sheared along y."""
+        bodies = CurvedBodies(self.bodies.lateral_curvature_radius, self.bodies.longitudinal_curvature_radius)
+        return EllipticFoundation(bodies, self.medium)
+
+    @property
+    def profile(self) -> Paraboloid:  # type: ignore[override]
+        """The ball whose force grows with depth as that of the bodies."""
+        return Paraboloid(self.bodies.equivalent_radius)
+
+    @property
+    def footprint(self) -> Ellipse | Round:
+        """Hertz's ellipse; a disc under equal curvatures."""
+        bodies = self.bodies
+        equal = bodies.longitudinal_curvature_radius == bodies.lateral_curvature_radius
+        return DISC if equal else Ellipse(bodies.slenderness)
+
+    @property
+    def size(self) -> float:
+        """Radius of the disc as stiff as an ellipse that is as long as a curvature radius [m]."""
+        return 1.0 / float(self.slope(np.ones(1))[0])
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What the springs stand for."""
+        return (
+            *self.medium.notes,
+            Note(
+                Assumption.SHAPE,
+                Standing.EXACT,
+                f"The springs stand for an ellipse of b/a = {self.bodies.slenderness:.4g}: force, depth and "
+                "stiffness are Hertz's; the radius is that of the disc of equal stiffness.",
+                JOHNSON,
+            ),
+        )
+
+    def slope(self, r: Array) -> Array:
+        """The steepest slope of the bodies [-] where the ellipse as stiff as a disc of radius r ends."""
+        along, across = Ellipse(self.bodies.slenderness).semi_axes(np.asarray(r, dtype=float))
+        return np.asarray(
+            np.maximum(along / self.bodies.longitudinal_curvature_radius, across / self.bodies.lateral_curvature_radius)
+        )
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) [Pa] of a shear along x.
+
+        Raises
+        ------
+        OutsideValidity
+            If the medium is not isotropic.
+        """
+        if not isinstance(self.medium, HalfSpace | ViscoelasticHalfSpace):
+            raise OutsideValidity(
+                f"EllipticFoundation: how a {type(self.medium).__name__} gives way along an ellipse is not known to "
+                "winkler; give HalfSpace."
+            )
+        normal, disc = self.medium.normal_stiffness(x), self.medium.tangential_stiffness(x)
+        return np.asarray(1.0 / (1.0 / normal + 2.0 * self.footprint.shear_share * (1.0 / disc - 1.0 / normal)))
