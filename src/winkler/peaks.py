@@ -16,6 +16,9 @@ from winkler.problems.torsion_fields import body_of_twisted
 from winkler.problems.torsion_states import TorsionState
 from winkler.values import value
 
+ROUNDING = 1e-9
+"""Jump of the springs at the edge over their greatest displacement that is rounding."""
+
 __all__ = ["PeakStress", "PlacedStress", "peak_stress"]
 
 SKIN = 1e-3
@@ -85,6 +88,8 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
     if pressed.radius == 0.0:
         return PeakStress(0.0, 0.0, 0.0)
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]
+    if abs(pressed.edge) > ROUNDING * float(np.max(np.abs(pressed.value(np.array([0.0, pressed.radius]))))):
+        sharp.append(pressed.radius)
     if sharp:
         return PeakStress(float("inf"), sharp[0], 0.0)
     sign = 1.0 if below else -1.0

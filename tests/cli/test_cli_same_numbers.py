@@ -50,6 +50,7 @@ PYTHON = {
     "power_law": pressed(wk.PowerLaw(1e6, 4.0)),
     "cone": pressed(wk.Cone(math.radians(70.3))),
     "ellipsoid": pressed(wk.Ellipsoid(10e-3, 5e-3)),
+    "ball_in_socket": pressed(wk.BallInSocket(10e-3, 10.1e-3)),
     "hyperboloid": pressed(wk.Hyperboloid(1e-3, math.radians(70.0))),
     "flat_punch": pressed(wk.FlatPunch(1e-3)),
     "rounded_punch": pressed(wk.RoundedPunch(0.5e-3, 1e-3)),

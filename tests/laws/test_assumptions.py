@@ -256,7 +256,7 @@ def test_a_film_that_is_pressed_through_and_one_that_is_hardly_felt():
     for depth, standing in ((0.4e-6, Standing.ASYMPTOTIC), (1e-6, Standing.APPROXIMATE), (3e-6, Standing.OUTSIDE)):
         assert find(pressed(wk.Paraboloid(5e-6), cell, depth), Assumption.FILM).standing is standing
     nitride = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(450e9, 0.25), 2e-6)], on=STEEL)
-    notes = pressed(wk.Paraboloid(1.0), nitride, 20e-6)  # ten times as deep as it is thick
+    notes = pressed(wk.Paraboloid(1e-2), nitride, 3e-6)  # deeper than it is thick
     assert find(notes, Assumption.FILM).standing is Standing.ASYMPTOTIC
 
 

@@ -60,6 +60,7 @@ ELSEWHERE = {
     wk.NamedMaterial,
     wk.LineScan,
     wk.RoughLine,
+    wk.Spikes,
     wk.SpringMarch,
     wk.TwistedFields,
 }

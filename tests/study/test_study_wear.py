@@ -87,10 +87,10 @@ def test_a_spoilt_file_is_no_reason_to_stop(tmp_path):
 def test_a_march_that_ends_early_keeps_its_states(monkeypatch):
     advance = wear_march._advance
 
-    def ends(problem, moment, goal):
+    def ends(problem, moment, goal, everywhere):
         if goal > 1e5:
             raise NotConverged("Wear: enough.")
-        return advance(problem, moment, goal)
+        return advance(problem, moment, goal, everywhere)
 
     monkeypatch.setattr(wear_march, "_advance", ends)
     march = marched(study().problem)

@@ -104,6 +104,7 @@ class ViscoelasticAdhesion:
     --------
     A ball with w_0 = 50 mJ/m^2 is pulled off rubber, slowly with 3/2 pi w_0 R (JKR), and faster with more.
 
+    >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.laws.crack import RateDependentWork
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.profiles.power import Paraboloid
