@@ -65,26 +65,92 @@ def _falling_kinks(bed: Bed, radius: float) -> list[float]:
 def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> None:
     """Raise `OutsideValidity`, naming the load, unless each of many contacts is one disc.
 
-    With u1 <= 1 and a rising g the separation at r falls as the contact grows, so that the widest contact clears all.
-    A check that does not come to an end refuses nothing: `unfinished` tells of it.
+    Where g rises from one radius to the next, what is added to the sums has a known sign: with p1 >= 0 the pressure
+    rises everywhere, with u1 <= 1 the separation falls.  Of such a family the narrowest contact clears all of tension,
+    the widest all of overlap.  A check that does not come to an end refuses nothing: `unfinished` tells of it.
     """
     (touching,) = np.nonzero(radius > 0.0)
     if bed.certain or not touching.size:
         return
-    widest = touching[np.argmax(depth[touching])]
-    clear = bed.rising and _ended(lambda: _clear_outside(bed, float(depth[widest]), float(radius[widest]), end))
-    if clear:
-        pulls = [_ended(functools.partial(_pulls, bed, a)) for a in radius[touching].tolist()]
-        touching = touching[pulls]
-        touching = touching[~_surely_pressed(bed, depth[touching], radius[touching])]
-    for index in touching:
+    loaded = touching[np.lexsort((depth[touching], radius[touching]))]
+
+    def tension(index: int) -> None:
+        _refuse_tension(bed, float(depth[index]), float(radius[index]))
+
+    def overlap(index: int) -> None:
+        _refuse_overlap(bed, float(depth[index]), float(radius[index]), end)
+
+    for family in _families(bed, radius, loaded):
+        widest = float(radius[family[-1]])
+        pulling = family[:0]
+        if _ended(lambda a=widest: _pulls(bed, a)):  # type: ignore[misc]
+            pulls = np.array([_ended(functools.partial(_pulls, bed, a)) for a in radius[family].tolist()])
+            family_calm, pulling = family[~pulls], family[pulls]
+            if bed.rising:
+                pulling = pulling[~_surely_pressed(bed, depth[pulling], radius[pulling])]
+        else:
+            family_calm = family
+        _refuse_in_turn(tension, family_calm, depth.size)
+        for index in pulling:
+            _refuse_in_turn(tension, np.array([index]), depth.size)
+        if _ended(lambda a=widest: bed.medium.punch_facts(a).most <= 1.0):  # type: ignore[misc]
+            _refuse_in_turn(overlap, family[::-1], depth.size)
+        else:
+            for index in family:
+                _refuse_in_turn(overlap, np.array([index]), depth.size)
+
+
+def _families(bed: Bed, radius: Array, loaded: Array) -> list[Array]:
+    """Return the loads, whose radii ascend, in parts: where g falls between two radii a part ends."""
+    own = radius[loaded]
+    if bed.rising and rises(bed, float(own[-1])):
+        return [loaded]
+    octaves = np.unique(np.ceil(np.log2(own / own[-1])))
+    share = 0.5 + 0.5 * np.arange(1, FEWER) / FEWER
+    falls = [_falling_kinks(bed, float(own[-1]))]
+    for octave in octaves.tolist():
+        x = own[-1] * 2.0**octave * share
+        slope = bed.gap_slope(x)
+        falls.append(x[slope < -LEVEL * np.max(slope[np.isfinite(slope)])].tolist())
+    part = np.searchsorted(np.sort(np.concatenate(falls)), own)
+    return np.split(loaded, np.flatnonzero(np.diff(part)) + 1)
+
+
+def _refuse_in_turn(check: Callable[[int], None], order: Array, count: int) -> None:
+    """Raise what a check finds of the loads in `order`, of which each that is clear clears all that follow.
+
+    Named is the first of the loads refused, of `count`.
+    """
+    refused: dict[int, OutsideValidity] = {}
+
+    def ends(place: int) -> bool | None:
+        index = int(order[place])
         try:
-            if clear:
-                _ended(functools.partial(_refuse_tension, bed, float(depth[index]), float(radius[index])))
-            else:
-                refuse_unless_disc(bed, float(depth[index]), float(radius[index]), end)
+            check(index)
+        except NotConverged:
+            return None
         except OutsideValidity as error:
-            raise OutsideValidity(f"{error} (load at index {index})" if depth.size > 1 else str(error)) from None
+            refused[index] = error
+        return index not in refused
+
+    place = 0
+    while place < order.size and (verdict := ends(place)) is None:
+        place = 2 * place + 1
+    if place >= order.size or verdict:
+        return
+    last, clear = place, order.size
+    while clear - last > 1:
+        middle = (last + clear) // 2
+        if ends(middle) is False:
+            last = middle
+        else:
+            clear = middle
+    first = int(np.min(order[place : last + 1]))
+    if first not in refused:
+        ends(int(np.argmin(order[place : last + 1])) + place)
+    named = first if first in refused else int(order[place])
+    error = refused[named]
+    raise OutsideValidity(f"{error} (load at index {named})" if count > 1 else str(error)) from None
 
 
 def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> None:
@@ -129,7 +195,7 @@ def _unfinished(given: Hashable, depth: float, radius: float) -> str:
 
 def _refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
     """Raise `OutsideValidity` if the bodies would overlap outside a disc of this radius."""
-    if (bed.rising or isinstance(bed, PlaneFoundation)) and _clear_outside(bed, depth, radius, end):
+    if _clear_outside(bed, depth, radius, end):
         return
     # far outside heights may overflow: what is infinitely high does not overlap
     with np.errstate(over="ignore", invalid="ignore"):
@@ -212,6 +278,14 @@ def _clear_outside(bed: Bed, depth: float, radius: float, end: float) -> bool:
         return True
     if isinstance(bed, PlaneFoundation):  # its g is given, as far as one may ask
         return rises(bed, min(1e3 * radius, end)) and bed.medium.punch_facts(4.0 * radius).most <= 1.0
+    reached = _lowest_rise(bed, depth, radius, end) if bed.rising else _low_reach(bed, depth, radius, end)
+    if not reached < np.inf or bed.medium.punch_facts(reached).most > 1.0:
+        return False
+    return rises(bed, reached) if bed.rising else _rises_between(bed, radius, reached)
+
+
+def _lowest_rise(bed: Bed, depth: float, radius: float, end: float) -> float:
+    """Return how far outside a body whose f never falls may be met by the surface [m]; infinite if not found out."""
     beside = bed.medium.punch_facts(radius)
     bulge = max(0.0, -beside.least)
     far = min(1e3 * radius, end)
@@ -219,10 +293,44 @@ def _clear_outside(bed: Bed, depth: float, radius: float, end: float) -> bool:
     height = bed.height(r)
     high = (height >= (1.0 + bulge) * depth) | ((r >= radius + beside.calm) & (height >= (1.0 - CALM) * depth))
     if not high.any() and far < end:
-        return False
-    reached = float(r[np.argmax(high)]) if high.any() else far
-    facts = bed.medium.punch_facts(reached)
-    return facts.most <= 1.0 and rises(bed, reached)
+        return np.inf
+    return float(r[np.argmax(high)]) if high.any() else far
+
+
+def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
+    """Return the same of a body whose f may fall again."""
+    near, far = _outside(radius, end)
+    places = np.concatenate([near, _troughs(bed, near), far, _troughs(bed, far)])
+    with np.errstate(over="ignore", invalid="ignore"):
+        low = places[~(bed.height(places) >= depth + _bulge(bed, radius))]
+    if not low.size:
+        return radius
+    # f may still be low up to the next sample
+    reached = np.min(places[places > np.max(low)], initial=np.inf)
+    if not np.isfinite(reached) and np.max(low) >= end * (1.0 - 1e-12):
+        reached = end
+    return float(reached) if reached <= 1e3 * radius else np.inf
+
+
+def _rises_between(bed: Bed, low: float, high: float) -> bool:
+    """Return whether g does not fall from one radius to another."""
+    slope = bed.gap_slope(low + (high - low) * np.arange(1, SAMPLES) / SAMPLES)
+    falls = np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) if high > low else False
+    return not (falls or any(b >= low for b in _falling_kinks(bed, high)))
+
+
+def _bulge(bed: Bed, radius: float) -> float:
+    """Return how far the surface outside may rise [m]: punches of g' > 0 lift it by `least`, those of g' < 0 by one."""
+    inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
+    lift = max(-bed.medium.punch_facts(radius).least, 0.0)
+    return float(np.sum(np.maximum(inside, 0.0)) * lift - np.sum(np.minimum(inside, 0.0)))
+
+
+def _outside(radius: float, end: float) -> tuple[Array, Array]:
+    """Return places near outside a contact, and far."""
+    near = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
+    near = near[near > radius]
+    return near, np.geomspace(3.0 * radius, min(FAR * radius, end), SAMPLES) if end > 3.0 * radius else near[:0]
 
 
 def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> Array:
@@ -231,17 +339,12 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
     Where springs tell the separation, they cannot where g >= d all the way from the edge, nor where f >= d; on layers
     the surface may bulge.
     """
-    near = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
-    near = near[near > radius]
-    far = np.geomspace(3.0 * radius, min(FAR * radius, end), SAMPLES) if end > 3.0 * radius else near[:0]
-    facts = bed.medium.punch_facts(radius)
-    if not facts.telling:
-        inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
-        bulge = float(np.sum(np.maximum(inside, 0.0)) * max(-facts.least, 0.0) - np.sum(np.minimum(inside, 0.0)))
+    near, far = _outside(radius, end)
+    if not bed.medium.punch_facts(radius).telling:
         places = np.concatenate(
             [near[:: SAMPLES // 400], _troughs(bed, near), far[:: SAMPLES // 400], _troughs(bed, far)]
         )
-        return np.asarray(places[bed.height(places) < depth + bulge])
+        return np.asarray(places[bed.height(places) < depth + _bulge(bed, radius)])
     found = []
     if np.any(bed.gap(near) < depth):
         found += [near[:: SAMPLES // 400], _troughs(bed, near)]
