@@ -301,8 +301,13 @@ def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
     """Return the same of a body whose f may fall again."""
     near, far = _outside(radius, end)
     places = np.concatenate([near, _troughs(bed, near), far, _troughs(bed, far)])
+    facts = bed.medium.punch_facts(radius)
     with np.errstate(over="ignore", invalid="ignore"):
-        low = places[~(bed.height(places) >= depth + _bulge(bed, radius))]
+        height = bed.height(places)
+        high = (height >= depth + _bulge(bed, radius, facts.least)) | (
+            (places >= radius + facts.calm) & (height >= depth + _bulge(bed, radius, CALM))
+        )
+    low = places[~high]
     if not low.size:
         return radius
     # f may still be low up to the next sample
@@ -319,11 +324,10 @@ def _rises_between(bed: Bed, low: float, high: float) -> bool:
     return not (falls or any(b >= low for b in _falling_kinks(bed, high)))
 
 
-def _bulge(bed: Bed, radius: float) -> float:
-    """Return how far the surface outside may rise [m]: punches of g' > 0 lift it by `least`, those of g' < 0 by one."""
+def _bulge(bed: Bed, radius: float, least: float) -> float:
+    """Return how far the surface outside may rise [m]: punches of g' > 0 lift it by -`least`, those of g' < 0 by one."""
     inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
-    lift = max(-bed.medium.punch_facts(radius).least, 0.0)
-    return float(np.sum(np.maximum(inside, 0.0)) * lift - np.sum(np.minimum(inside, 0.0)))
+    return float(np.sum(np.maximum(inside, 0.0)) * max(-least, 0.0) - np.sum(np.minimum(inside, 0.0)))
 
 
 def _outside(radius: float, end: float) -> tuple[Array, Array]:
@@ -340,11 +344,12 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
     the surface may bulge.
     """
     near, far = _outside(radius, end)
-    if not bed.medium.punch_facts(radius).telling:
+    facts = bed.medium.punch_facts(radius)
+    if not facts.telling:
         places = np.concatenate(
             [near[:: SAMPLES // 400], _troughs(bed, near), far[:: SAMPLES // 400], _troughs(bed, far)]
         )
-        return np.asarray(places[bed.height(places) < depth + _bulge(bed, radius)])
+        return np.asarray(places[bed.height(places) < depth + _bulge(bed, radius, facts.least)])
     found = []
     if np.any(bed.gap(near) < depth):
         found += [near[:: SAMPLES // 400], _troughs(bed, near)]
