@@ -108,8 +108,9 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
         if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
             if tail > max(LAST, 100.0 * _settled(response)):
                 raise NotConverged(
-                    f"The flat punches between {low:.3g} m and {high:.3g} m are not resolved (the series ends at "
-                    f"{tail:.1e}); the contrasts of the stack are beyond what winkler can carry."
+                    f"Flat punches {low / response.length:.3g} to {high / response.length:.3g} times as wide as the "
+                    f"uppermost layer is thick are not resolved (the series ends at {tail:.1e}); the contrasts of the "
+                    "stack are beyond what winkler can carry: ask for narrower contacts."
                 )
             done.append(table)
         else:
@@ -199,8 +200,9 @@ def _enough(response: Response, high: float, panels: Array) -> int:
         last = finer
     if change > max(LAST, 100.0 * settled):
         raise NotConverged(
-            f"The flat punch of radius {high:.3g} m still moves by {change:.1e}; the contrasts of the stack are beyond "
-            "what winkler can carry."
+            f"A flat punch of {high / response.length:.3g} times the thickness of the uppermost layer in radius still "
+            f"moves by {change:.1e}; the contrasts of the stack are beyond what winkler can carry: ask for a narrower "
+            "contact."
         )
     return COUNTS[-1]
 

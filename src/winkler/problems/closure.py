@@ -1,7 +1,7 @@
 r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
 
 Where the body is known to let g rise, Newton's method meets all loads; elsewhere `winkler.problems.disc` does, climb by
-climb.  Where a rising g does not make every contact one disc, `winkler.problems.one_disc` looks at them afterwards.
+climb.  Where a rising g does not make every contact one disc, `winkler.problems.many_discs` looks at them afterwards.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from winkler.media.body_of import thickness_of
 from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.problems import disc
-from winkler.problems.one_disc import refuse_unless_discs, rises
+from winkler.problems.many_discs import refuse_unless_discs
+from winkler.problems.one_disc import rises
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
 

@@ -25,7 +25,22 @@ from winkler.media.medium import CALM
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["MOST_TURNS", "SAMPLES", "refuse_unless_disc", "refuse_unless_discs", "rises", "too_many", "unfinished"]
+__all__ = [
+    "FEWER",
+    "LEVEL",
+    "MOST_TURNS",
+    "SAMPLES",
+    "ended",
+    "falling_kinks",
+    "pulls",
+    "refuse_overlap",
+    "refuse_tension",
+    "refuse_unless_disc",
+    "rises",
+    "surely_pressed",
+    "too_many",
+    "unfinished",
+]
 
 SAMPLES = 4096
 """How finely g' is searched for changes of sign; narrower waves are not seen."""
@@ -55,113 +70,23 @@ def rises(bed: Bed, radius: float) -> bool:
     if bed.certain or radius == 0.0:
         return True
     slope = bed.gap_slope(np.arange(1, FEWER) / FEWER * radius)
-    return not (np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) or _falling_kinks(bed, radius))
+    return not (np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) or falling_kinks(bed, radius))
 
 
-def _falling_kinks(bed: Bed, radius: float) -> list[float]:
+def falling_kinks(bed: Bed, radius: float) -> list[float]:
+    """Return the places within a radius at which g' drops."""
     return [b for b, strength in bed.kinks if strength < 0.0 and b < radius]
-
-
-def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> None:
-    """Raise `OutsideValidity`, naming the load, unless each of many contacts is one disc.
-
-    Where g rises from one radius to the next, what is added to the sums has a known sign: with p1 >= 0 the pressure
-    rises everywhere, with u1 <= 1 the separation falls.  Of such a family the narrowest contact clears all of tension,
-    the widest all of overlap.  A check that does not come to an end refuses nothing: `unfinished` tells of it.
-    """
-    (touching,) = np.nonzero(radius > 0.0)
-    if bed.certain or not touching.size:
-        return
-    loaded = touching[np.lexsort((depth[touching], radius[touching]))]
-
-    def tension(index: int) -> None:
-        _refuse_tension(bed, float(depth[index]), float(radius[index]))
-
-    def overlap(index: int) -> None:
-        _refuse_overlap(bed, float(depth[index]), float(radius[index]), end)
-
-    for family in _families(bed, radius, loaded):
-        widest = float(radius[family[-1]])
-        pulling = family[:0]
-        if _ended(lambda a=widest: _pulls(bed, a)):  # type: ignore[misc]
-            pulls = np.array([_ended(functools.partial(_pulls, bed, a)) for a in radius[family].tolist()])
-            family_calm, pulling = family[~pulls], family[pulls]
-            if bed.rising:
-                pulling = pulling[~_surely_pressed(bed, depth[pulling], radius[pulling])]
-        else:
-            family_calm = family
-        _refuse_in_turn(tension, family_calm, depth.size)
-        for index in pulling:
-            _refuse_in_turn(tension, np.array([index]), depth.size)
-        if _ended(lambda a=widest: bed.medium.punch_facts(a).most <= 1.0):  # type: ignore[misc]
-            _refuse_in_turn(overlap, family[::-1], depth.size)
-        else:
-            for index in family:
-                _refuse_in_turn(overlap, np.array([index]), depth.size)
-
-
-def _families(bed: Bed, radius: Array, loaded: Array) -> list[Array]:
-    """Return the loads, whose radii ascend, in parts: where g falls between two radii a part ends."""
-    own = radius[loaded]
-    if bed.rising and rises(bed, float(own[-1])):
-        return [loaded]
-    octaves = np.unique(np.ceil(np.log2(own / own[-1])))
-    share = 0.5 + 0.5 * np.arange(1, FEWER) / FEWER
-    falls = [_falling_kinks(bed, float(own[-1]))]
-    for octave in octaves.tolist():
-        x = own[-1] * 2.0**octave * share
-        slope = bed.gap_slope(x)
-        falls.append(x[slope < -LEVEL * np.max(slope[np.isfinite(slope)])].tolist())
-    part = np.searchsorted(np.sort(np.concatenate(falls)), own)
-    return np.split(loaded, np.flatnonzero(np.diff(part)) + 1)
-
-
-def _refuse_in_turn(check: Callable[[int], None], order: Array, count: int) -> None:
-    """Raise what a check finds of the loads in `order`, of which each that is clear clears all that follow.
-
-    Named is the first of the loads refused, of `count`.
-    """
-    refused: dict[int, OutsideValidity] = {}
-
-    def ends(place: int) -> bool | None:
-        index = int(order[place])
-        try:
-            check(index)
-        except NotConverged:
-            return None
-        except OutsideValidity as error:
-            refused[index] = error
-        return index not in refused
-
-    place = 0
-    while place < order.size and (verdict := ends(place)) is None:
-        place = 2 * place + 1
-    if place >= order.size or verdict:
-        return
-    last, clear = place, order.size
-    while clear - last > 1:
-        middle = (last + clear) // 2
-        if ends(middle) is False:
-            last = middle
-        else:
-            clear = middle
-    first = int(np.min(order[place : last + 1]))
-    if first not in refused:
-        ends(int(np.argmin(order[place : last + 1])) + place)
-    named = first if first in refused else int(order[place])
-    error = refused[named]
-    raise OutsideValidity(f"{error} (load at index {named})" if count > 1 else str(error)) from None
 
 
 def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> None:
     """Raise `OutsideValidity` if a disc of this radius would pull or overlap."""
     if radius == 0.0:
         return
-    _ended(lambda: _refuse_tension(bed, depth, radius))
-    _ended(lambda: _refuse_overlap(bed, depth, radius, end))
+    ended(lambda: refuse_tension(bed, depth, radius))
+    ended(lambda: refuse_overlap(bed, depth, radius, end))
 
 
-def _ended(check: Callable[[], bool | None]) -> bool:
+def ended(check: Callable[[], bool | None]) -> bool:
     """Return what a check says, or true if it does not come to an end."""
     try:
         return bool(check())
@@ -169,7 +94,8 @@ def _ended(check: Callable[[], bool | None]) -> bool:
         return True
 
 
-def _pulls(bed: Bed, radius: float) -> bool:
+def pulls(bed: Bed, radius: float) -> bool:
+    """Return whether a flat punch up to a radius pulls somewhere."""
     return bed.medium.punch_facts(radius).pulls
 
 
@@ -183,9 +109,9 @@ def _unfinished(given: Hashable, depth: float, radius: float) -> str:
     bed = cast(Bed, given)
     end = min(bed.reach, bed.rim)
     try:
-        if bed.medium.punch_facts(radius).pulls and not _surely_pressed(bed, np.array([depth]), np.array([radius]))[0]:
-            _refuse_tension(bed, depth, radius)
-        _refuse_overlap(bed, depth, radius, end)
+        if bed.medium.punch_facts(radius).pulls and not surely_pressed(bed, np.array([depth]), np.array([radius]))[0]:
+            refuse_tension(bed, depth, radius)
+        refuse_overlap(bed, depth, radius, end)
     except NotConverged as error:
         return str(error)
     except OutsideValidity:  # of who answers it nevertheless
@@ -193,7 +119,7 @@ def _unfinished(given: Hashable, depth: float, radius: float) -> str:
     return ""
 
 
-def _refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
+def refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
     """Raise `OutsideValidity` if the bodies would overlap outside a disc of this radius."""
     if _clear_outside(bed, depth, radius, end):
         return
@@ -214,11 +140,12 @@ def _refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
         )
 
 
-def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
+def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
+    """Raise `OutsideValidity` if a disc of this radius would have to pull somewhere."""
     slope = bed.gap_slope(np.linspace(0.0, 1.0, SAMPLES + 1)[1:-1] * radius)
-    falling = _falling_kinks(bed, radius)
-    pulls = bed.medium.punch_facts(radius).pulls
-    if not (falling or pulls or np.any(slope < 0.0)):
+    falling = falling_kinks(bed, radius)
+    pulling = bed.medium.punch_facts(radius).pulls
+    if not (falling or pulling or np.any(slope < 0.0)):
         return
     turns = int(np.count_nonzero(np.diff(np.sign(slope))))
     if turns > MOST_TURNS:
@@ -228,7 +155,7 @@ def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
     # beside a kink where the slope drops the pressure falls logarithmically: a gap narrower than this is of no account
     beside = [b * (1.0 + side * 10.0**-k) for b in falling for side in (-1.0, 1.0) for k in range(2, 9)]
     r = np.concatenate([r, [place for place in beside if 0.0 < place < radius]])
-    if pulls:  # a thin coating pulls close to the edge
+    if pulling:  # a thin coating pulls close to the edge
         r = np.concatenate([r, radius * (1.0 - np.geomspace(1e-5, 1e-2, 49))])
     pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
     if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
@@ -244,7 +171,7 @@ def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
         )
 
 
-def _surely_pressed(bed: Bed, depth: Array, radius: Array) -> Array:
+def surely_pressed(bed: Bed, depth: Array, radius: Array) -> Array:
     """Return of which contacts the pressure, by one quick rule, is far from zero: the others are looked at closely.
 
     The pressure is the integral of p1(r; x) g'(x) from r to a, with x = r cosh(w) to take away the root of p1.
@@ -321,11 +248,11 @@ def _rises_between(bed: Bed, low: float, high: float) -> bool:
     """Return whether g does not fall from one radius to another."""
     slope = bed.gap_slope(low + (high - low) * np.arange(1, SAMPLES) / SAMPLES)
     falls = np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) if high > low else False
-    return not (falls or any(b >= low for b in _falling_kinks(bed, high)))
+    return not (falls or any(b >= low for b in falling_kinks(bed, high)))
 
 
 def _bulge(bed: Bed, radius: float, least: float) -> float:
-    """Return how far the surface outside may rise [m]: punches of g' > 0 lift it by -`least`, those of g' < 0 by one."""
+    """Return how far the surface outside may rise [m]: where g' > 0 punches lift it by -`least`, else by one."""
     inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
     return float(np.sum(np.maximum(inside, 0.0)) * max(-least, 0.0) - np.sum(np.minimum(inside, 0.0)))
 
