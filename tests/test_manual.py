@@ -63,6 +63,15 @@ def test_the_page_on_coatings_says_which_problems_take_which_medium(root, column
     assert stated == {kind: takes(kind) for kind in CATALOGUE["problem"] if takes(kind) == "taken" or kind in stated}
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("medium", ["coated_half_space", "depth_graded_half_space"])
+@pytest.mark.parametrize("kind", ["bimodal_damping", "fretting_heat"])
+def test_what_needs_one_ratio_of_stiffnesses_is_refused_on_layers(kind, medium):
+    """As coatings.md says; of an oblique impact tests/problems/test_impact.py says so."""
+    with pytest.raises(wk.OutsideValidity, match="tangential"):
+        build(example_study(kind, medium=medium)["problem"]).solve()
+
+
 def test_pages_lead_on_to_pages_that_are_there(root):
     docs = root / "docs"
     broken = []

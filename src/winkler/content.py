@@ -29,8 +29,6 @@ __all__ = [
     "guarded",
     "guarded_answer",
     "guarded_stream",
-    "refuse_outline",
-    "refuse_unless_round",
     "refuse_wrong",
 ]
 
@@ -126,41 +124,6 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
                 f"{type(content).__name__}: {field.name} is {_size(inside)}; numbers in SI units are between "
                 f"{SMALLEST:g} and {LARGEST:g} in size: check the unit."
             )
-
-
-def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
-    """Refuse a question about the outline of a contact that is not known to be a disc.
-
-    Parameters
-    ----------
-    holder
-        A bed, or what holds one; what has no footprint passes.
-    owner : str
-        Who asks.
-    needed : str
-        What of the question needs a disc.
-
-    Raises
-    ------
-    OutsideValidity
-        With what the bed stands for, and what to use instead.
-    """
-    known = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
-    if why := getattr(known, "unlike_disc", ""):
-        raise OutsideValidity(f"{owner}: {needed} needs a round contact, and {why}.")
-
-
-def refuse_outline(content: Any) -> None:
-    """Refuse the beds in the fields of a value whose class says, in `needs_round`, what of it needs a disc.
-
-    Raises
-    ------
-    OutsideValidity
-        As `refuse_unless_round`.
-    """
-    needed = getattr(type(content), "needs_round", "")
-    for field in dataclasses.fields(content) if needed else ():
-        refuse_unless_round(getattr(content, field.name), type(content).__name__, needed)
 
 
 def _wrong(inside: Any, sort: str) -> bool:

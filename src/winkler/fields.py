@@ -12,7 +12,7 @@ from typing import Protocol, TypeGuard, overload
 
 import numpy as np
 
-from winkler.content import guarded_answer, refuse_unless_round
+from winkler.content import guarded_answer
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
@@ -26,6 +26,7 @@ from winkler.foundation.sheared_fields import (
 )
 from winkler.media.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
+from winkler.outline import refuse_unless_round
 from winkler.problems.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.torsion_states import TorsionState
 from winkler.values import value

@@ -20,10 +20,10 @@ from winkler.content import (
     guarded,
     guarded_answer,
     guarded_stream,
-    refuse_outline,
     refuse_wrong,
 )
 from winkler.errors import InvalidInput, WinklerError
+from winkler.outline import refuse_outline, refuse_relaxing
 
 __all__ = ["frozen_array", "value"]
 
@@ -114,6 +114,7 @@ def value(cls: type[T]) -> type[T]:
                 object.__setattr__(self, field.name, frozen)
         try:
             refuse_outline(self)
+            refuse_relaxing(self)
             if check is not None:
                 with np.errstate(**strict):
                     check(self)

@@ -12,6 +12,7 @@ import winkler as wk
 from winkler.footprint import Ellipse, Round, Unknown
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.media.coated import Layer
+from winkler.plot import draw
 
 STEEL = wk.Elastic(208e9, 0.3, strength=1.2e9)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)
@@ -241,3 +242,17 @@ def test_the_direction_of_a_stiffness_is_stated():
         swing = wk.FrictionDamping(bed, wk.Coulomb(0.3), wk.Force(1.0), wk.Shift(1e-9)).solve()
         assert any(said in note.statement for note in swing.validity)
         assert not any(said in note.statement for note in wk.Indentation(bed, wk.Force(1.0)).solve().validity)
+
+
+def test_pictures_show_springs_and_no_ball():
+    """Of bed, contact and sheared contact what springs tell is drawn: no body, no pressure, no traction."""
+    path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
+    pushed = wk.Tangential(SLENDER, wk.Coulomb(0.3), path).solve()
+    for item, titles in (
+        (wk.Indentation(SLENDER, wk.Force(1.0)).solve(), ["stiffness", "springs", "load of the springs", "force over"]),
+        (pushed.at(-1), ["springs"]),
+    ):
+        shown = [axes.get_title(loc="left") for axes in draw(item).axes]
+        assert all(found.startswith(title) for found, title in zip(shown, titles, strict=True))
+    assert draw(SLENDER).axes[0].get_title(loc="left") == "stiffness"
+    assert draw(pushed).axes

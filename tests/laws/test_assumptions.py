@@ -50,6 +50,13 @@ def test_every_kind_states_what_it_declares_and_nothing_else(kind):
     assert worst(notes) in {note.standing for note in notes}
 
 
+def test_every_public_problem_declares_and_every_public_solution_states():
+    public = {name: getattr(wk, name) for name in wk.__all__}
+    problems = {name: cls for name, cls in public.items() if isinstance(cls, type) and hasattr(cls, "solve")}
+    assert [name for name, cls in problems.items() if not getattr(cls, "assumptions", None)] == []
+    assert [name for name, cls in public.items() if name.endswith("Solution") and not hasattr(cls, "validity")] == []
+
+
 def test_every_assumption_is_declared_by_a_problem_or_belongs_to_fits():
     declared = frozenset().union(*(line.cls.assumptions for line in CATALOGUE["problem"].values()))
     assert declared | {Assumption.CURVE} == set(Assumption)

@@ -182,3 +182,11 @@ def test_what_must_be_given():
     transverse = wk.TransverselyIsotropicHalfSpace.between(wk.TransverselyIsotropic(10.0, 4.0, 3.5, 12.0, 3.0))
     with pytest.raises(wk.InvalidInput, match="the medium is a TransverselyIsotropicHalfSpace; .* give a HalfSpace"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), transverse))
+
+
+@pytest.mark.parametrize("shape", [wk.Sphere(1e-2), wk.AreaFunction((-math.pi, 2.0 * math.pi * 1e-2))])
+@pytest.mark.parametrize(("young", "strength"), [(210e9, 1e20), (1e-20, 1e9)])
+def test_a_strength_that_no_slope_reaches_is_refused(shape, young, strength):
+    bed = wk.Foundation(shape, wk.HalfSpace(wk.Elastic(young, 0.3, strength=strength)))
+    with pytest.raises(wk.OutsideValidity, match="far below the strength, .*check the units"):
+        wk.YieldOnset(bed).solve()

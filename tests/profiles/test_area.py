@@ -166,3 +166,39 @@ def test_a_tip_knows_no_absolute_height(coefficients, size):
         other = wk.Indentation(wk.Foundation(after, medium), wk.Force(one.force * size**2)).solve()
         assert other.depth == pytest.approx(size * depth, rel=1e-11)
         assert other.radius == pytest.approx(size * one.radius, rel=1e-11)
+
+
+TIPS = [(24.5, 2e-6, 3e-9), TIP, (24.5, *(8 * (3e-6,))), (0.0, 2e-6, 0.0, 1e-9), (24.5, -1e-6, 5e-9)]
+
+
+@pytest.mark.parametrize("coefficients", TIPS)
+def test_tables_of_a_tip_against_its_integrals(coefficients):
+    """g and its integral are looked up; what is looked up is what would be integrated, at one place and at many."""
+    profile = wk.AreaFunction(coefficients)
+    x = np.geomspace(1e-12, 1.0, 97)
+    for word, direct in (("gap", profile._gap), ("gap_integral", profile._gap_integral)):
+        looked_up = getattr(profile, word)(x)
+        np.testing.assert_allclose(looked_up, np.where(x > profile._blunt, direct(x), 0.0), rtol=1e-13, err_msg=word)
+        one_by_one = [float(getattr(profile, word)(x[i : i + 1])[0]) for i in range(x.size)]
+        np.testing.assert_allclose(one_by_one, looked_up, rtol=1e-13, err_msg=word)
+
+
+@pytest.mark.parametrize(("coefficients", "reach"), [((-math.pi, 2.0 * math.pi * 3e-6), 3e-6)])
+def test_tables_of_a_tip_end_before_its_reach(coefficients, reach):
+    """A sphere has g = x artanh(x/R) and the integral (x R - (R^2 - x^2) artanh(x/R)) / 2, up to the equator."""
+    profile = wk.AreaFunction(coefficients)
+    s = np.array([1e-3, 0.1, 0.3, 0.49999, 0.50001, 0.7, 0.9, 0.999])
+    with mp.workdps(30):
+        gaps = [float(reach * mp.mpf(u) * mp.atanh(mp.mpf(u))) for u in s.tolist()]
+        stored = [float(reach**2 * (mp.mpf(u) - (1 - mp.mpf(u) ** 2) * mp.atanh(mp.mpf(u))) / 2) for u in s.tolist()]
+    np.testing.assert_allclose(profile.gap(reach * s), gaps, rtol=1e-12)
+    np.testing.assert_allclose(profile.gap_integral(reach * s), stored, rtol=1e-12)
+
+
+@pytest.mark.parametrize("coefficients", TIPS)
+def test_the_slope_far_up_a_tip(coefficients):
+    """Where the first term rules the body is its cone or paraboloid, and what the others add is beyond all digits."""
+    leading = next((c, 2.0 ** (1 - n)) for n, c in enumerate(coefficients) if c)
+    x = 1e9
+    expected = 0.5 * math.pi * math.sqrt(math.pi / leading[0]) if leading[1] == 2.0 else 4.0 * math.pi * x / leading[0]
+    assert float(wk.AreaFunction(coefficients).gap_slope(np.array([x]))[0]) == pytest.approx(expected, rel=1e-9)

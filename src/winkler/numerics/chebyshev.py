@@ -34,6 +34,8 @@ class Panels:
     def __call__(self, x: Array) -> Array:
         """Evaluate by Clenshaw's recurrence; outside the interval the outer panels go on."""
         x = np.asarray(x, dtype=float)
+        if x.size == 1:
+            return np.full(x.shape, self._at(x.item()))
         index = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.edges) - 2)
         low, high = self.edges[index], self.edges[index + 1]
         t = (2.0 * x - low - high) / (high - low)
@@ -46,6 +48,17 @@ class Panels:
             last, current = current, row[index] + double * current - last
         result: Array = rows[0][index] + t * current - last
         return result
+
+    def _at(self, x: float) -> float:
+        """Evaluate at one place, by the same operations."""
+        index = min(max(int(self.edges.searchsorted(x, side="right")) - 1, 0), self.edges.size - 2)
+        low, high = self.edges[index : index + 2].tolist()
+        t = (2.0 * x - low - high) / (high - low)
+        first, *others = self.coefficients[index].tolist()
+        double, last, current = 2.0 * t, 0.0, 0.0
+        for coefficient in reversed(others):
+            last, current = current, coefficient + double * current - last
+        return float(first + t * current - last)
 
     @property
     def derivative(self) -> Panels:

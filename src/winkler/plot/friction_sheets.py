@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.content import refuse_unless_round
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import ShearForce
+from winkler.outline import refuse_unless_round
 from winkler.plot import style
 from winkler.plot.extent import around
 from winkler.plot.friction import (
@@ -102,15 +102,19 @@ def tangential_state_sheet(item: TangentialState | SpringState, extent: float | 
         figure = style.figure(2, 2, height=3.3, width=4.8)
         panels = figure.subplots(2, 2, squeeze=False).ravel()
         draw_dragged(panels[0], sheared, stick, end)
-        fields = around_contact(sheared, near)
-        draw_traction(panels[1], fields, _coefficient(getattr(item, "law", None)), stick)
-        draw_slip(panels[2], fields, item.radius, stick)
         titles = ["springs", "traction", "displacement and slip of the surface", "stress below the surface"]
+        drawn = 1
         try:
+            fields = around_contact(sheared, near)
+            draw_traction(panels[1], fields, _coefficient(getattr(item, "law", None)), stick)
+            draw_slip(panels[2], fields, item.radius, stick)
+            drawn = 3
             draw_dragged_stress(panels[3], sheared, near)
+            drawn = 4
         except OutsideValidity:
-            panels[3].remove()
-            titles = titles[:3]
+            for axes in panels[drawn:]:
+                axes.remove()
+            titles = titles[:drawn]
         for axes, title in zip(panels, titles, strict=False):
             axes.set_title(title)
         shear = np.asarray(item.shear_force, dtype=float)

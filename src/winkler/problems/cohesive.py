@@ -59,8 +59,8 @@ class CohesiveStates:
         if not isinstance(medium, HomogeneousMedium | GradedHalfSpace):
             raise OutsideValidity(
                 f"Dugdale: on a {type(medium).__name__} the line load of a constant stress has no closed form: it "
-                "changes with the radius of every ring; use ShortRange(work), which holds on every medium, or a "
-                "HalfSpace."
+                "changes with the radius of every ring; use ShortRange(work), which holds on elastic layers and "
+                "gradings, or a HalfSpace."
             )
         if isinstance(medium, GradedHalfSpace) and medium.exponent >= 1.0:
             raise OutsideValidity(

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from winkler.content import refuse_unless_round
 from winkler.footprint import Round
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
@@ -15,6 +14,7 @@ from winkler.media.conduction import BARBER, HOLM, Resistances
 from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.strong_parts import strong_parts
 from winkler.problems.trust import size_note, slope_note

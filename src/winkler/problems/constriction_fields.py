@@ -11,13 +11,13 @@ from typing import overload
 
 import numpy as np
 
-from winkler.content import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.media.conductors import ElectricalConductors, HeatConductors
 from winkler.numerics.disc_field import disc_potential, disc_slopes
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
+from winkler.outline import refuse_unless_round
 from winkler.problems.heated_contact import Cold, hot_at_voltage, profile
 from winkler.problems.joule_heating import JouleHeatingSolution, cold_contact
 from winkler.problems.picking import single

@@ -22,7 +22,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.content import refuse_unless_round
 from winkler.errors import OutsideValidity
 from winkler.footprint import Ellipse
 from winkler.foundation.bed import Pressed
@@ -35,6 +34,7 @@ from winkler.media.peak import ZOOMS, greatest
 from winkler.media.stress import von_mises
 from winkler.media.tensor import von_mises_of_tensor
 from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
 from winkler.problems.edge_states import Stretched
 from winkler.problems.elliptic_stress import greatest_under_ellipse
 from winkler.problems.strong_parts import StrongPart

@@ -26,11 +26,12 @@ from winkler.numerics.slip_plane import march_plane
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
+from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.indentation import Indentation
 from winkler.problems.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
 from winkler.problems.stiffness_ratio import refuse_plane
-from winkler.validity import Note
+from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["SpringMarch", "SpringState", "SpringTrace", "march"]
@@ -113,6 +114,7 @@ class SpringMarch:
     count: int = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015",)
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce):

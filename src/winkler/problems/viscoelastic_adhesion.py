@@ -29,7 +29,7 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
-from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.assumptions.declared import ADHESIVE, RELAXING
 from winkler.problems.gathering import rows
 from winkler.problems.viscoelastic_adhesion_crack import Crack
 from winkler.problems.yield_statement import relaxing_yield
@@ -128,7 +128,7 @@ class ViscoelasticAdhesion:
         "johnson_kendall_roberts_1971",
         "ciavarella_2021",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | RELAXING
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:

@@ -28,7 +28,7 @@ def wearable(owner: str, bed: Foundation) -> None:
         raise OutsideValidity(
             f"{owner}: in a {type(bed.medium).__name__} pressure and slip do not follow from the springs alone, and "
             "layers wear away themselves; give HalfSpace(first, second) or GradedHalfSpace(first, second), or ask for "
-            "LimitingProfile, which holds in every medium."
+            "LimitingProfile, which takes elastic layers and gradings, too."
         )
 
 

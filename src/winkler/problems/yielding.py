@@ -22,6 +22,10 @@ __all__ = ["YieldOnset", "YieldOnsetSolution"]
 
 STEPS = 40
 OCTAVES = 500
+LAST = 0.999
+"""Part of the reach of a profile that becomes vertical there, up to which the onset is looked for."""
+WEAK = 10.0
+"""A strength so many times the modulus times the slope there is not reached."""
 
 
 @value
@@ -123,6 +127,7 @@ class YieldOnsetSolution:
 
 def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     """Return the contact radius at which one body yields, and where; or why it does not."""
+    assert isinstance(bed.medium, HalfSpace)
     strength, flat = part.solid.strength, flat_radius(bed)
     sharp = [b for b, jump in bed.kinks if jump != 0.0]
     end = min([bed.reach, bed.rim, *(b for b in sharp if b > flat)])
@@ -140,6 +145,14 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
             return (
                 f"YieldOnset: within the profile's reach ({end:.6g} m) the largest von Mises stress stays below "
                 f"{strength:.6g} Pa; the body does not yield before the profile ends."
+            )
+    elif math.isfinite(end):
+        steepest = float(bed.gap_slope(np.array([LAST * end]))[0])
+        if WEAK * bed.medium.modulus * steepest < strength:
+            return (
+                f"YieldOnset: at {LAST * end:.6g} m, where the profile is nearly vertical, its slope times the modulus "
+                f"is {steepest * bed.medium.modulus:.6g} Pa, far below the strength, {strength:.6g} Pa: the body does "
+                "not yield before; check the units of strength and modulus."
             )
     low, high = flat, end
     last: tuple[float, float] | None = None

@@ -13,10 +13,12 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.numerics.octaves import Octaves
 from winkler.numerics.roots import invert
 from winkler.numerics.settling import settled
 from winkler.numerics.types import Array
@@ -119,10 +121,13 @@ class AreaFunction(Shape):
         return _summit(self)
 
     @property
+    def _known(self) -> _Known:
+        return _known_of(self)
+
+    @property
     def reach(self) -> float:
         """Radius up to which the area grows [m]."""
-        top = self._top
-        return math.inf if top == math.inf else math.sqrt(self._derivatives(np.array([top]))[0][0] / math.pi)
+        return self._known.reach
 
     @property
     def size(self) -> float:
@@ -172,7 +177,7 @@ class AreaFunction(Shape):
     @property
     def _blunt(self) -> float:
         """Radius within which the height counts as zero [m]."""
-        return math.sqrt(self._derivatives(np.array([NOTHING]))[0][0] / math.pi)
+        return self._known.blunt
 
     def _heights(self, r: Array) -> Array:
         top = self._top
@@ -211,10 +216,11 @@ class AreaFunction(Shape):
     def gap(self, x: Array) -> Array:
         """g(x) [m]; infinite at the reach."""
         x = np.asarray(x, dtype=float)
-        result = np.where(x < self.reach, 0.0, math.inf)
-        above = (x > self._blunt) & (x < self.reach)
+        known = self._known
+        result = np.where(x < known.reach, 0.0, math.inf)
+        above = (x > known.blunt) & (x < known.reach)
         if above.any():
-            result[above] = x[above] * self._over(self._heights(x[above]), _stretched, "g(x)")
+            result[above] = known.gap(x[above])
         return result
 
     def gap_slope(self, x: Array) -> Array:
@@ -225,20 +231,31 @@ class AreaFunction(Shape):
         if above.any():
             h, inner = self._heights(x[above]), x[above]
             growth = 2.0 * math.pi * inner / self._derivatives(h)[1]
-            result[above] = self._over(h, _stretched, "g'(x)") + inner * growth * self._over(h, _stretching, "g'(x)")
+            first = self._over(h, _stretched, "g'(x)")
+            bent = inner * growth  # what is added vanishes like rounding where one term rules, as far up a cone
+            result[above] = first + bent * self._over(h, _stretching, "g'(x)", first / bent)
         return result
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x, dtype=float)
+        known = self._known
         result = np.zeros(x.shape)
-        above = x > self._blunt
+        above = x > known.blunt
         if above.any():
-            result[above] = self._over(self._heights(x[above]), _stored, "integral of g")
+            result[above] = known.gap_integral(x[above])
         return result
 
-    def _over(self, h: Array, kernel: Kernel, what: str) -> Array:
-        """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h."""
+    def _gap(self, x: Array) -> Array:
+        """Return g(x) by its integral; `gap` keeps a table of it."""
+        return np.asarray(x * self._over(self._heights(x), _stretched, "g(x)"))
+
+    def _gap_integral(self, x: Array) -> Array:
+        """Return the integral of g from 0 to x by its own integral; `gap_integral` keeps a table of it."""
+        return self._over(self._heights(x), _stored, "integral of g")
+
+    def _over(self, h: Array, kernel: Kernel, what: str, against: Array | float = 0.0) -> Array:
+        """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h; `against` as in `settled`."""
 
         def integrand(node: Array, index: Array) -> Array:
             v = LAST * node  # w = v^2, because D vanishes like w
@@ -252,7 +269,7 @@ class AreaFunction(Shape):
         # where terms of opposite signs nearly cancel, as close to the reach, A' is not better known than that
         parts = [c * n * h**n for c, n in self._terms]
         lost = sum((np.abs(part) for part in parts), 0.0 * h) / np.abs(sum(parts, 0.0 * h))
-        return settled(integrand, h.size, what, np.finfo(float).eps * lost)
+        return settled(integrand, h.size, what, np.finfo(float).eps * lost, against)
 
     @property
     def _apex(self) -> tuple[float, float]:
@@ -261,6 +278,28 @@ class AreaFunction(Shape):
         if n == 2.0:
             return math.sqrt(math.pi / c), 0.0
         return 0.0, 2.0 * math.pi / c if n == 1.0 else 0.0
+
+
+class _Known(NamedTuple):
+    """What is found once: radius [m] up to which the area grows, within which the height is none, tables of g."""
+
+    reach: float
+    blunt: float
+    gap: Octaves
+    gap_integral: Octaves
+
+
+@functools.lru_cache(maxsize=64)
+def _known_of(profile: AreaFunction) -> _Known:
+    top = profile._top
+    blunt, reach = (
+        math.inf if h == math.inf else math.sqrt(profile._derivatives(np.array([h]))[0][0] / math.pi)
+        for h in (NOTHING, top)
+    )
+    # at the reach g is singular: tables end an octave before
+    unit, high = (profile._unit, math.inf) if reach == math.inf else (0.5 * reach, 0.5 * reach)
+    tables = (Octaves(function, unit, 1.2 * blunt, high) for function in (profile._gap, profile._gap_integral))
+    return _Known(reach, blunt, *tables)
 
 
 @functools.lru_cache(maxsize=64)

@@ -1,0 +1,56 @@
+"""The closed list of what an answer may rest on."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+__all__ = ["Assumption"]
+
+
+class Assumption(Enum):
+    """What an answer may rest on.
+
+    Those with a number that is compared with a limit are `checked`: a violation has the standing "outside", or raises
+    `OutsideValidity`.  The others are stated with their error, which has a bound, or is not known and said to be so.
+    """
+
+    RESPONSE = "response of the bodies"
+    SHAPE = "shape of the bodies"
+    HALF_SPACE = "bodies large against the contact"
+    FILM = "indentation small against the film"
+    SMALL_SLOPES = "small slopes"
+    ELASTIC = "no yield"
+    KNOWN_TIMES = "times at which the solid is known"
+    SINGLE_CONTACT = "one round contact"
+    EQUILIBRIUM = "state of equilibrium"
+    ADHESION = "range and law of adhesion"
+    UNCOUPLED = "pressure and traction do not act on each other"
+    SLIP = "law and direction of slip"
+    CALIBRATION = "calibrated springs of rolling"
+    INERTIA = "inertia, waves and weight left out"
+    STEADY = "steady state"
+    RESOLUTION = "numerical resolution"
+    CONDUCTION = "flow of heat and current"
+    CONTINUUM = "contact wide against the free path of carriers"
+    TEMPERATURE = "properties that do not change with temperature"
+    WEAR = "law of wear"
+    ROUGHNESS = "roughness on a line of springs"
+    CURVE = "measured curve"
+
+    @property
+    def checked(self) -> bool:
+        """Whether a violation is found by a number and flagged."""
+        return self not in _STATED
+
+
+_STATED = frozenset(
+    (
+        Assumption.RESPONSE,
+        Assumption.EQUILIBRIUM,
+        Assumption.SLIP,
+        Assumption.STEADY,
+        Assumption.CONDUCTION,
+        Assumption.WEAR,
+        Assumption.CURVE,
+    )
+)

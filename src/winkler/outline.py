@@ -1,0 +1,64 @@
+"""Refusal of beds that do not fit a problem: an outline that is not known to be a disc, bodies that relax."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+from winkler.assumption import Assumption
+from winkler.errors import OutsideValidity
+
+__all__ = ["refuse_outline", "refuse_relaxing", "refuse_unless_round"]
+
+
+def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
+    """Refuse a question about the outline of a contact that is not known to be a disc.
+
+    Parameters
+    ----------
+    holder
+        A bed, or what holds one; what has no footprint passes.
+    owner : str
+        Who asks.
+    needed : str
+        What of the question needs a disc.
+
+    Raises
+    ------
+    OutsideValidity
+        With what the bed stands for, and what to use instead.
+    """
+    known = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
+    if why := getattr(known, "unlike_disc", ""):
+        raise OutsideValidity(f"{owner}: {needed} needs a round contact, and {why}.")
+
+
+def refuse_outline(content: Any) -> None:
+    """Refuse the beds in the fields of a value whose class says, in `needs_round`, what of it needs a disc.
+
+    Raises
+    ------
+    OutsideValidity
+        As `refuse_unless_round`.
+    """
+    needed = getattr(type(content), "needs_round", "")
+    for field in dataclasses.fields(content) if needed else ():
+        refuse_unless_round(getattr(content, field.name), type(content).__name__, needed)
+
+
+def refuse_relaxing(content: Any) -> None:
+    """Refuse bodies that relax in a problem which knows no time: one that does not assume `Assumption.KNOWN_TIMES`.
+
+    Raises
+    ------
+    OutsideValidity
+        That of the medium, with what to use instead.
+    """
+    assumed = getattr(type(content), "assumptions", None)
+    if assumed is None or Assumption.KNOWN_TIMES in assumed:
+        return
+    for field in dataclasses.fields(content):
+        part = getattr(content, field.name)
+        timeless = getattr(part, "timeless", None) or getattr(getattr(part, "medium", None), "timeless", None)
+        if timeless is not None:
+            raise timeless()
