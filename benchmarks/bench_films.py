@@ -49,6 +49,29 @@ def bench_force_curve(benchmark, below, name, width):
     below(1.0, f"incompressible film, {name}, F at 200 depths up to a/h = {width:g}, from nothing")
 
 
+TURNING = {
+    "sharpened tip": lambda a: wk.CappedParaboloid(50.0 * a, 49.0 * a, 0.3 * a),
+    "sharpened tip on a cylinder": lambda a: wk.CappedCylinder(2.0 * a, TURNING["sharpened tip"](a)),
+    "weak waves": lambda a: wk.Paraboloid(50.0 * a) + wk.Wavy(5e-5 * a, 0.2 * a),
+}
+
+
+@pytest.mark.parametrize("name", TURNING)
+@pytest.mark.parametrize("width", [0.001, 1.0, 10.0, 100.0])
+def bench_force_curve_of_a_turning_profile(benchmark, below, name, width):
+    """The same for shapes whose g is not known to rise: all contacts are looked at for tension and overlap."""
+    a = width * THICKNESS
+    bed = wk.Foundation(TURNING[name](a), film(1e3, THICKNESS, 0.5))
+    deepest = float(bed.gap(np.array([a]))[0])
+
+    def curve() -> wk.IndentationSolution:
+        return wk.Indentation(bed, wk.Depth(np.linspace(0.0, deepest, 201)[1:])).solve()
+
+    found = benchmark.pedantic(curve, setup=forget, rounds=3)
+    assert found.radius[-1] == pytest.approx(a, rel=1e-9)
+    below(3.0, f"incompressible film, {name}, F at 200 depths up to a/h = {width:g}, from nothing")
+
+
 def _fit(shape: Profile, base: Solid) -> wk.Fit:
     def model(young: float, thickness: float) -> wk.Indentation:
         layer = wk.Layer(wk.Elastic(young, 0.5), thickness)

@@ -36,6 +36,8 @@ __all__ = ["Carried", "spread", "surface"]
 RULES = (16, 32, 64)
 SETTLED = 1e-12
 LAST = 1e-8
+KNOWN = 1e-13
+"""How closely, relative to the greatest, the springs' displacement is tabulated for integrals over it."""
 STEP = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
 CHUNK = 200_000
@@ -123,6 +125,19 @@ def _size(load: Carried) -> float:
     return float(np.max(np.abs(load.displacement.value(load.radius * np.linspace(0.0, 1.0, 9)))))
 
 
+@functools.lru_cache(maxsize=64)
+def _springs(given: Hashable) -> RootPanels:
+    """Return u(x) on panels: the springs are asked for at many more places than it takes to know them."""
+    displacement = cast(Displacement, given)
+    a, kinks = displacement.radius, np.array([b for b, _ in displacement.kinks if b < displacement.radius])
+
+    def tolerances(values: Array) -> Array:
+        return np.asarray(KNOWN * np.max(np.abs(values), axis=1))
+
+    edges = np.concatenate([[0.0], kinks, [a]])
+    return fit(lambda x: displacement.value(x)[None], np.unique(edges), kinks, tolerances)
+
+
 def _panels(load: Carried) -> RootPanels:
     return _tabulated(cast(Hashable, load))
 
@@ -176,14 +191,14 @@ def _settled(sums: Callable[[int, Array], Array], x: Array, least: Array, aim: f
 
 
 def _rho_sums(load: Carried, x: Array, kinks: Array, count: int) -> Array:
-    a, response = load.radius, load.response
+    a, response, springs = load.radius, load.response, _springs(cast(Hashable, load.displacement))
     steps, fixed = _steps(response, a), doubled(list(kinks), a)
     result = np.empty((2, x.size))
     width = max(1, CHUNK // (count * (steps.size + fixed.size + 5)))
     for start in range(0, x.size, width):
         part = x[start : start + width]
         t, weights = nodes(_rows(fixed, part[:, None] + steps, part, a), kinks, count)
-        w = weights * fredholm.edge(response, t) * load.displacement.value(t)
+        w = weights * fredholm.edge(response, t) * springs(t)[0]
         rho = fredholm.resolvent(response, np.broadcast_to(part[:, None], t.shape), t)
         result[:, start : start + width] = np.sum(w * rho.value, axis=1), np.sum(w * rho.across, axis=1)
     own = fredholm.resolvent(response, x, x).value * fredholm.edge(response, x) * load.displacement.value(x)
@@ -210,6 +225,10 @@ def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
     kinks = np.array([b for b, _ in load.kinks])
     panels = np.unique(np.concatenate([doubled(list(kinks), a), a - steps[steps < a]]))
     least = np.array([_size(load) / a**order])
+    springs = _springs(cast(Hashable, load.displacement))
+
+    def line_load(t: Array) -> Array:
+        return np.asarray(fredholm.edge(load.response, t) * springs(t)[0] - _panels(load)(t)[0])
 
     def sums(count: int, x: Array) -> Array:
         result = np.empty((1, x.size))
@@ -220,7 +239,7 @@ def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
             t, weights = nodes(_rows(panels, near, np.zeros(part.size), a), kinks, count)
             towards = np.sign(part - t) if order else 1.0
             both = towards * kernel(np.abs(part - t)) + kernel(part + t)
-            result[0, start : start + width] = 0.5 * np.sum(weights * load.value(t) * both, axis=1)
+            result[0, start : start + width] = 0.5 * np.sum(weights * line_load(t) * both, axis=1)
         return result
 
     def tolerances(values: Array) -> Array:

@@ -36,6 +36,8 @@ FINEST = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
 FINEST_ROUNDED = 4.0
 """The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
+IN_LENGTHS = "times the thickness of the uppermost layer (or the length over which moduli change)"
+"""The unit in which sentences tell radii: tables know no metres."""
 HALVINGS = 4
 """How often an octave of radii may be halved."""
 
@@ -108,8 +110,9 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
         if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
             if tail > max(LAST, 100.0 * _settled(response)):
                 raise NotConverged(
-                    f"The flat punches between {low:.3g} m and {high:.3g} m are not resolved (the series ends at "
-                    f"{tail:.1e}); the contrasts of the stack are beyond what winkler can carry."
+                    f"Flat punches with radii of {low / response.length:.3g} to {high / response.length:.3g} "
+                    f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
+                    "beyond what winkler can carry: ask for narrower contacts."
                 )
             done.append(table)
         else:
@@ -199,8 +202,8 @@ def _enough(response: Response, high: float, panels: Array) -> int:
         last = finer
     if change > max(LAST, 100.0 * settled):
         raise NotConverged(
-            f"The flat punch of radius {high:.3g} m still moves by {change:.1e}; the contrasts of the stack are beyond "
-            "what winkler can carry."
+            f"A flat punch with a radius of {high / response.length:.3g} {IN_LENGTHS} still moves by {change:.1e}; the "
+            "contrasts of the stack are beyond what winkler can carry: ask for a narrower contact."
         )
     return COUNTS[-1]
 

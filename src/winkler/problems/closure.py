@@ -1,7 +1,7 @@
 r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
 
-Where the body is known to let g rise, all loads are met at once; on media where that does not make every contact one
-disc, `winkler.problems.one_disc` looks at them afterwards.  All others go through it one by one.
+Where the body is known to let g rise, Newton's method meets all loads; elsewhere `winkler.problems.disc` does, climb by
+climb.  Where a rising g does not make every contact one disc, `winkler.problems.many_discs` looks at them afterwards.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from winkler.media.body_of import thickness_of
 from winkler.numerics.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.problems import disc
-from winkler.problems.one_disc import refuse_unless_discs, rises
+from winkler.problems.many_discs import refuse_unless_discs
+from winkler.problems.one_disc import rises
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
 
@@ -94,8 +95,8 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
         if rises(bed, float(np.max(radius, initial=0.0))):
             refuse_unless_discs(bed, depth, radius, _end(bed))
             return depth.copy(), radius
-    radius = np.zeros(depth.shape)
-    _one_by_one(radius, depth, lambda d: disc.radius_at_depth(bed, d, _end(bed), _guess(bed, bed.gap, d)))
+    radius = disc.radii_at_depth(bed, depth, _end(bed), _guesses(bed, bed.gap))
+    refuse_unless_discs(bed, depth, radius, _end(bed))
     return depth.copy(), radius
 
 
@@ -150,29 +151,26 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
             "pressed together: give a force of zero or more."
         )
-    radius, looked_at = _radius_at_force(bed, force)
+    radius = _radius_at_force(bed, force)
     # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
     stiffness = bed.stiffness(radius)
     touching = stiffness > 0.0
     depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
-    if not looked_at:
-        refuse_unless_discs(bed, depth, radius, _end(bed))
+    refuse_unless_discs(bed, depth, radius, _end(bed))
     return depth, radius
 
 
-def _radius_at_force(bed: Bed, force: Array) -> tuple[Array, bool]:
-    """Return the radii, and whether the contacts were looked at."""
+def _radius_at_force(bed: Bed, force: Array) -> Array:
+    """Return the radii of contacts under forces that are not tensile."""
     if bed.rising:
         radius = _radii_at_force(bed, force)
         if rises(bed, float(np.max(radius, initial=0.0))):
-            return radius, False
-    radius = np.zeros(force.shape)
+            return radius
 
     def borne(a: Array) -> Array:
         return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
 
-    _one_by_one(radius, force, lambda load: disc.radius_at_force(bed, load, _end(bed), _guess(bed, borne, load)))
-    return radius, True
+    return disc.radii_at_force(bed, force, _end(bed), _guesses(bed, borne))
 
 
 def _radii_at_force(bed: Bed, force: Array) -> Array:
@@ -196,17 +194,19 @@ def _radii_at_force(bed: Bed, force: Array) -> Array:
     return radius
 
 
-def _one_by_one(radius: Array, asked: Array, answer: Callable[[float], float]) -> None:
-    """Fill in the radii of positive loads, naming the load that is refused."""
-    for index in np.flatnonzero(asked > 0.0):
-        try:
-            radius[index] = answer(float(asked[index]))
-        except OutsideValidity as error:
-            raise OutsideValidity(f"{error} (load at index {index})" if asked.size > 1 else str(error)) from None
-
-
 def _guess(bed: Bed, value: Callable[[Array], Array], asked: float) -> float:
     """Return a radius of the order of the lengths of body, layers and load, where the search begins."""
+    return _guesses(bed, value)(asked)
+
+
+def _guesses(bed: Bed, value: Callable[[Array], Array]) -> Callable[[float], float]:
+    """Return what gives such a radius for each of many loads."""
+    length = _length(bed)
+    return lambda asked: length if np.isfinite(length) else rough_root(value, asked)
+
+
+def _length(bed: Bed) -> float:
+    """Return a radius of the order of the lengths of body and layers; infinite if they have none."""
     flat, end, layers = flat_radius(bed), _end(bed), thickness_of(bed.medium)
     if np.isfinite(end):
         return flat + min(0.02 * (end - flat), layers)
@@ -214,8 +214,7 @@ def _guess(bed: Bed, value: Callable[[Array], Array], asked: float) -> float:
         return flat + min(flat, layers)
     if np.isfinite(bed.size):
         return min(0.02 * bed.size, layers)
-    length = min([layers, *(b for b, _ in bed.kinks)])
-    return length if np.isfinite(length) else rough_root(value, asked)
+    return min([layers, *(b for b, _ in bed.kinks)])
 
 
 def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[float, float | Array]:

@@ -2,22 +2,25 @@ r"""Which contact radius meets a load, where g may turn: the radius jumps from c
 
 A disc of radius a needs every spring inside compressed, so g(a) must be a record: :math:`g(a)\ge g(x)` for
 :math:`x<a`.  Beyond a crest of g the radius jumps to where g is back at the crest; forces in between belong to rings.
-Every radius found is looked at by `winkler.problems.one_disc`.
+Many loads are met at once: where g turns is found once for all that have the same horizon.
 """
 
 from __future__ import annotations
 
+import functools
 import math
-from itertools import pairwise
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.problems.one_disc import MOST_TURNS, SAMPLES, refuse_unless_disc, too_many
+from winkler.numerics.roots import bracketed
+from winkler.numerics.types import Array
+from winkler.problems.one_disc import MOST_TURNS, SAMPLES, too_many
 
-__all__ = ["radius_at_depth", "radius_at_force"]
+__all__ = ["radii_at_depth", "radii_at_force"]
 
 
 class Climb(NamedTuple):
@@ -27,91 +30,122 @@ class Climb(NamedTuple):
     stop: float
 
 
-def _root(function, low: float, high: float) -> float:  # type: ignore[no-untyped-def]
-    from scipy.optimize import brentq
-
-    return float(brentq(function, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=300))
-
-
-def _turns(bed: Bed, end: float) -> list[float]:
+def _turns(bed: Bed, end: float) -> Array:
     """Return the places up to `end` where g' changes sign."""
     x = np.linspace(0.0, end, SAMPLES + 1)[1:]
     slope = bed.gap_slope(x)
     changes = np.flatnonzero(np.sign(slope[1:]) * np.sign(slope[:-1]) < 0)
     if changes.size > MOST_TURNS:
         raise OutsideValidity(too_many(end))
-    return [_root(lambda t: float(bed.gap_slope(np.array([t]))[0]), x[i], x[i + 1]) for i in changes]
-
-
-def _gap(bed: Bed, x: float) -> float:
-    return float(bed.gap(np.array([x]))[0])
+    low, high = x[changes], x[changes + 1]
+    # a kink at which g' drops from above zero is a crest itself
+    crests = np.array([b for b, strength in bed.kinks if strength < 0.0])
+    next_crest = np.append(crests, np.inf)[np.searchsorted(crests, low)]
+    crest = (slope[changes] > 0.0) & (next_crest < high)
+    found = np.where(crest, next_crest, low)
+    found[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
+    return found
 
 
 def _climbs(bed: Bed, end: float) -> list[Climb]:
-    bounds = [0.0, *_turns(bed, end), end]
-    record = 0.0
+    bounds = np.concatenate([[0.0], _turns(bed, end), [end]])
+    tops = bed.gap(bounds)
+    # what was the highest before each: beyond a crest g is back at it only later
+    record = np.maximum.accumulate(np.maximum(tops, 0.0))
+    (climbing,) = np.nonzero(tops[1:] > record[:-1])
+    start, stop, before = bounds[climbing], bounds[climbing + 1], record[climbing]
+    (late,) = np.nonzero(tops[climbing] < before)
+    start[late] = bracketed(lambda t, i: bed.gap(t) - before[late][i], start[late], stop[late])
+    return [Climb(*ends) for ends in zip(start.tolist(), stop.tolist(), strict=True)]
+
+
+class _Landscape:
+    """What many loads ask of one bed, each found once: where g climbs, what it and the force are at single places."""
+
+    def __init__(self, bed: Bed, end: float) -> None:
+        self.bed, self.end = bed, end
+        self.climbs = functools.cache(lambda horizon: _climbs(bed, horizon))
+        self.gap = functools.cache(lambda x: float(bed.gap(np.array([x]))[0]))
+        self.force = functools.cache(lambda x: float(_forces(bed, np.array([x]))[0]))
+
+    def horizon(self, value: Callable[[float], float], asked: float, guess: float) -> float:
+        """Return a place at which a value is met, and not at half of it, by doubling or halving the guess."""
+        place = guess
+        for _ in range(400):
+            if value(place) >= asked:
+                if not value(0.5 * place) >= asked:
+                    return place
+                place *= 0.5
+            elif place >= self.end:
+                return self.end
+            else:
+                place = min(2.0 * place, self.end)
+        raise NotConverged(
+            "The load is not met at any contact radius that can be represented; check the profile's units."
+        )
+
+    def at_depth(self, depth: float, guess: float) -> Climb:
+        """Return the climb on which g meets a depth, or refuse."""
+        for climb in self.climbs(self.horizon(self.gap, depth, guess)):
+            if self.gap(climb.stop) >= depth:
+                return climb
+        _refuse_unless_pinned(self.bed, f"depth {depth:.6g} m", self.end)
+        return Climb(self.end, self.end)
+
+    def at_force(self, force: float, guess: float) -> Climb:
+        """Return the climb on which a force is met, or refuse."""
+        place = self.horizon(self.force, force, guess)
+        # in a valley of g the force may be met below the crest before it
+        for horizon in (place, min(2.0 * place, self.end)):
+            for climb in self.climbs(horizon):
+                if force < self.force(climb.start):
+                    raise OutsideValidity(
+                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(climb.start):.6g} m "
+                        f"depth it closes inside, from {self.force(climb.start):.6g} N on as a disc of "
+                        f"{climb.start:.6g} m; ask for a force outside."
+                    )
+                if force <= self.force(climb.stop):
+                    return climb
+        _refuse_unless_pinned(self.bed, f"force {force:.6g} N", self.end)
+        return Climb(self.end, self.end)
+
+
+def _forces(bed: Bed, a: Array) -> Array:
+    return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
+
+
+def _met(value: Callable[[Array], Array], asked: Array, climbs: list[Climb]) -> Array:
+    start, stop = np.array(climbs).T
+    radius: Array = stop.copy()
+    (free,) = np.nonzero(start < stop)
+    radius[free] = bracketed(lambda x, i: value(x) - asked[free][i], start[free], stop[free])
+    return radius
+
+
+def radii_at_depth(bed: Bed, depth: Array, end: float, guess: Callable[[float], float]) -> Array:
+    """Return the contact radii at depths ``(m,)``, zero where there is no contact, or refuse, naming the load."""
+    seen = _Landscape(bed, end)
+    return _all_met(bed.gap, depth, lambda d: seen.at_depth(d, guess(d)))
+
+
+def radii_at_force(bed: Bed, force: Array, end: float, guess: Callable[[float], float]) -> Array:
+    """Return the contact radii under forces ``(m,)``, zero without force, or refuse, naming the load."""
+    seen = _Landscape(bed, end)
+    return _all_met(functools.partial(_forces, bed), force, lambda load: seen.at_force(load, guess(load)))
+
+
+def _all_met(value: Callable[[Array], Array], asked: Array, climb: Callable[[float], Climb]) -> Array:
+    radius = np.zeros(asked.shape)
+    (loaded,) = np.nonzero(asked > 0.0)
     climbs = []
-    for low, high in pairwise(bounds):
-        top = _gap(bed, high)
-        if top <= record:
-            continue
-        start = low if _gap(bed, low) >= record else _root(lambda t, r=record: _gap(bed, t) - r, low, high)
-        climbs.append(Climb(start, high))
-        record = top
-    return climbs
-
-
-def _horizon(bed: Bed, reached, end: float, guess: float) -> float:  # type: ignore[no-untyped-def]
-    """Return a place beyond which the target is met, by doubling or halving the guess."""
-    place = guess
-    for _ in range(400):
-        if reached(place):
-            if not reached(0.5 * place):
-                return min(2.0 * place, end)
-            place *= 0.5
-        elif place >= end:
-            return end
-        else:
-            place = min(2.0 * place, end)
-    raise NotConverged("The load is not met at any contact radius that can be represented; check the profile's units.")
-
-
-def _force(bed: Bed, a: float) -> float:
-    place = np.array([a])
-    return float((bed.stiffness(place) * bed.gap(place) - bed.gap_load(place))[0])
-
-
-def radius_at_depth(bed: Bed, depth: float, end: float, guess: float) -> float:
-    """Return the contact radius at a depth, or refuse."""
-    horizon = _horizon(bed, lambda x: _gap(bed, x) >= depth, end, guess)
-    for climb in _climbs(bed, horizon):
-        if _gap(bed, climb.stop) >= depth:
-            radius = _root(lambda t: _gap(bed, t) - depth, climb.start, climb.stop)
-            refuse_unless_disc(bed, depth, radius, end)
-            return radius
-    _refuse_unless_pinned(bed, f"depth {depth:.6g} m", end)
-    refuse_unless_disc(bed, depth, end, end)
-    return end
-
-
-def radius_at_force(bed: Bed, force: float, end: float, guess: float) -> float:
-    """Return the contact radius under a force, or refuse."""
-    horizon = _horizon(bed, lambda x: _force(bed, x) >= force, end, guess)
-    for climb in _climbs(bed, horizon):
-        low, high = _force(bed, climb.start), _force(bed, climb.stop)
-        if force < low:
-            raise OutsideValidity(
-                f"force {force:.6g} N lies where the contact is no disc: up to {_gap(bed, climb.start):.6g} m depth it "
-                f"closes inside, from {low:.6g} N on as a disc of {climb.start:.6g} m; ask for a force outside."
-            )
-        if force <= high:
-            radius = _root(lambda t: _force(bed, t) - force, climb.start, climb.stop)
-            refuse_unless_disc(bed, _gap(bed, radius), radius, end)
-            return radius
-    _refuse_unless_pinned(bed, f"force {force:.6g} N", end)
-    place = np.array([end])
-    refuse_unless_disc(bed, float(((force + bed.gap_load(place)) / bed.stiffness(place))[0]), end, end)
-    return end
+    for index in loaded:
+        try:
+            climbs.append(climb(float(asked[index])))
+        except OutsideValidity as error:
+            raise OutsideValidity(f"{error} (load at index {index})" if asked.size > 1 else str(error)) from None
+    if climbs:
+        radius[loaded] = _met(value, asked[loaded], climbs)
+    return radius
 
 
 def _refuse_unless_pinned(bed: Bed, asked: str, end: float) -> None:

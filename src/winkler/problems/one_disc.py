@@ -25,7 +25,22 @@ from winkler.media.medium import CALM
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["MOST_TURNS", "SAMPLES", "refuse_unless_disc", "refuse_unless_discs", "rises", "too_many", "unfinished"]
+__all__ = [
+    "FEWER",
+    "LEVEL",
+    "MOST_TURNS",
+    "SAMPLES",
+    "ended",
+    "falling_kinks",
+    "pulls",
+    "refuse_overlap",
+    "refuse_tension",
+    "refuse_unless_disc",
+    "rises",
+    "surely_pressed",
+    "too_many",
+    "unfinished",
+]
 
 SAMPLES = 4096
 """How finely g' is searched for changes of sign; narrower waves are not seen."""
@@ -55,47 +70,23 @@ def rises(bed: Bed, radius: float) -> bool:
     if bed.certain or radius == 0.0:
         return True
     slope = bed.gap_slope(np.arange(1, FEWER) / FEWER * radius)
-    return not (np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) or _falling_kinks(bed, radius))
+    return not (np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) or falling_kinks(bed, radius))
 
 
-def _falling_kinks(bed: Bed, radius: float) -> list[float]:
+def falling_kinks(bed: Bed, radius: float) -> list[float]:
+    """Return the places within a radius at which g' drops."""
     return [b for b, strength in bed.kinks if strength < 0.0 and b < radius]
-
-
-def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> None:
-    """Raise `OutsideValidity`, naming the load, unless each of many contacts is one disc.
-
-    With u1 <= 1 and a rising g the separation at r falls as the contact grows, so that the widest contact clears all.
-    A check that does not come to an end refuses nothing: `unfinished` tells of it.
-    """
-    (touching,) = np.nonzero(radius > 0.0)
-    if bed.certain or not touching.size:
-        return
-    widest = touching[np.argmax(depth[touching])]
-    clear = bed.rising and _ended(lambda: _clear_outside(bed, float(depth[widest]), float(radius[widest]), end))
-    if clear:
-        pulls = [_ended(functools.partial(_pulls, bed, a)) for a in radius[touching].tolist()]
-        touching = touching[pulls]
-        touching = touching[~_surely_pressed(bed, depth[touching], radius[touching])]
-    for index in touching:
-        try:
-            if clear:
-                _ended(functools.partial(_refuse_tension, bed, float(depth[index]), float(radius[index])))
-            else:
-                refuse_unless_disc(bed, float(depth[index]), float(radius[index]), end)
-        except OutsideValidity as error:
-            raise OutsideValidity(f"{error} (load at index {index})" if depth.size > 1 else str(error)) from None
 
 
 def refuse_unless_disc(bed: Bed, depth: float, radius: float, end: float) -> None:
     """Raise `OutsideValidity` if a disc of this radius would pull or overlap."""
     if radius == 0.0:
         return
-    _ended(lambda: _refuse_tension(bed, depth, radius))
-    _ended(lambda: _refuse_overlap(bed, depth, radius, end))
+    ended(lambda: refuse_tension(bed, depth, radius))
+    ended(lambda: refuse_overlap(bed, depth, radius, end))
 
 
-def _ended(check: Callable[[], bool | None]) -> bool:
+def ended(check: Callable[[], bool | None]) -> bool:
     """Return what a check says, or true if it does not come to an end."""
     try:
         return bool(check())
@@ -103,7 +94,8 @@ def _ended(check: Callable[[], bool | None]) -> bool:
         return True
 
 
-def _pulls(bed: Bed, radius: float) -> bool:
+def pulls(bed: Bed, radius: float) -> bool:
+    """Return whether a flat punch up to a radius pulls somewhere."""
     return bed.medium.punch_facts(radius).pulls
 
 
@@ -117,9 +109,9 @@ def _unfinished(given: Hashable, depth: float, radius: float) -> str:
     bed = cast(Bed, given)
     end = min(bed.reach, bed.rim)
     try:
-        if bed.medium.punch_facts(radius).pulls and not _surely_pressed(bed, np.array([depth]), np.array([radius]))[0]:
-            _refuse_tension(bed, depth, radius)
-        _refuse_overlap(bed, depth, radius, end)
+        if bed.medium.punch_facts(radius).pulls and not surely_pressed(bed, np.array([depth]), np.array([radius]))[0]:
+            refuse_tension(bed, depth, radius)
+        refuse_overlap(bed, depth, radius, end)
     except NotConverged as error:
         return str(error)
     except OutsideValidity:  # of who answers it nevertheless
@@ -127,9 +119,9 @@ def _unfinished(given: Hashable, depth: float, radius: float) -> str:
     return ""
 
 
-def _refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
+def refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
     """Raise `OutsideValidity` if the bodies would overlap outside a disc of this radius."""
-    if (bed.rising or isinstance(bed, PlaneFoundation)) and _clear_outside(bed, depth, radius, end):
+    if _clear_outside(bed, depth, radius, end):
         return
     # far outside heights may overflow: what is infinitely high does not overlap
     with np.errstate(over="ignore", invalid="ignore"):
@@ -148,11 +140,12 @@ def _refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
         )
 
 
-def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
+def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
+    """Raise `OutsideValidity` if a disc of this radius would have to pull somewhere."""
     slope = bed.gap_slope(np.linspace(0.0, 1.0, SAMPLES + 1)[1:-1] * radius)
-    falling = _falling_kinks(bed, radius)
-    pulls = bed.medium.punch_facts(radius).pulls
-    if not (falling or pulls or np.any(slope < 0.0)):
+    falling = falling_kinks(bed, radius)
+    pulling = bed.medium.punch_facts(radius).pulls
+    if not (falling or pulling or np.any(slope < 0.0)):
         return
     turns = int(np.count_nonzero(np.diff(np.sign(slope))))
     if turns > MOST_TURNS:
@@ -162,7 +155,7 @@ def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
     # beside a kink where the slope drops the pressure falls logarithmically: a gap narrower than this is of no account
     beside = [b * (1.0 + side * 10.0**-k) for b in falling for side in (-1.0, 1.0) for k in range(2, 9)]
     r = np.concatenate([r, [place for place in beside if 0.0 < place < radius]])
-    if pulls:  # a thin coating pulls close to the edge
+    if pulling:  # a thin coating pulls close to the edge
         r = np.concatenate([r, radius * (1.0 - np.geomspace(1e-5, 1e-2, 49))])
     pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
     if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
@@ -178,7 +171,7 @@ def _refuse_tension(bed: Bed, depth: float, radius: float) -> None:
         )
 
 
-def _surely_pressed(bed: Bed, depth: Array, radius: Array) -> Array:
+def surely_pressed(bed: Bed, depth: Array, radius: Array) -> Array:
     """Return of which contacts the pressure, by one quick rule, is far from zero: the others are looked at closely.
 
     The pressure is the integral of p1(r; x) g'(x) from r to a, with x = r cosh(w) to take away the root of p1.
@@ -212,6 +205,14 @@ def _clear_outside(bed: Bed, depth: float, radius: float, end: float) -> bool:
         return True
     if isinstance(bed, PlaneFoundation):  # its g is given, as far as one may ask
         return rises(bed, min(1e3 * radius, end)) and bed.medium.punch_facts(4.0 * radius).most <= 1.0
+    reached = _lowest_rise(bed, depth, radius, end) if bed.rising else _low_reach(bed, depth, radius, end)
+    if not reached < np.inf or bed.medium.punch_facts(reached).most > 1.0:
+        return False
+    return rises(bed, reached) if bed.rising else _rises_between(bed, radius, reached)
+
+
+def _lowest_rise(bed: Bed, depth: float, radius: float, end: float) -> float:
+    """Return how far outside a body whose f never falls may be met by the surface [m]; infinite if not found out."""
     beside = bed.medium.punch_facts(radius)
     bulge = max(0.0, -beside.least)
     far = min(1e3 * radius, end)
@@ -219,10 +220,48 @@ def _clear_outside(bed: Bed, depth: float, radius: float, end: float) -> bool:
     height = bed.height(r)
     high = (height >= (1.0 + bulge) * depth) | ((r >= radius + beside.calm) & (height >= (1.0 - CALM) * depth))
     if not high.any() and far < end:
-        return False
-    reached = float(r[np.argmax(high)]) if high.any() else far
-    facts = bed.medium.punch_facts(reached)
-    return facts.most <= 1.0 and rises(bed, reached)
+        return np.inf
+    return float(r[np.argmax(high)]) if high.any() else far
+
+
+def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
+    """Return the same of a body whose f may fall again."""
+    near, far = _outside(radius, end)
+    places = np.concatenate([near, _troughs(bed, near), far, _troughs(bed, far)])
+    facts = bed.medium.punch_facts(radius)
+    with np.errstate(over="ignore", invalid="ignore"):
+        height = bed.height(places)
+        high = (height >= depth + _bulge(bed, radius, facts.least)) | (
+            (places >= radius + facts.calm) & (height >= depth + _bulge(bed, radius, CALM))
+        )
+    low = places[~high]
+    if not low.size:
+        return radius
+    # f may still be low up to the next sample
+    reached = np.min(places[places > np.max(low)], initial=np.inf)
+    if not np.isfinite(reached) and np.max(low) >= end * (1.0 - 1e-12):
+        reached = end
+    return float(reached) if reached <= 1e3 * radius else np.inf
+
+
+def _rises_between(bed: Bed, low: float, high: float) -> bool:
+    """Return whether g does not fall from one radius to another."""
+    slope = bed.gap_slope(low + (high - low) * np.arange(1, SAMPLES) / SAMPLES)
+    falls = np.any(slope < -LEVEL * np.max(slope[np.isfinite(slope)])) if high > low else False
+    return not (falls or any(b >= low for b in falling_kinks(bed, high)))
+
+
+def _bulge(bed: Bed, radius: float, least: float) -> float:
+    """Return how far the surface outside may rise [m]: where g' > 0 punches lift it by -`least`, else by one."""
+    inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
+    return float(np.sum(np.maximum(inside, 0.0)) * max(-least, 0.0) - np.sum(np.minimum(inside, 0.0)))
+
+
+def _outside(radius: float, end: float) -> tuple[Array, Array]:
+    """Return places near outside a contact, and far."""
+    near = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
+    near = near[near > radius]
+    return near, np.geomspace(3.0 * radius, min(FAR * radius, end), SAMPLES) if end > 3.0 * radius else near[:0]
 
 
 def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> Array:
@@ -231,17 +270,13 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
     Where springs tell the separation, they cannot where g >= d all the way from the edge, nor where f >= d; on layers
     the surface may bulge.
     """
-    near = np.linspace(radius, min(3.0 * radius, end), SAMPLES + 1)[1:]
-    near = near[near > radius]
-    far = np.geomspace(3.0 * radius, min(FAR * radius, end), SAMPLES) if end > 3.0 * radius else near[:0]
+    near, far = _outside(radius, end)
     facts = bed.medium.punch_facts(radius)
     if not facts.telling:
-        inside = np.diff(bed.gap(radius * np.linspace(0.0, 1.0, SAMPLES + 1)))
-        bulge = float(np.sum(np.maximum(inside, 0.0)) * max(-facts.least, 0.0) - np.sum(np.minimum(inside, 0.0)))
         places = np.concatenate(
             [near[:: SAMPLES // 400], _troughs(bed, near), far[:: SAMPLES // 400], _troughs(bed, far)]
         )
-        return np.asarray(places[bed.height(places) < depth + bulge])
+        return np.asarray(places[bed.height(places) < depth + _bulge(bed, radius, facts.least)])
     found = []
     if np.any(bed.gap(near) < depth):
         found += [near[:: SAMPLES // 400], _troughs(bed, near)]
