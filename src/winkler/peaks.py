@@ -16,11 +16,10 @@ from winkler.problems.torsion_fields import body_of_twisted
 from winkler.problems.torsion_states import TorsionState
 from winkler.values import value
 
-ROUNDING = 1e-9
-"""Jump of the springs at the edge over their greatest displacement that is rounding."""
-
 __all__ = ["PeakStress", "PlacedStress", "peak_stress"]
 
+ROUNDING = 1e-9
+"""Jump of the springs at the edge over their greatest displacement that is rounding."""
 SKIN = 1e-3
 """Stresses of a twist are looked for below this depth, in contact radii."""
 
