@@ -13,7 +13,7 @@ from enum import Enum
 from winkler.assumption import Assumption
 from winkler.values import value
 
-__all__ = ["Assumption", "Note", "Standing", "worst"]
+__all__ = ["Assumption", "Note", "Standing", "standing_of", "worst"]
 
 
 class Standing(Enum):
@@ -49,6 +49,11 @@ class Note:
 
     def __str__(self) -> str:
         return f"{self.standing.value}: {self.statement} [{self.source}]"
+
+
+def standing_of(number: float, small: float, large: float) -> Standing:
+    """Return asymptotic up to the limit `small`, approximate up to `large`, and outside beyond, or of no number."""
+    return Standing.ASYMPTOTIC if number <= small else Standing.APPROXIMATE if number <= large else Standing.OUTSIDE
 
 
 def worst(notes: Iterable[Note]) -> Standing:

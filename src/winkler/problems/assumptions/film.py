@@ -11,12 +11,17 @@ from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.relaxing import RelaxingMedium
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["film_notes", "film_strain"]
 
 SMALL, LARGE = 0.1, 0.5
 """Mean strain [-] up to which linear elasticity describes a layer, and from which on it does not."""
+VERDICTS = {
+    Standing.ASYMPTOTIC: "small, as linear elasticity assumes",
+    Standing.APPROXIMATE: "not small: expect forces that are wrong by about as much",
+    Standing.OUTSIDE: "far from small: press less, or take a thicker layer; linear elasticity does not describe this",
+}
 DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10.1016/S0006-3495(02)75620-8"
 LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
 
@@ -49,19 +54,13 @@ def film_notes(bed: Bed, depth: float, force: float, radius: float) -> tuple[Not
     if not isinstance(medium, CoatedHalfSpace) or radius <= 0.0 or depth <= 0.0:
         return ()
     strain = film_strain(medium, depth, force, radius)
-    if strain <= SMALL:
-        standing, verdict = Standing.ASYMPTOTIC, "small, as linear elasticity assumes"
-    elif strain <= LARGE:
-        standing, verdict = Standing.APPROXIMATE, "not small: expect forces that are wrong by about as much"
-    else:
-        standing = Standing.OUTSIDE
-        verdict = "far from small: press less, or take a thicker layer; linear elasticity does not describe this"
+    standing = standing_of(strain, SMALL, LARGE)
     return (
         Note(
             Assumption.FILM,
             standing,
             f"The depth is {depth / medium.thickness:.3g} of the thickness of the layers, which are compressed by "
-            f"{strain:.3g} of it: {verdict}.",
+            f"{strain:.3g} of it: {VERDICTS[standing]}.",
             f"{DIMITRIADIS}; {LONG}",
         ),
     )

@@ -12,12 +12,17 @@ import math
 import numpy as np
 
 from winkler.numerics.types import Quantity
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["wave_loss", "wave_note"]
 
 SMALL, LARGE = 0.02, 0.3
 """Share of the energy that waves carry away [-], up to which slow motion is the limit, and from which on it is none."""
+VERDICTS = {
+    Standing.ASYMPTOTIC: "slow against the speed of sound, as the theory assumes",
+    Standing.APPROXIMATE: "that loss is left out",
+    Standing.OUTSIDE: "too fast for a contact force of slow motion",
+}
 HUNTER = (
     "S. C. Hunter, J. Mech. Phys. Solids 5 (1957) 162-171, doi:10.1016/0022-5096(57)90002-9; K. L. Johnson, Contact "
     "Mechanics, Cambridge 1985, sec. 11.4, doi:10.1017/CBO9781139171731"
@@ -60,16 +65,11 @@ def wave_note(share: float) -> Note:
             "the impact is slow against the speed of sound, and long against a vibration of the body.",
             HUNTER,
         )
-    if share <= SMALL:
-        standing, verdict = Standing.ASYMPTOTIC, "slow against the speed of sound, as the theory assumes"
-    elif share <= LARGE:
-        standing, verdict = Standing.APPROXIMATE, "that loss is left out"
-    else:
-        standing, verdict = Standing.OUTSIDE, "too fast for a contact force of slow motion"
+    standing = standing_of(share, SMALL, LARGE)
     return Note(
         Assumption.INERTIA,
         standing,
         f"Waves in the bodies take about {100.0 * share:.2g} % of the energy, if both are as dense as a ball of this "
-        f"mass and size: {verdict}.",
+        f"mass and size: {VERDICTS[standing]}.",
         HUNTER,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.validity import Assumption, Note, Standing
+from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["HOTTEST", "temperature_note"]
 
@@ -10,6 +10,11 @@ WARM = 200.0
 """Rise of temperature [K] up to which conductivity, strength and friction of metals change by some ten per cent."""
 HOTTEST = 4400.0
 """Temperature [K] above which no solid is known; the highest melting point predicted is that of Hf-C-N."""
+VERDICTS = {
+    Standing.ASYMPTOTIC: "moderate",
+    Standing.APPROXIMATE: "give the properties at that temperature, and see that neither body softens or melts",
+    Standing.OUTSIDE: "no solid is known that hot: the bodies soften and melt long before",
+}
 PROPERTIES = (
     "J. F. Archard, Wear 2 (1959) 438-455, doi:10.1016/0043-1648(59)90159-0; Q.-J. Hong, A. van de Walle, Phys. Rev. B "
     "92 (2015) 020104, doi:10.1103/PhysRevB.92.020104"
@@ -19,18 +24,11 @@ PROPERTIES = (
 def temperature_note(rise: float) -> Note:
     """Return what the greatest rise of temperature [K] means for properties that are taken as constant."""
     fact = f"The greatest rise of temperature is {rise:.4g} K"
-    if rise <= WARM:
-        standing, verdict = Standing.ASYMPTOTIC, "moderate"
-    elif rise <= HOTTEST:
-        standing = Standing.APPROXIMATE
-        verdict = "give the properties at that temperature, and see that neither body softens or melts"
-    else:
-        standing = Standing.OUTSIDE
-        verdict = "no solid is known that hot: the bodies soften and melt long before"
+    standing = standing_of(rise, WARM, HOTTEST)
     return Note(
         Assumption.TEMPERATURE,
         standing,
-        f"{fact}: {verdict}. Thermal expansion does not act back on the pressure; friction and properties do not "
-        "change with temperature.",
+        f"{fact}: {VERDICTS[standing]}. Thermal expansion does not act back on the pressure; friction and properties do "
+        "not change with temperature.",
         PROPERTIES,
     )
