@@ -28,7 +28,7 @@ def temperature_note(rise: float) -> Note:
     return Note(
         Assumption.TEMPERATURE,
         standing,
-        f"{fact}: {VERDICTS[standing]}. Thermal expansion does not act back on the pressure; friction and properties do "
-        "not change with temperature.",
+        f"{fact}: {VERDICTS[standing]}. Thermal expansion does not act back on the pressure; friction and properties "
+        "do not change with temperature.",
         PROPERTIES,
     )
