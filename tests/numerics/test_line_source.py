@@ -220,3 +220,11 @@ def test_a_flux_is_projected():
     )
     sharp = projected(lambda r: 0.5 / np.pi / np.sqrt(1.0 - r**2), [], 1.0)
     np.testing.assert_allclose(sharp.load(x), 0.5, rtol=1e-9)
+
+
+@pytest.mark.parametrize("length", [1e-3, 0.05, 1.0, 1e3])
+@pytest.mark.parametrize("source", [HERTZ, UNIFORM, RING], ids=["Hertz", "uniform", "ring"])
+def test_the_warmest_circle_is_that_of_all(source, length):
+    """A table of a few digits chooses; the number is computed in full."""
+    circles = np.sin(np.linspace(0.0, 0.5 * np.pi, 33))
+    assert source.warmest(length, circles) == pytest.approx(np.max(source.risen(length, circles)), rel=1e-14)

@@ -44,6 +44,8 @@ FLUX_NODES = 48
 MEAN_NODES = 10
 """Nodes on every piece, in every one of the three integrals of a mean."""
 TIME_NODES = 20
+ROUGH = 1e-6
+"""Of the greatest line load, to which circles are compared before the warmest are computed in full."""
 FIRST = 9
 """Places along the centre line where the greatest temperature is looked for first."""
 ROUNDS = 3
@@ -203,6 +205,25 @@ class LineSource:
         r : ndarray
             Distances from the axis [m].
         """
+        return self._around(r, lambda places: self._spread(length / self.radius, places))
+
+    def warmest(self, length: float, r: Array) -> float:
+        """Return the greatest lambda T [W/m] on circles r [m] within the contact; `length` as in `risen`.
+
+        A table of q_t of a few digits says which circles come near to it; only those are computed in full.
+        """
+
+        def spread(place: Array) -> Array:
+            places = place_on(place, self.joints)
+            return self._spread(length / self.radius, np.ravel(places)).reshape(places.shape) / self.scale
+
+        table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH)
+        heights = self._around(r, lambda places: self.scale * table(turned_on(places, self.joints)))
+        close = heights >= np.max(heights) - 10.0 * ROUGH * self.scale
+        return float(np.max(self.risen(length, np.ravel(r)[close])))
+
+    def _around(self, r: Array, spread: Curve) -> Array:
+        """Return the mean of q_t, told by `spread` at places in contact radii, over the circles r [m]."""
         r = np.asarray(r, dtype=float)
         part = np.ravel(r)[:, None] / self.radius
         node, weight = turned_rule(TIME_NODES)
@@ -215,7 +236,7 @@ class LineSource:
         places = part[..., None] * np.sin(cuts[:, :-1, None] + width * node)
         # the axis is one place, and circles miss the pieces inside of them: every place once
         distinct, back = np.unique(np.where(width > 0.0, places, part[..., None]), return_inverse=True)
-        loads = np.asarray(self._spread(length / self.radius, distinct))[back].reshape(places.shape)
+        loads = np.asarray(spread(distinct))[back].reshape(places.shape)
         return np.asarray(np.sum(loads * width * weight, axis=(1, 2)).reshape(r.shape) / np.pi)
 
     def risen_mean(self, length: float) -> float:

@@ -170,7 +170,7 @@ def _greatest(source: LineSource, length: float) -> float:
     if source.fading:
         return float(source.risen(length, np.zeros(1))[0])
     circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, CIRCLES))
-    return float(np.max(source.risen(length, circles)))
+    return source.warmest(length, circles)
 
 
 @value
