@@ -284,7 +284,9 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
         if np.any(bed.gap(far) < depth):
             found += [far, _troughs(bed, far)]
     else:
-        found += [far[bed.height(far) < depth], _troughs(bed, far)]
+        with np.errstate(over="ignore", invalid="ignore"):
+            low = bed.height(far) < depth
+        found += [far[low], _troughs(bed, far)]
     places = np.concatenate(found) if found else near[:0]
     return np.asarray(places[bed.height(places) < depth] if places.size else places)
 
@@ -293,7 +295,8 @@ def _troughs(bed: Bed, r: Array) -> Array:
     """Return the places between the first and last r where f is least, to rounding."""
     if r.size < 2:
         return r[:0]
-    slope = bed.slope(r)
+    with np.errstate(over="ignore", invalid="ignore"):  # a million radii out a formula may end
+        slope = bed.slope(r)
     (turns,) = np.nonzero((slope[:-1] < 0.0) & (slope[1:] >= 0.0))
     low, high = r[turns], r[turns + 1]
     for _ in range(60 if turns.size else 0):
