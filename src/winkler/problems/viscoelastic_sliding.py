@@ -191,14 +191,15 @@ class SlidingResistance:
             raise NotConverged(f"SlidingResistance: at {speed:.6g} m/s no depth bears the force {wanted:.6g} N.")
         depth = high
         if high > low:
-            found = brentq(
-                lambda y: self._passed(math.exp(y), speed).force / wanted - 1.0,
-                math.log(low),
-                math.log(high),
-                xtol=1e-15,
-                rtol=8.9e-16,
-            )
-            depth = math.exp(found)
+
+            def missing(logarithm: float) -> float:
+                return self._passed(math.exp(logarithm), speed).force / wanted - 1.0
+
+            bottom, top = math.log(low), math.log(high)
+            if missing(bottom) >= 0.0:  # by the rounding of the logarithm alone
+                depth = low
+            elif missing(top) > 0.0:
+                depth = math.exp(brentq(missing, bottom, top, xtol=1e-15, rtol=8.9e-16))
         return self._passed(depth, speed)
 
     def _passed(self, depth: float, speed: float) -> _Passed:

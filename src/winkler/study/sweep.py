@@ -114,6 +114,8 @@ def journaled(
         useful = useful or not isinstance(known, Failed)
         yield known
     for _, point in _answered(study, todo.without(done), workers, watch, keep):
+        if point.code == INTERRUPTED and journal.count:  # the points before it are kept, and the run goes on from there
+            raise KeyboardInterrupt
         if isinstance(point, Failed) or point.code != INTERRUPTED:
             slim = light(point, study.expect, study.shape) if isinstance(point, Solved) else point
             journal.write(written(slim))
