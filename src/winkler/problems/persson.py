@@ -96,9 +96,10 @@ def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Arra
     power = math.pi * q**4 * spectrum.at(q)
     t = np.sqrt(np.concatenate(([0.0], np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(np.log(q))))))
     answer = np.zeros(given.size)
+    risen = t > 0.0  # a measured spectrum may begin with waves of no power
     for i, p in enumerate(given.ravel().tolist()):
         inner = np.zeros(t.size)  # exp(-s^2) at t = 0
-        inner[1:] = _work(p / (modulus * t[1:]))
+        inner[risen] = _work(p / (modulus * t[risen]))
         answer[i] = 2.0 / math.sqrt(math.pi) * np.trapezoid(inner / q, t)
     return answer.reshape(given.shape)
 
