@@ -56,6 +56,8 @@ def fit(
     from winkler.study.fit_reading import read_fit_study
     from winkler.study.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.fit_writing import write_fits
+    from winkler.study.reserving import reserved
+    from winkler.study.stopping import answered
     from winkler.study.writing import holds_results, placed
 
     started = time.perf_counter()
@@ -65,29 +67,31 @@ def fit(
     if time_limit is not None:
         asked = dataclasses.replace(asked, time_limit=time_limit)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
-    if holds_results(folder) and not overwrite:
-        overwrite = may_overwrite(folder)
-    results: list[Any] = []
-    done = 0
-    under_way = _UnderWay(asked)
-    with placed(folder, overwrite=overwrite) as partial:
-        todo = pieces(asked)
-        stream = fit_curves(asked, todo, workers=workers, watch=under_way.watch)
-        try:
-            for many in terminal.tracked(stream, len(todo), hidden=quiet or as_json, doing=under_way.told):
-                results += many
-                done += 1
-        except KeyboardInterrupt:
-            if not results and under_way.state is not None:
-                raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
-            if not results:
-                raise
-        left = len(todo) - done
-        try:
-            outcome = gather_fits(asked, results, started=started, source=study.name, left=left)
-        except WinklerError as error:
-            raise type(error)(f"{study.name}: {error}") from None
-        write_fits(outcome, partial)
+    with reserved(folder):
+        if holds_results(folder) and not overwrite:
+            overwrite = may_overwrite(folder)
+        results: list[Any] = []
+        done = 0
+        under_way = _UnderWay(asked)
+        with placed(folder, overwrite=overwrite) as partial:
+            todo = pieces(asked)
+            stream = fit_curves(asked, todo, workers=workers, watch=under_way.watch)
+            try:
+                for many in terminal.tracked(stream, len(todo), hidden=quiet or as_json, doing=under_way.told):
+                    results += many
+                    done += 1
+            except KeyboardInterrupt:
+                if not results and under_way.state is not None:
+                    raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
+                if not results:
+                    raise
+                answered()
+            left = len(todo) - done
+            try:
+                outcome = gather_fits(asked, results, started=started, source=study.name, left=left)
+            except WinklerError as error:
+                raise type(error)(f"{study.name}: {error}") from None
+            write_fits(outcome, partial)
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
@@ -110,8 +114,10 @@ class _UnderWay:
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
         """Pass states on, and keep the last."""
         from winkler.fitting.search import FitState
+        from winkler.study.stopping import look
 
         for state in states:
+            look()
             self.state = state if isinstance(state, FitState) else None
             yield state
 
