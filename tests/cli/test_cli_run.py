@@ -393,23 +393,3 @@ def test_signals_stop_a_run_cleanly(sign, code, told, here):
     assert {path.name for path in here.iterdir()} <= {"ball.toml", "long.toml", "results"}
     if (here / "results").exists():  # of results nothing is left, only the journal
         assert [path.name for path in (here / "results").iterdir()] == [".long.journal"]
-
-
-def test_an_interrupt_that_a_library_made_an_error_of_its_own_is_one(monkeypatch, capsys):
-    """As the compiled parts of pydantic do, while they build what checks a model."""
-
-    def interrupted(**_):
-        try:
-            os.kill(os.getpid(), signal.SIGINT)
-            time.sleep(10.0)
-        except KeyboardInterrupt:
-            raise RuntimeError("SchemaError: KeyboardInterrupt:") from None
-
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    monkeypatch.setattr("winkler.cli.app.app", interrupted)
-    try:
-        assert main(["run", "ball.toml"]) == 130
-        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    finally:
-        signal.signal(signal.SIGINT, before)
-    assert capsys.readouterr().err == "winkler: interrupted; nothing was written.\n"

@@ -66,6 +66,9 @@ def keeping(sentence: str) -> None:
 @contextlib.contextmanager
 def held() -> Iterator[None]:
     """Hold statements together: a signal that is heard meanwhile is raised after them."""
+    if threading.current_thread() is not threading.main_thread():  # signals are raised in that one only
+        yield
+        return
     _state.blocks += 1
     try:
         yield
