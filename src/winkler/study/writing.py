@@ -14,12 +14,13 @@ import shutil
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.study.outcome import Outcome, Provenance
 from winkler.study.reading import study_text
 
-__all__ = ["PROVENANCE", "clear_partial", "holds_results", "placed", "write_outcome", "write_provenance"]
+__all__ = ["PROVENANCE", "clear_partial", "holds_results", "missing", "placed", "write_outcome", "write_provenance"]
 
 PROVENANCE = "provenance.json"
 """Marks a folder of results, and lists its files."""
@@ -41,8 +42,18 @@ def write_outcome(outcome: Outcome, folder: Path) -> None:
     write_provenance(outcome.provenance, folder)
 
 
-def write_provenance(made: Provenance, folder: Path) -> None:
-    """Write provenance.json, with a list of everything that already lies in `folder`."""
+def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
+    """Write provenance.json, with a list of everything that already lies in `folder`.
+
+    Parameters
+    ----------
+    made
+        What made the numbers.
+    folder
+        Where they lie.
+    missing
+        How many curves of a batch that was interrupted were not reached.
+    """
     content = {
         "program": "winkler",
         "version": made.version,
@@ -51,6 +62,7 @@ def write_provenance(made: Provenance, folder: Path) -> None:
         "created": made.created,
         "seconds": made.seconds,
         "packages": dict(made.packages),
+        **({"missing": missing} if missing else {}),
         "files": [*_files(folder), PROVENANCE],
     }
     (folder / PROVENANCE).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
@@ -92,12 +104,26 @@ def holds_results(folder: Path) -> bool:
     return True
 
 
+def missing(folder: Path) -> int:
+    """Return how many curves are missing in results of a batch that was interrupted; zero if it was not."""
+    told = _provenance(folder).get("missing", 0)
+    return told if isinstance(told, int) else 0
+
+
 def _listed(folder: Path) -> set[str]:
     try:
-        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
-        return set(content["files"]) if content["program"] == "winkler" else set()
-    except (OSError, ValueError, KeyError, TypeError):
+        return set(_provenance(folder)["files"])
+    except (KeyError, TypeError):
         return set()
+
+
+def _provenance(folder: Path) -> dict[str, Any]:
+    """Return what provenance.json tells; nothing if winkler did not write it."""
+    try:
+        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) and content.get("program") == "winkler" else {}
 
 
 def _is_here(folder: Path) -> bool:
