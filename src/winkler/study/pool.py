@@ -23,7 +23,7 @@ from winkler.study.cluster import Cluster, connected
 from winkler.study.stopping import held
 from winkler.values import value
 
-__all__ = ["Machine", "Workers", "checked_workers", "completed", "pooled"]
+__all__ = ["Machine", "Workers", "checked_workers", "completed"]
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -78,17 +78,6 @@ def checked_workers(workers: Workers) -> Workers:
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
         raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
     return workers
-
-
-def pooled(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[R]:
-    """Yield ``answer(item)`` of every item, in their order; see `completed`."""
-    early: dict[int, R] = {}
-    due = 0
-    for place, found in completed(answer, todo, workers):
-        early[place] = found
-        while due in early:
-            yield early.pop(due)
-            due += 1
 
 
 def completed(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[tuple[int, R]]:

@@ -14,6 +14,7 @@ import shutil
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.study.outcome import Outcome, Provenance
@@ -25,6 +26,7 @@ __all__ = [
     "PARTIAL",
     "PROVENANCE",
     "holds_results",
+    "missing",
     "placed",
     "unwritable",
     "write_outcome",
@@ -53,8 +55,18 @@ def write_outcome(outcome: Outcome, folder: Path) -> None:
     write_provenance(outcome.provenance, folder)
 
 
-def write_provenance(made: Provenance, folder: Path) -> None:
-    """Write provenance.json, with a list of everything that already lies in `folder`."""
+def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
+    """Write provenance.json, with a list of everything that already lies in `folder`.
+
+    Parameters
+    ----------
+    made
+        What made the numbers.
+    folder
+        Where they lie.
+    missing
+        How many curves of a batch that was interrupted were not reached.
+    """
     content = {
         "program": "winkler",
         "version": made.version,
@@ -63,6 +75,7 @@ def write_provenance(made: Provenance, folder: Path) -> None:
         "created": made.created,
         "seconds": made.seconds,
         "packages": dict(made.packages),
+        **({"missing": missing} if missing else {}),
         "files": [*_files(folder), PROVENANCE],
     }
     (folder / PROVENANCE).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
@@ -104,12 +117,26 @@ def holds_results(folder: Path) -> bool:
     return True
 
 
+def missing(folder: Path) -> int:
+    """Return how many curves are missing in results of a batch that was interrupted; zero if it was not."""
+    told = _provenance(folder).get("missing", 0)
+    return told if isinstance(told, int) else 0
+
+
 def _listed(folder: Path) -> set[str]:
     try:
-        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
-        return set(content["files"]) if content["program"] == "winkler" else set()
-    except (OSError, ValueError, KeyError, TypeError):
+        return set(_provenance(folder)["files"])
+    except (KeyError, TypeError):
         return set()
+
+
+def _provenance(folder: Path) -> dict[str, Any]:
+    """Return what provenance.json tells; nothing if winkler did not write it."""
+    try:
+        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) and content.get("program") == "winkler" else {}
 
 
 def _is_here(folder: Path) -> bool:
