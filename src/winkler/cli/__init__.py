@@ -17,6 +17,8 @@ from threading import current_thread, main_thread
 from types import FrameType
 from typing import NoReturn
 
+from winkler.cli.saying import say, spell
+
 __all__ = ["main"]
 
 MISTAKE, INTERRUPTED, TERMINATED = 70, 130, 143
@@ -33,6 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     traceback = "--traceback" in words
     words = [word for word in words if word != "--traceback"]
+    spell()
     _end_cleanly_when_terminated()
     with _interrupts() as interrupts:
         try:
@@ -75,7 +78,7 @@ def _interrupted() -> int:
 
 
 def _say(sentence: str) -> None:
-    print(f"winkler: {sentence}", file=sys.stderr)
+    say(f"winkler: {sentence}", error=True)
 
 
 @contextlib.contextmanager

@@ -12,10 +12,13 @@ import numpy as np
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.text import Text
 
     from winkler.study.outcome import Column, Outcome
 
-__all__ = ["answers", "console", "indices", "marching", "notes", "plain_numbers", "prefixed", "tracked"]
+from winkler.cli.saying import safe
+
+__all__ = ["answers", "console", "indices", "marching", "notes", "prefixed", "tracked"]
 
 T = TypeVar("T")
 
@@ -29,11 +32,17 @@ WIDE = 160
 
 
 def console(*, stderr: bool = False) -> Console:
-    """Return where to write; texts are shown as they are."""
+    """Return where to write; texts are shown as they are, but for control characters."""
     from rich.console import Console
 
+    class Safe(Console):
+        """Every text passes here, those in cells of tables too."""
+
+        def render_str(self, text: str, **how: Any) -> Text:
+            return super().render_str(safe(text), **how)
+
     stream = sys.stderr if stderr else sys.stdout
-    return Console(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
+    return Safe(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
 
 
 def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
@@ -59,7 +68,13 @@ def _shown(column: Column) -> tuple[str, list[str]]:
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]
     factor, unit = prefixed(column.content, column.word.unit)
-    return unit, ["-" if np.isnan(number) else f"{number * factor + 0.0:.6g}" for number in column.content]
+    return unit, [_number(float(number * factor) + 0.0) for number in column.content]
+
+
+def _number(number: float) -> str:
+    if math.isfinite(number):
+        return f"{number:.6g}"
+    return "-" if math.isnan(number) else f"{'-' * (number < 0.0)}infinite"
 
 
 def answers(outcome: Outcome, out: Console) -> None:
@@ -123,15 +138,6 @@ def notes(outcome: Outcome, out: Console) -> None:
         out.print("How far this can be trusted:")
     for note in outcome.validity:
         out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
-
-
-def plain_numbers(content: Any) -> Any:
-    """Return numbers for JSON: null where there is none."""
-    if isinstance(content, np.ndarray | list):
-        return [plain_numbers(item) for item in np.asarray(content).tolist()]
-    if isinstance(content, float):
-        return content if math.isfinite(content) else None
-    return content
 
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
