@@ -5,15 +5,19 @@ from __future__ import annotations
 import ast
 import io
 import json
+import re
 import sys
 import unicodedata
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import winkler.cli
-from winkler.cli import main
+from winkler.cli import main, terminal
 from winkler.cli.saying import plain_json, safe, say
+from winkler.study.outcome import Column
+from winkler.vocabulary import word
 
 SPHERE = """title = "{title}"
 
@@ -147,6 +151,20 @@ def test_what_is_infinite_is_told_in_words(here, capsys):
     resistance = next(one["values"] for one in answers if one["name"] == "resistance")
     assert resistance[0] == "infinite"
     assert resistance[1] > 0.0
+
+
+def test_what_is_undefined_is_told_apart_from_what_has_no_answer(here, capsys):
+    """As the restitution along the surface of bodies that do not move along it, and a point that is refused."""
+    column = Column(
+        "lateral_restitution", word("ImpactSolution", "lateral_restitution"), np.array([0.5, np.nan, np.nan])
+    )
+    assert terminal._shown(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
+    text = (here / "c.toml").read_text(encoding="utf-8").replace('["0 N", "1 N"]', '"1 N"')
+    (here / "c.toml").write_text(f'{text}\n[sweep]\n"problem.load.force" = ["1 N", "-1 N"]\n', encoding="utf-8")
+    assert main(["run", "c.toml"]) == 4
+    told = capsys.readouterr().out
+    assert "undefined" not in told
+    assert re.search(r"\n +-1 +-", told)
 
 
 def test_json_knows_no_bare_infinity():

@@ -63,18 +63,19 @@ def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
     return 10.0**-power, f"{PREFIXES[power]}{unit}"
 
 
-def _shown(column: Column) -> tuple[str, list[str]]:
-    """Return the unit and the texts of a column."""
+def _shown(column: Column, empty: np.ndarray) -> tuple[str, list[str]]:
+    """Return the unit and the texts of a column; `empty` are rows without any answer."""
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]
     factor, unit = prefixed(column.content, column.word.unit)
-    return unit, [_number(float(number * factor) + 0.0) for number in column.content]
+    numbers = (float(number * factor) + 0.0 for number in column.content)
+    return unit, [_number(number, "-" if bare else "undefined") for number, bare in zip(numbers, empty, strict=True)]
 
 
-def _number(number: float) -> str:
+def _number(number: float, undefined: str) -> str:
     if math.isfinite(number):
         return f"{number:.6g}"
-    return "-" if math.isnan(number) else f"{'-' * (number < 0.0)}infinite"
+    return undefined if math.isnan(number) else f"{'-' * (number < 0.0)}infinite"
 
 
 def answers(outcome: Outcome, out: Console) -> None:
@@ -92,7 +93,9 @@ def answers(outcome: Outcome, out: Console) -> None:
         for column in table_
         if column.name in swept or not any(np.array_equal(column.content, content) for content in given)
     ]
-    shown = [_shown(column) for column in columns]
+    numbers = [column.content for column in table_ if column.content.dtype.kind == "f" and column.name not in swept]
+    empty = np.all(np.isnan(numbers), axis=0) if numbers else np.zeros(len(table_[0].content), dtype=bool)
+    shown = [_shown(column, empty) for column in columns]
     rows = len(columns[0].content)
     if rows == 1:
         table = Table("quantity", "symbol", "value", "unit", "meaning", box=box.SIMPLE_HEAD)
