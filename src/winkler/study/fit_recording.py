@@ -41,11 +41,12 @@ RESTORED = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
 
 
 def seen_from(study: FitStudy, path: str) -> str:
-    """Return a file as seen from the study."""
+    """Return a file as seen from the study; file systems hold names that no text can, which are written as escapes."""
     try:
-        return Path(path).relative_to(study.folder).as_posix()
+        seen = Path(path).relative_to(study.folder).as_posix()
     except ValueError:
-        return Path(path).as_posix()
+        seen = Path(path).as_posix()
+    return seen.encode("utf-8", "backslashreplace").decode()
 
 
 def fingerprint(study: FitStudy, piece: Piece) -> str:
@@ -63,9 +64,7 @@ def fingerprint(study: FitStudy, piece: Piece) -> str:
 
 def written_fits(mark: str, results: Results) -> str:
     """Return what came of a piece as one line of JSON; `mark` is its fingerprint."""
-    return json.dumps(
-        {"of": mark, "curves": [_written(result) for result in results]}, separators=(",", ":"), ensure_ascii=False
-    )
+    return json.dumps({"of": mark, "curves": [_written(result) for result in results]}, separators=(",", ":"))
 
 
 def results_of(study: FitStudy, line: dict[str, Any]) -> Results:

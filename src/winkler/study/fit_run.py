@@ -185,6 +185,7 @@ def _fit_piece(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tup
 def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watch: Watch | None) -> Fitted | Refused:
     """Fit one curve; an error of reading or of the physics, or a mistake of ours, becomes a `Refused`."""
     own = one.name if isinstance(one, UnreadCurve) else one.curve.name
+    own = own.encode("utf-8", "backslashreplace").decode()
     file = where.rpartition("/")[2]
     name = where + own.removeprefix(file) if own.startswith(file) else own
     if isinstance(one, UnreadCurve):
