@@ -78,13 +78,18 @@ class Seen:
     """One page of the app, as a person uses it."""
 
     def __init__(self, browser, address, width=1400, height=950):
-        self.left_machine, self.mistakes = [], []
+        self.left_machine, self.mistakes = [], []  # requests to elsewhere; exceptions, and what the policy forbids
         self.context = browser.new_context(viewport={"width": width, "height": height}, accept_downloads=True)
         self.page = self.context.new_page()
         self.page.route("**/*", self._only_here(address))
         self.page.on("pageerror", lambda error: self.mistakes.append(str(error)))
+        self.page.on("console", self._overheard)
         self.page.goto(address)
         self.settled()
+
+    def _overheard(self, message):
+        if "Content Security Policy" in message.text:
+            self.mistakes.append(message.text)
 
     def _only_here(self, address):
         def judge(route):
@@ -151,4 +156,5 @@ def fresh(browser, app):
     yield open_page
     for page in opened:
         assert page.left_machine == []
+        assert page.mistakes == []
         page.context.close()
