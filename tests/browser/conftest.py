@@ -9,6 +9,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.error
 import urllib.request
@@ -28,6 +29,8 @@ def served(*options):
         port = probe.getsockname()[1]
     words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser", *options]
     plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
+    uploads = tempfile.TemporaryDirectory()
+    plain["TMPDIR"] = uploads.name
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=plain)
     address = f"http://127.0.0.1:{port}"
     for _ in range(300):
@@ -43,6 +46,8 @@ def served(*options):
     assert process.returncode in (0, 130), err
     assert address in out
     assert "Traceback" not in err, err
+    with uploads:
+        assert not list(Path(uploads.name).glob("winkler-*"))
 
 
 @pytest.fixture(scope="session")

@@ -133,7 +133,7 @@ class Security:
         sockets = " ".join(f"ws{origin.removeprefix('http')}" for origin in sorted(self.origins))
         return (
             f"default-src 'none'; script-src 'self' 'nonce-{nonce}' 'unsafe-eval'; style-src 'self' 'unsafe-inline'; "
-            f"img-src 'self' data: blob:; font-src 'self'; connect-src 'self' {sockets}; base-uri 'none'; "
+            f"img-src 'self' data:; font-src 'self'; connect-src 'self' {sockets}; base-uri 'none'; "
             "form-action 'none'; frame-ancestors 'none'"
         )
 

@@ -1,13 +1,14 @@
 """Who has the app open: a page is made for a browser that has connected, and at most so many are open at once.
 
 Whoever only fetches the address (a preview, a check, a program that looks for open ports) gets an empty page and costs
-no process.  A page whose browser has gone keeps its place for half a minute, for a connection that was lost; if the
-places are needed meanwhile, it gives way, the one that went first before the others.
+no process.  A page whose browser has gone keeps its place for half a minute, for a connection that was lost; it ends
+at once when its tab loads the app again, or when its place is needed.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 from nicegui import Client, context, ui
 
@@ -32,7 +33,7 @@ class Visitors:
 
     def __init__(self, limit: float, most: int, folder: Path) -> None:
         self.limit, self.most, self.folder = limit, most, folder
-        self._open: dict[Client, Page] = {}
+        self._open: dict[Client, _Visit] = {}
 
     async def visit(self) -> None:
         """Make a page for a browser, once it has connected."""
@@ -41,30 +42,39 @@ class Visitors:
         await client.connected()
         if client.is_deleted:  # nobody came
             return
-        if len(self._open) >= self.most:
-            self._end_one_without_browser()
+        self._make_room(client.tab_id)
         if len(self._open) >= self.most:
             ui.label(
                 f"{self.most} pages of the app are open, each with a process of its own, and no more are allowed: "
                 "close one and reload this page, or start the app with a greater --pages."
             ).classes("refused").props('role="alert"')
             return
-        page = self._open[client] = Page(self.limit, Room(self.folder))
+        page = Page(self.limit, Room(self.folder))
+        self._open[client] = _Visit(page, client.tab_id)
         client.on_delete(lambda: self._end(client))
-        client.on_connect(lambda: None if page is self._open.get(client) else ui.navigate.reload())
+        client.on_connect(lambda: None if client in self._open else ui.navigate.reload())
         page.build()
 
-    def _end_one_without_browser(self) -> None:
-        gone = next((client for client in self._open if not client.has_socket_connection), None)
-        if gone is not None:
-            self._end(gone)
+    def _make_room(self, tab: str | None) -> None:
+        """End pages that were left: the one of a tab that was reloaded, or the oldest one if its place is needed."""
+        reloaded = [client for client, visit in self._open.items() if visit.tab == tab]
+        gone = [client for client in self._open if not client.has_socket_connection]
+        for client in reloaded or gone[: int(len(self._open) >= self.most)]:
+            self._end(client)
 
     def _end(self, client: Client) -> None:
-        page = self._open.pop(client, None)
-        if page is not None:
-            page.left()
+        visit = self._open.pop(client, None)
+        if visit is not None:
+            visit.page.left()
 
     def close(self) -> None:
         """End all pages."""
         for client in list(self._open):
             self._end(client)
+
+
+class _Visit(NamedTuple):
+    """A page, and the tab of the browser that it was made for."""
+
+    page: Page
+    tab: str | None
