@@ -195,7 +195,8 @@ def test_uploads(browser, workers):
 @pytest.mark.parametrize(
     "path",
     ["/nothing", "/index.html", "/docs", "/openapi.json", "/_nicegui/nothing", "/_nicegui_ws/nothing",
-     f"/_nicegui/{nicegui.__version__}/static/nothing", "/_nicegui/client/1/upload/1", "/%2e%2e/etc/passwd", "/x//y", "/~/x"],
+     f"/_nicegui/{nicegui.__version__}/static/nothing", "/_nicegui/client/1/upload/1",
+     "/%2e%2e/etc/passwd", "/x//y", "/~/x"],
 )  # fmt: skip
 def test_unknown_paths(path, browser):
     answer = browser.get(path)
