@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import multiprocessing
 import re
 import time
@@ -77,9 +78,9 @@ def browser(workers, tmp_path_factory):
 
 
 @contextlib.contextmanager
-def opened(browser, tab=None, origin=HOME):
-    """Open a page as a browser does, up to the handshake; give the socket."""
-    client = re.search(r"client_id': '([\w-]+)'", browser.get("/").text)[1]
+def opened(browser, tab=None, origin=HOME, client=None):
+    """Open a page as a browser does, up to the handshake, or connect one again; give the socket."""
+    client = client or re.search(r"client_id': '([\w-]+)'", browser.get("/").text)[1]
     words = {
         "EIO": 4, "transport": "websocket", "client_id": client, "tab_id": tab or uuid.uuid4(), "old_tab_id": "",
         "document_id": uuid.uuid4(), "next_message_id": 0, "implicit_handshake": "true",
@@ -89,6 +90,7 @@ def opened(browser, tab=None, origin=HOME):
         assert socket.receive_text().startswith("0{")
         socket.send_text("40")
         heard(socket, "40{")
+        socket.client = client
         yield socket
         socket.close()
         until(lambda: not (client in Client.instances and Client.instances[client].has_socket_connection))
@@ -145,7 +147,7 @@ def test_pages_are_counted_and_end(browser, workers):
 def test_a_page_that_was_left_gives_its_place(browser, workers, monkeypatch):
     monkeypatch.setattr(core.app.config, "reconnect_timeout", 60.0)
     with contextlib.ExitStack() as pages:
-        with opened(browser) as first:
+        with opened(browser, tab="first") as first:
             heard(first, "Contact mechanics")
             mine = workers.alive[0]
         for _ in range(MOST - 1):
@@ -153,6 +155,8 @@ def test_a_page_that_was_left_gives_its_place(browser, workers, monkeypatch):
         assert mine in workers.alive  # it may come back
         heard(pages.enter_context(opened(browser)), "Contact mechanics")
         assert mine not in workers.alive
+        with opened(browser, tab="first", client=first.client) as back:
+            heard(back, "history.go(0)")  # it is loaded again
         assert len(workers.alive) == MOST
         monkeypatch.setattr(core.app.config, "reconnect_timeout", LEFT)
     until(lambda: not workers.alive)
@@ -168,6 +172,16 @@ def test_a_tab_that_is_reloaded_has_one_worker(browser, workers, monkeypatch):
     with opened(browser, tab="one") as page:
         heard(page, "Contact mechanics")
     until(lambda: not workers.alive)
+
+
+def test_no_process_can_be_started(browser, workers, monkeypatch):
+    def refused():
+        raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+
+    monkeypatch.setattr(solver, "started", refused)
+    with opened(browser) as page:
+        heard(page, "gets no folder or no process (resource temporarily unavailable); close other programs")
+    assert list(browser.folder.iterdir()) == []
 
 
 def upload_address(message):

@@ -49,16 +49,25 @@ class Page:
     ----------
     limit
         The longest that a study may take [s].
-    room
-        Where its uploads are kept.
+    folder
+        Where its uploads are kept, in a folder of their own.
+
+    Raises
+    ------
+    OSError
+        If no folder can be made, or no process started.
     """
 
-    def __init__(self, limit: float, room: Room) -> None:
+    def __init__(self, limit: float, folder: Path) -> None:
         self.limit = limit
         self.client = context.client
         self.asking = Asking(self.changed, self.solve)
-        self.room = room
-        self.solver = Solver(self.heard)
+        self.room = Room(folder)
+        try:
+            self.solver = Solver(self.heard)
+        except OSError:
+            self.room.close()
+            raise
         self.questions = Questions(self.solver.ask)
         self.anew = True
         self.shown_task = self.asking.task

@@ -9,15 +9,13 @@ from winkler.errors import InvalidInput
 from winkler.web.security import origin_of
 from winkler.web.uploads import Uploads
 
-__all__ = ["HOST", "PAGES", "serve"]
+__all__ = ["HOST", "serve"]
 
 HOST = "127.0.0.1"
 """Only programs of this machine can reach it."""
-PAGES = 6
-"""So many pages may be open at once unless another number is given; each has a process of about 100 MB."""
 
 
-def serve(*, port: int, limit: float, browser: bool, pages: int = PAGES, addresses: Sequence[str] = ()) -> None:
+def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequence[str]) -> None:
     """Serve the app until it is interrupted.
 
     Parameters

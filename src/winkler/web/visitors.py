@@ -13,7 +13,6 @@ from typing import NamedTuple
 from nicegui import Client, context, ui
 
 from winkler.web.page import Page, style
-from winkler.web.room import Room
 
 __all__ = ["Visitors"]
 
@@ -44,12 +43,17 @@ class Visitors:
             return
         self._make_room(client.tab_id)
         if len(self._open) >= self.most:
-            ui.label(
+            _refuse(
                 f"{self.most} pages of the app are open, each with a process of its own, and no more are allowed: "
                 "close one and reload this page, or start the app with a greater --pages."
-            ).classes("refused").props('role="alert"')
+            )
             return
-        page = Page(self.limit, Room(self.folder))
+        try:
+            page = Page(self.limit, self.folder)
+        except OSError as error:
+            why = (error.strerror or type(error).__name__).lower()
+            _refuse(f"This page gets no folder or no process ({why}); close other programs, then reload it.")
+            return
         self._open[client] = _Visit(page, client.tab_id)
         client.on_delete(lambda: self._end(client))
         client.on_connect(lambda: None if client in self._open else ui.navigate.reload())
@@ -71,6 +75,11 @@ class Visitors:
         """End all pages."""
         for client in list(self._open):
             self._end(client)
+
+
+def _refuse(sentence: str) -> None:
+    """Show why there is no page."""
+    ui.label(sentence).classes("refused").props('role="alert"')
 
 
 class _Visit(NamedTuple):
