@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from winkler.errors import InvalidInput
 from winkler.web.security import origin_of
-from winkler.web.uploads import Uploads
+from winkler.web.uploads import uploads
 
 __all__ = ["HOST", "serve"]
 
@@ -49,7 +49,7 @@ def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequ
     from winkler.web.assembly import assemble
     from winkler.web.visitors import Visitors
 
-    with Uploads() as folder:
+    with uploads() as folder:
         visitors = Visitors(limit, pages, folder)
         assemble(visitors, tuple(origins))
         print(f"The app runs at http://{HOST}:{port}; stop it with Ctrl-C.", flush=True)

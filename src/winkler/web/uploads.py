@@ -12,12 +12,14 @@ import os
 import shutil
 import stat
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.study.lock import lock
+from winkler.study.locking import lock
+from winkler.study.stopping import held
 
-__all__ = ["Uploads"]
+__all__ = ["uploads"]
 
 PREFIX = "winkler-uploads-"
 LOCK = "lock"
@@ -25,45 +27,47 @@ ATTEMPTS = 5
 """So many folders are made in vain before the place is given up."""
 
 
-class Uploads:
-    """A folder for uploads, gone when it is left; what killed apps of this user left behind is removed first.
+@contextlib.contextmanager
+def uploads(place: Path | None = None) -> Iterator[Path]:
+    """Make a folder for uploads, gone in the end; what killed apps of this user left behind is removed first.
 
     Parameters
     ----------
     place
         Where it is made; by default the folder for temporary files.
+
+    Raises
+    ------
+    InvalidInput
+        If none can be made, or the file in it cannot be locked.
     """
+    folder, file = Path(), -1
+    try:
+        with held():
+            folder, file = _made(place)
+        yield folder
+    finally:
+        if file >= 0:
+            with held():
+                _remove(folder, file)
 
-    def __init__(self, place: Path | None = None) -> None:
-        self.place = place
 
-    def __enter__(self) -> Path:
-        """Return the folder.
-
-        Raises
-        ------
-        InvalidInput
-            If none can be made, or its file cannot be locked.
-        """
-        try:
-            place = self.place or Path(tempfile.gettempdir())
-            for left in sorted(place.glob(f"{PREFIX}*")):
-                _remove_if_dead(left)
-            for _ in range(ATTEMPTS):
-                self.folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=place))
-                file = _locked(self.folder)
-                if file is not None:
-                    self._file = file
-                    return self.folder
-                shutil.rmtree(self.folder, ignore_errors=True)
-            why = "its file cannot be locked"
-        except OSError as error:
-            why = (error.strerror or type(error).__name__).lower()
-        raise InvalidInput(f"no folder for uploads can be made ({why}); let TMPDIR name one on a local disk.")
-
-    def __exit__(self, *_: object) -> None:
-        """Remove the folder."""
-        _remove(self.folder, self._file)
+def _made(place: Path | None) -> tuple[Path, int]:
+    """Return a new folder, and the locked file in it."""
+    try:
+        place = place or Path(tempfile.gettempdir())
+        for left in sorted(place.glob(f"{PREFIX}*")):
+            _remove_if_dead(left)
+        for _ in range(ATTEMPTS):
+            folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=place))
+            file = _locked(folder)
+            if file is not None:
+                return folder, file
+            shutil.rmtree(folder, ignore_errors=True)
+        why = "its file cannot be locked"
+    except OSError as error:
+        why = (error.strerror or type(error).__name__).lower()
+    raise InvalidInput(f"no folder for uploads can be made ({why}); let TMPDIR name one on a local disk.")
 
 
 def _remove_if_dead(folder: Path) -> None:
@@ -87,15 +91,14 @@ def _remove(folder: Path, file: int) -> None:
 
 
 def _locked(folder: Path) -> int | None:
-    """Return the locked file of a folder; None if another process has it, or has removed it."""
+    """Return the locked file of a folder; None if another process has it or removed it, or the disk knows no locks."""
     path = folder / LOCK
     try:
         file = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o600)
     except OSError:
         return None
     try:
-        lock(file)
-        if os.path.samestat(os.fstat(file), path.lstat()):
+        if lock(file) and os.path.samestat(os.fstat(file), path.lstat()):
             return file
     except OSError:
         pass
