@@ -19,11 +19,14 @@ def killed_app(place):
     read, write = os.pipe()
     child = os.fork()
     if not child:
-        folder = uploads(place).__enter__()
-        (folder / "winkler-page-1").mkdir()
-        (folder / "winkler-page-1" / "tip.csv").write_text("1 2")
-        os.write(write, os.fsencode(folder))
-        signal.pause()
+        try:
+            with uploads(place) as folder:
+                (folder / "winkler-page-1").mkdir()
+                (folder / "winkler-page-1" / "tip.csv").write_text("1 2")
+                os.write(write, os.fsencode(folder))
+                signal.pause()
+        finally:
+            os._exit(1)
     folder = place / os.fsdecode(os.path.basename(os.read(read, 1000)))
     for end in (read, write):
         os.close(end)
