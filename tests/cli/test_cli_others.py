@@ -161,7 +161,7 @@ def pairs():
                 yield pytest.param(problem, profile, marks=pytest.mark.slow)
 
 
-@pytest.mark.parametrize(("problem", "profile"), pairs())
+@pytest.mark.parametrize(("problem", "profile"), [*pairs()])
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
     told = capsys.readouterr()
