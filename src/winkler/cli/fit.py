@@ -62,7 +62,9 @@ def fit(
     from winkler.study.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.fit_writing import write_fits
     from winkler.study.journal import Journal
-    from winkler.study.writing import clear_partial, holds_results, missing, placed
+    from winkler.study.reserving import reserved
+    from winkler.study.stopping import answered
+    from winkler.study.writing import holds_results, missing, placed
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
@@ -76,15 +78,13 @@ def fit(
     found: dict[int, Any] = {}
     under_way = _UnderWay(asked)
     journal = Journal.beside(folder, asked)
-    if anew:
-        journal.remove()
-    with journal:
-        if holds_results(folder) and not overwrite:  # those of the run that is to go on need not be kept
-            overwrite = bool(journal.count and missing(folder)) or may_overwrite(folder)
-        if journal.count:  # it was killed, and nobody else can be at it
-            clear_partial(folder)
-        known = recalled_fits(asked, todo, journal)
-        with placed(folder, overwrite=overwrite) as partial:
+    with reserved(folder):
+        if anew:
+            journal.remove()
+        with journal:
+            if holds_results(folder) and not overwrite:  # those of the run that is to go on need not be kept
+                overwrite = bool(journal.count and missing(folder)) or may_overwrite(folder)
+            known = recalled_fits(asked, todo, journal)
             stream = fit_curves(
                 asked,
                 todo,
@@ -97,26 +97,31 @@ def fit(
                 stream, len(todo), hidden=quiet or as_json, doing=under_way.told, before=len(known)
             )
             try:
-                for place, results in watched:
-                    found[place] = results
+                with placed(folder, overwrite=overwrite) as partial:
+                    try:
+                        for place, results in watched:
+                            found[place] = results
+                    except KeyboardInterrupt:
+                        if not found and under_way.state is not None:
+                            raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
+                        if not any(isinstance(result, Fitted) for results in found.values() for result in results):
+                            raise
+                        answered()
+                    left = len(todo) - len(found)
+                    try:
+                        outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
+                    except WinklerError as error:
+                        raise type(error)(f"{study.name}: {error}") from None
+                    write_fits(outcome, partial)
             except KeyboardInterrupt:
-                if not found and under_way.state is not None:
-                    raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
-                if not any(isinstance(result, Fitted) for results in found.values() for result in results):
-                    if not journal.count:
-                        raise
-                    raise Interrupted(
-                        f"interrupted; {len(found)} of {many} are kept beside {folder}, and the same command goes on "
-                        "from there."
-                    ) from None
-            left = len(todo) - len(found)
-            try:
-                outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
-            except WinklerError as error:
-                raise type(error)(f"{study.name}: {error}") from None
-            write_fits(outcome, partial)
-        if not left:
-            journal.remove()
+                if not journal.count:
+                    raise
+                raise Interrupted(
+                    f"interrupted; {journal.count} of {many} are kept beside {folder}, and the same command goes on "
+                    "from there."
+                ) from None
+            if not left:
+                journal.remove()
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
@@ -141,8 +146,10 @@ class _UnderWay:
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
         """Pass states on, and keep the last."""
         from winkler.fitting.search import FitState
+        from winkler.study.stopping import look
 
         for state in states:
+            look()
             self.state = state if isinstance(state, FitState) else None
             yield state
 

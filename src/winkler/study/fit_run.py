@@ -31,6 +31,7 @@ from winkler.study.fitting import FitStudy
 from winkler.study.journal import Journal
 from winkler.study.pool import checked_workers, completed
 from winkler.study.run import ERRORS, provenance
+from winkler.study.stopping import look
 from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
@@ -108,6 +109,7 @@ def fit_curves(
     left = [place for place in range(len(todo)) if place not in known]
     useful = any(_useful(results) for results in known.values())
     for nth, (mark, results) in _answered(study, [todo[place] for place in left], workers, watch):
+        look()  # a library may have made the curve a failed one of it
         if journal is not None:
             journal.write(written_fits(mark, results))
         useful = useful or _useful(results)

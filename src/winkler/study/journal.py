@@ -25,6 +25,7 @@ from winkler.errors import InvalidInput
 from winkler.study.canonical import digest, how_fitted, plain
 from winkler.study.fitting import FitStudy
 from winkler.study.keeping import refuse_other_version
+from winkler.study.locking import lock
 from winkler.study.study import Study
 from winkler.study.varied import Axis
 
@@ -149,8 +150,8 @@ class Journal:
             why = (error.strerror or type(error).__name__).lower()
             raise InvalidInput(f"journal: '{self.path}' cannot be opened ({why}); give another folder.") from None
         try:
-            _lock(self._file)
-        except OSError:
+            lock(self._file)
+        except BlockingIOError:
             self._close()
             raise self._taken() from None
 
@@ -203,17 +204,3 @@ def _drawn(axis: Axis) -> Any:
 
 def _hash(content: Any) -> str:
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-
-
-def _lock(file: int) -> None:
-    """Take a file for this process alone; the system gives it back when the process ends, however it ends."""
-    if os.name == "nt":
-        import msvcrt
-
-        os.lseek(file, 2**40, os.SEEK_SET)
-        msvcrt.locking(file, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined,unused-ignore]
-        os.lseek(file, 0, os.SEEK_SET)
-    else:
-        import fcntl
-
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

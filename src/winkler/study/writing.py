@@ -1,13 +1,13 @@
 """The folder of results: written whole or not at all.
 
 Everything is written into a hidden folder beside the wanted one, which takes its name when it is complete.  Two runs
-into one folder never mix, and a run that is stopped leaves what was there before.
+into one folder never mix, and a run that is stopped leaves what was there before.  What a run leaves that was killed
+without warning, the next one puts right: see `winkler.study.reserving`.
 """
 
 from __future__ import annotations
 
 import contextlib
-import glob
 import json
 import os
 import shutil
@@ -19,11 +19,24 @@ from typing import Any
 from winkler.errors import InvalidInput
 from winkler.study.outcome import Outcome, Provenance
 from winkler.study.reading import study_text
+from winkler.study.stopping import held, keeping, look
 
-__all__ = ["PROVENANCE", "clear_partial", "holds_results", "missing", "placed", "write_outcome", "write_provenance"]
+__all__ = [
+    "OLD",
+    "PARTIAL",
+    "PROVENANCE",
+    "holds_results",
+    "missing",
+    "placed",
+    "unwritable",
+    "write_outcome",
+    "write_provenance",
+]
 
 PROVENANCE = "provenance.json"
 """Marks a folder of results, and lists its files."""
+PARTIAL, OLD = ".partial", ".old"
+"""How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
 
 
 def write_outcome(outcome: Outcome, folder: Path) -> None:
@@ -92,7 +105,7 @@ def holds_results(folder: Path) -> bool:
             raise InvalidInput(f"output: '{folder}' is a file; give a folder.")
         present = _files(folder)
     except OSError as error:
-        raise _unwritable(folder, error) from None
+        raise unwritable(folder, error) from None
     if not present and not any(folder.iterdir()):
         return False
     foreign = [name for name in present if name not in _listed(folder)]
@@ -131,7 +144,8 @@ def _is_here(folder: Path) -> bool:
     return there == here or there in here.parents
 
 
-def _unwritable(folder: Path, error: OSError) -> InvalidInput:
+def unwritable(folder: Path, error: OSError) -> InvalidInput:
+    """Return the error of a folder that the system does not let us write."""
     why = (error.strerror or type(error).__name__).lower()
     return InvalidInput(f"output: '{folder}' cannot be written ({why}); give another folder with --output.")
 
@@ -143,7 +157,7 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
     Parameters
     ----------
     folder
-        Where the results go.
+        Where the results go; the folder that holds it is there, as `winkler.study.reserving.reserved` sees to.
     overwrite
         Whether results of an earlier run may be replaced.
 
@@ -154,35 +168,24 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
     """
     if holds_results(folder) and not overwrite:
         raise _occupied(folder)
-    parent = folder.parent
-    created = [path for path in (parent, *parent.parents) if not path.exists()]
     mark = f".{folder.name}.{uuid.uuid4().hex[:12]}"
-    partial = parent / f"{mark}.partial"
+    partial = folder.parent / f"{mark}{PARTIAL}"
     done = False
     try:
         try:
-            parent.mkdir(parents=True, exist_ok=True)
             partial.mkdir()
-        except OSError as error:
-            raise _unwritable(folder, error) from None
-        try:
             yield partial
+            look()
+            with held():  # a stop between the two names, or before the old results are gone, would leave both
+                _put(partial, folder, folder.parent / f"{mark}{OLD}", overwrite)
+                done = True
+                keeping(f"the results in {folder} are complete")
         except OSError as error:
-            raise _unwritable(folder, error) from None
-        _put(partial, folder, parent / f"{mark}.old", overwrite)
-        done = True
+            raise unwritable(folder, error) from None
     finally:
         if not done:
-            shutil.rmtree(partial, ignore_errors=True)
-            for path in created:
-                with contextlib.suppress(OSError):
-                    path.rmdir()
-
-
-def clear_partial(folder: Path) -> None:
-    """Remove what runs into `folder` that were killed have left; no other run may be under way."""
-    for path in folder.parent.glob(f".{glob.escape(folder.name)}.*.partial"):
-        shutil.rmtree(path, ignore_errors=True)
+            with held():
+                shutil.rmtree(partial, ignore_errors=True)
 
 
 def _occupied(folder: Path) -> InvalidInput:
@@ -204,8 +207,6 @@ def _put(partial: Path, folder: Path, aside: Path, overwrite: bool) -> None:
         elif folder.exists():
             folder.rmdir()
         os.rename(partial, folder)
-    except OSError as error:
-        raise _unwritable(folder, error) from None
     finally:
         if moved and not folder.exists():
             os.rename(aside, folder)
