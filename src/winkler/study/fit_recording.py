@@ -29,13 +29,15 @@ from winkler.study.journal import Journal
 from winkler.study.lossless import packed, unpacked
 from winkler.study.recording import notes_of, plain_notes
 
-__all__ = ["Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
+__all__ = ["MISTAKE", "Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
 
 Piece = str | PlacedCurve | UnreadCurve
 """A file of many, or a curve of one file."""
 Results = tuple[Fitted | Refused, ...]
 """What came of the curves of a piece."""
 
+MISTAKE = 70
+"""What the command line returns for a mistake of winkler itself."""
 FITS = {cls.__name__: cls for cls in (Fit, ViscoelasticFit, CreepFit)}
 RESTORED = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
 
@@ -73,7 +75,7 @@ def results_of(study: FitStudy, line: dict[str, Any]) -> Results:
 
 
 def recalled_fits(study: FitStudy, todo: Sequence[Piece], journal: Journal) -> dict[int, Results]:
-    """Return what a journal knows of pieces, by their place among them.
+    """Return what a journal knows of pieces, by their place among them; an unexpected error may be gone the next time.
 
     Raises
     ------
@@ -84,7 +86,11 @@ def recalled_fits(study: FitStudy, todo: Sequence[Piece], journal: Journal) -> d
         return {}
     places = {mark: place for place, piece in enumerate(todo) if (mark := fingerprint(study, piece))}
     try:
-        return {places[line["of"]]: results_of(study, line) for line in journal.recalled() if line["of"] in places}
+        return {
+            places[line["of"]]: results_of(study, line)
+            for line in journal.recalled()
+            if line["of"] in places and all(curve.get("code") != MISTAKE for curve in line["curves"])
+        }
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidInput(
             f"journal: '{journal.path}' holds a line that does not fit the study ({error}); add --anew to begin again "

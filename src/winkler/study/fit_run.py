@@ -26,7 +26,7 @@ from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
 from winkler.study.canonical import how_fitted
 from winkler.study.correcting import corrected
 from winkler.study.fit_outcome import FitOutcome, Fitted, Refused
-from winkler.study.fit_recording import Piece, Results, fingerprint, recalled_fits, seen_from, written_fits
+from winkler.study.fit_recording import MISTAKE, Piece, Results, fingerprint, recalled_fits, seen_from, written_fits
 from winkler.study.fitting import FitStudy
 from winkler.study.journal import Journal
 from winkler.study.pool import checked_workers, completed
@@ -36,8 +36,6 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
 
-MISTAKE = 70
-"""What the command line returns for a mistake of winkler itself."""
 NOTHING: Mapping[int, Results] = MappingProxyType({})
 
 Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
