@@ -18,11 +18,32 @@ import numpy as np
 
 from winkler.numerics.jit import compiled
 
-__all__ = ["fading", "losses"]
+__all__ = ["fading", "first", "losses", "second"]
 
 TERMS = 30
+"""Of a series, at most."""
 NOTHING = 1e-19
 """Terms of a series below this do not change a sum of about one."""
+
+
+@compiled
+def first(x):  # type: ignore[no-untyped-def]
+    """Return phi_1 of x >= 0, which cancels nowhere."""
+    return -np.expm1(-x) / x if x > 0.0 else 1.0
+
+
+@compiled
+def second(x):  # type: ignore[no-untyped-def]
+    """Return phi_2 of x >= 0."""
+    if x >= 1.0:
+        return (1.0 - first(x)) / x
+    term, total = 0.5, 0.0
+    for k in range(TERMS):
+        total += term
+        term *= -x / (k + 3.0)
+        if abs(term) < NOTHING:
+            break
+    return total
 
 
 @compiled
@@ -40,7 +61,7 @@ def fading(x, out):  # type: ignore[no-untyped-def]
         out[1] = 0.5 - x * out[2]
         out[0] = 1.0 - x * out[1]
         return
-    out[0] = -np.expm1(-x) / x
+    out[0] = first(x)
     out[1] = (1.0 - out[0]) / x
     out[2] = (0.5 - out[1]) / x
     out[3] = (1.0 / 6.0 - out[2]) / x

@@ -12,28 +12,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.numerics.fading import fading
 from winkler.numerics.jit import compiled
 
 __all__ = ["pass_over"]
-
-
-@compiled
-def _phi(x, out):  # type: ignore[no-untyped-def]
-    """Write phi_1 .. phi_4 of -x: (1 - e^-x)/x, (1 - phi_1)/x, (1/2 - phi_2)/x, (1/6 - phi_3)/x."""
-    if x < 1.0:
-        term, total = 1.0 / 24.0, 0.0
-        for j in range(25):
-            total += term
-            term *= -x / (j + 5.0)
-        out[3] = total
-        out[2] = 1.0 / 6.0 - x * out[3]
-        out[1] = 0.5 - x * out[2]
-        out[0] = 1.0 - x * out[1]
-        return
-    out[0] = -np.expm1(-x) / x
-    out[1] = (1.0 - out[0]) / x
-    out[2] = (0.5 - out[1]) / x
-    out[3] = (1.0 / 6.0 - out[2]) / x
 
 
 @compiled
@@ -42,8 +24,8 @@ def _load(relaxed, drag, moduli, lengths, u, slope, turn, memory, y, phi):  # ty
     q = relaxed * (u + (slope + 0.5 * turn * y) * y) + drag * (slope + turn * y)
     for i in range(moduli.size):
         x = y / lengths[i]
-        _phi(x, phi)
-        q += memory[i] * (1.0 - x * phi[0]) + moduli[i] * y * (slope * phi[0] + turn * y * phi[1])
+        fading(x, phi)
+        q += memory[i] * np.exp(-x) + moduli[i] * y * (slope * phi[0] + turn * y * phi[1])
     return q
 
 
@@ -91,7 +73,7 @@ def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, l
         if span != width:
             width = span
             for i in range(modes):
-                _phi(span / lengths[i], fade[i])
+                fading(span / lengths[i], fade[i])
         s, r, t = span, slope * span, turn * span * span
         # of the spring and the dashpot: u = u_j + r s + t s^2/2 with s from 0 to 1, slope (r + t s)/span
         force += s * (relaxed * (u[j] + r / 2.0 + t / 6.0) + drag * (slope + turn * s / 2.0))
@@ -105,7 +87,7 @@ def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, l
             force += s * (memory[i] * one + stress * (r * two + t * three))
             work += r * (memory[i] * one + stress * (r * two + t * three))
             work += t * (memory[i] * (one - two) + stress * (r * (two - three) + t * (three - four)))
-            memory[i] = memory[i] * (1.0 - x * one) + stress * (r * one + t * two)
+            memory[i] = memory[i] * np.exp(-x) + stress * (r * one + t * two)
         if span < h:
             sums[2] = place[j] + span
             break
