@@ -158,8 +158,8 @@ class ViscoelasticTangential:
             place = springs.springs.position
             yield ViscoelasticTangentialState(
                 time, springs.depth, turn.force, turn.radius, row.shift, turn.shear_force,
-                stick_radius(place, row.stuck, row.bounds - np.abs(row.loads), turn.radius), turn.stored, turn.friction,
-                turn.work - turn.stored, place, density * springs.loads(), density * row.loads, springs.place.copy(),
+                stick_radius(place, row.stuck, row.bounds - np.abs(row.loads), turn.radius), turn.work, turn.stored,
+                turn.friction, turn.bulk, turn.friction + turn.bulk, place, density * springs.loads(), density * row.loads, springs.place.copy(),
                 row.displaced.copy(), row.stuck,
             )  # fmt: skip
 
@@ -253,10 +253,10 @@ class ViscoelasticTangentialSolution:
         u_x [m] and F_x [N]; what drags the upper body along, positive towards +x.
     stick_radius : ndarray, (steps,)
         Up to which all springs stick [m].
-    stored_energy : ndarray, (steps,)
-        In all springs, in both directions [J].
-    friction_loss, dissipation : ndarray, (steps,)
-        Lost since the beginning to friction, and to friction and in the bodies together [J].
+    work, stored_energy : ndarray, (steps,)
+        What the machine has spent since the beginning, and what all springs store, in both directions [J].
+    friction_loss, bulk_loss, dissipation : ndarray, (steps,)
+        Lost since the beginning to friction, in the dashpots of the bodies, and both together [J].
     states : tuple of ViscoelasticTangentialState
         The states themselves.
     """
@@ -269,8 +269,10 @@ class ViscoelasticTangentialSolution:
     shift: Array
     shear_force: Array
     stick_radius: Array
+    work: Array
     stored_energy: Array
     friction_loss: Array
+    bulk_loss: Array
     dissipation: Array
     states: tuple[ViscoelasticTangentialState, ...]
 
@@ -284,16 +286,6 @@ class ViscoelasticTangentialSolution:
             **rows(cls, states),
             states=tuple(states),
         )
-
-    @property
-    def bulk_loss(self) -> Array:
-        """Energy lost in the bodies since the beginning [J], ``(steps,)``."""
-        return np.asarray(self.dissipation - self.friction_loss)
-
-    @property
-    def work(self) -> Array:
-        """What the machine has spent since the beginning, in both directions [J], ``(steps,)``."""
-        return np.asarray(self.stored_energy + self.dissipation)
 
     @property
     def validity(self) -> tuple[Note, ...]:
