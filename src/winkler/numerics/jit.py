@@ -3,9 +3,10 @@
 A kernel is written as ordinary Python and decorated with `compiled`.  numba is imported at the first call of a kernel,
 never when winkler is imported.  In a browser (emscripten), where there is no numba, the same source runs as it is.
 
-A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of a
-function alone, is told what they consist of.  Rules for whoever writes one: it divides by zero without an error, and may count on infinities and on what
-comparisons with not-a-number give: only re-association, contraction and the sign of zero are given away for speed.
+A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
+function alone, is told what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
+may count on infinities and on what comparisons with not-a-number give: only re-association, contraction and the sign of
+zero are given away for speed.
 Kernels let other threads run.
 """
 

@@ -3,8 +3,8 @@ r"""Relaxing springs that are dragged along a surface with friction: one step, e
 A spring displaced by u along the surface bears :math:`q=M_\infty u+\eta\dot u+\sum_i S_i` with
 :math:`\dot S_i=-S_i/\tau_i+M_i\dot u`, and never more than its bound.  Over a step u is taken as straight, for which
 all is exact.  A spring that would bear more than its bound at the end of the step slides as far as makes it bear the
-bound.  One that is free recovers, :math:`u=\sum_k w_ke^{-r_kt}`, and its memories are the w_k.  Since the rule is met at
-the end of the step, no step is too long to be stable.
+bound.  One that is free recovers, :math:`u=\sum_k w_ke^{-r_kt}`, and its memories are the w_k.  Since the rule is met
+at the end of the step, no step is too long to be stable.
 
 `law` is that of `winkler.numerics.relaxation.Recovery.law`.
 """

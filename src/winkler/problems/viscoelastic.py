@@ -24,7 +24,8 @@ from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.declared import BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.gathering import rows
@@ -103,7 +104,7 @@ class ViscoelasticIndentation:
         "ting_1966",
         "argatov_popov_2016",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticIndentation", self.bed)
@@ -222,9 +223,7 @@ class ViscoelasticIndentation:
                     "have pressed it; allow a smaller tolerance."
                 )
             refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
-            yield row, np.array(
-                [[time, row.depth, force, driven.radius, driven.work, driven.stored, driven.lost]]
-            )
+            yield row, np.array([[time, row.depth, force, driven.radius, driven.work, driven.stored, driven.lost]])
 
     def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
@@ -341,5 +340,6 @@ class ViscoelasticSolution:
             *bed.notes,
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *times,
+            energy_note(self.work, self.stored_energy, self.dissipation),
             *relaxing_yield(bed.medium),
         )

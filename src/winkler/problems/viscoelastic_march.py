@@ -21,7 +21,7 @@ __all__ = ["Carried", "Row", "elastic_like", "refuse_rings", "relaxation_of"]
 
 
 class Carried(NamedTuple):
-    """What steps did, (steps,): work and loss [J], and at their ends energy stored [J], radius [m], force [N], rings."""
+    """What steps did, (steps,): work and loss [J], and at their ends energy stored [J], radius [m], force [N], ring."""
 
     work: Array
     lost: Array

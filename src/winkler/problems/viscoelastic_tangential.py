@@ -26,8 +26,9 @@ from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.assumptions.declared import RELAXING, SHEARED
+from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
@@ -99,7 +100,7 @@ class ViscoelasticTangential:
     tolerance: float = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_willert_hess_2018", "mindlin_1949")
-    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
@@ -156,10 +157,11 @@ class ViscoelasticTangential:
             refuse_rings("ViscoelasticTangential", np.array([time]), np.array([row.turn.ring]))
             turn, springs = row.turn, row.row
             place = springs.springs.position
+            slack = row.bounds - np.abs(row.loads)
             yield ViscoelasticTangentialState(
                 time, springs.depth, turn.force, turn.radius, row.shift, turn.shear_force,
-                stick_radius(place, row.stuck, row.bounds - np.abs(row.loads), turn.radius), turn.work, turn.stored,
-                turn.friction, turn.bulk, turn.friction + turn.bulk, place, density * springs.loads(), density * row.loads, springs.place.copy(),
+                stick_radius(place, row.stuck, slack, turn.radius), turn.work, turn.stored, turn.friction, turn.bulk,
+                turn.friction + turn.bulk, place, density * springs.loads(), density * row.loads, springs.place.copy(),
                 row.displaced.copy(), row.stuck,
             )  # fmt: skip
 
@@ -299,6 +301,7 @@ class ViscoelasticTangentialSolution:
             coupled,
             *direction_notes(bed),
             *times,
+            energy_note(self.work, self.stored_energy, self.dissipation),
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *relaxing_yield(bed.medium),
         )

@@ -68,7 +68,7 @@ class Scales(NamedTuple):
 
 
 class Turn(NamedTuple):
-    """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost to friction and in bodies, work [J], a ring."""
+    """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost by friction, in bodies, work [J], a ring."""
 
     force: float
     radius: float
