@@ -15,6 +15,10 @@ __all__ = ["carry", "jump", "turned"]
 EVENTS = 64
 """More within one step are rounding: a line and m exponentials vanish together m + 1 times at most."""
 TRIALS = 200
+CLOSE = 1e-15
+"""Part of its time, or of the shortest relaxation time, to which an event is found."""
+FEW = 1e-3
+"""Part of a bracket that is tried next where nothing is known of its beginning."""
 
 
 @compiled
@@ -73,7 +77,9 @@ def _allowance(law, gap, place, rate, u, memory, pressed, t):  # type: ignore[no
 def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ignore[no-untyped-def]
     """Carry one spring through a step; return place, whether it is pressed, its load at the end, impulse and loss."""
     relaxed, viscosity, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
-    left, place, impulse, lost, caught = dt, depth, 0.0, 0.0, False
+    left, place, impulse, lost, caught, quick = dt, depth, 0.0, 0.0, False, dt
+    for i in range(times.size):
+        quick = min(quick, times[i])
     for events in range(EVENTS + 1):
         begin = _allowance(law, gap, place, rate, u, mine, pressed, 0.0)
         # what has just been caught bears nothing yet; below zero is rounding
@@ -84,9 +90,11 @@ def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ign
         if turns:
             low, high, f_low, f_high = 0.0, left if begin > 0.0 else 0.0, begin, end
             for trial in range(TRIALS):
-                if high - low <= 1e-15 * left:
+                if high - low <= CLOSE * max(high, quick):
                     break
-                middle = 0.5 * (low + high) if trial % 3 == 2 else low + (high - low) * f_low / (f_low - f_high)
+                middle = low + (high - low) * f_low / (f_low - f_high)
+                if trial % 3 == 2:  # what fades may be over in a tiny part of the step
+                    middle = FEW * high if low < FEW * FEW * high else np.sqrt(low * high)
                 if not low < middle < high:
                     middle = 0.5 * (low + high)
                 f = _allowance(law, gap, place, rate, u, mine, pressed, middle)
