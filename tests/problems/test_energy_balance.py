@@ -152,3 +152,17 @@ def test_a_march_that_misses_energy_says_so():
         assert standing(wrong) is expected
     wrong = dataclasses.replace(found, dissipation=found.dissipation * math.nan)
     assert standing(wrong) is Standing.OUTSIDE
+
+
+@pytest.mark.parametrize("speed", [1e-20, 1e-14, 1e-8, 1e8, 1e14, 1e20])
+def test_next_to_nothing_resists_a_ball_that_slides_far_from_its_relaxation_time(speed):
+    r"""Slow: :math:`\tau v\int u'^2\,\mathrm dx = \tfrac83\tau v a^3`; fast: :math:`\int u^2\,\mathrm dx/(\tau v) = 16a^5/15`.
+
+    The resistance of a Kelvin-Voigt solid at 1e-20 m/s was negative, that of a standard solid at 1e20 m/s rounding.
+    """
+    depth = 0.01
+    width, tolerance = math.sqrt(depth), 3e-6 if speed in (1e-8, 1e8) else 1e-9
+    slow, fast = 8.0 / 3.0 * speed * width**3, 16.0 / 15.0 / speed * width**5
+    for name in ("standard solid", "Kelvin-Voigt") if speed < 1.0 else ("standard solid", "Maxwell"):
+        found = wk.SlidingResistance(bed(solids(1.0)[name]), wk.Depth(depth), speed).solve()
+        assert found.line_shear_force == pytest.approx(slow if speed < 1.0 else fast, rel=tolerance)
