@@ -156,7 +156,7 @@ def test_a_march_that_misses_energy_says_so():
 
 @pytest.mark.parametrize("speed", [1e-20, 1e-14, 1e-8, 1e8, 1e14, 1e20])
 def test_next_to_nothing_resists_a_ball_that_slides_far_from_its_relaxation_time(speed):
-    r"""Slow: :math:`\tau v\int u'^2\,\mathrm dx = \tfrac83\tau v a^3`; fast: :math:`\int u^2\,\mathrm dx/(\tau v) = 16a^5/15`.
+    r"""Slow :math:`\tau v\int u'^2\,\mathrm dx=\tfrac83\tau va^3`, fast :math:`\int u^2\,\mathrm dx/(\tau v)=16a^5/15`.
 
     The resistance of a Kelvin-Voigt solid at 1e-20 m/s was negative, that of a standard solid at 1e20 m/s rounding.
     """
