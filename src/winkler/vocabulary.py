@@ -561,6 +561,8 @@ OWNED: dict[tuple[str, str], Word] = {
     ("ElasticPlasticParticle", "curvature_radius"): Word("R", "m", "radius of the particle"),
     ("ParticleState", "energy"): Word("U", "J", "stored in the particle, less what closing its surfaces has gained"),
     ("ParticleSolution", "energy"): Word("U", "J", "stored in the particle, less what closing its surfaces has gained"),
+    ("ViscoelasticAdhesionSolution", "work"): Word("W", "J", "what the machine has spent since the beginning"),
+    ("ViscoelasticAdhesionState", "work"): Word("W", "J", "what the machine has spent since the beginning"),
     ("ParticleSolution", "work"): Word("W", "J", "what was spent since the beginning"),
     ("Contacts", "coefficient"): Word(r"\mu", "", "friction coefficient"),
     ("BallImpacts", "coefficient"): Word(r"\mu", "", "friction coefficient"),

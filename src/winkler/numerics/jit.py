@@ -28,6 +28,8 @@ R = TypeVar("R")
 
 FREEDOMS = frozenset({"reassoc", "contract", "nsz"})
 """What the compiler may do to arithmetic; never to assume that there is no infinity and no not-a-number."""
+NUMBERS = int, float, np.ndarray
+"""What a kernel may read from its module."""
 INTERPRETED = sys.platform == "emscripten"
 """Whether kernels run as plain Python, where numba does not exist."""
 
@@ -60,7 +62,7 @@ class Kernel(Generic[P, R]):
         assert isinstance(source, types.FunctionType)
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
-        own = [(name, number) for name, number in numbers if isinstance(number, int | float)]
+        own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, NUMBERS)]
         parts = [code.co_code, code.co_consts, code.co_names, own]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
