@@ -530,6 +530,7 @@ OWNED: dict[tuple[str, str], Word] = {
     ("EdgeState", "position"): Word("D", "m", "where the far end of the machine stands"),
     ("AdhesiveState", "position"): Word("D", "m", "where the far end of the machine stands"),
     ("AdhesiveCycleSolution", "position"): Word("D", "m", "where the far end of the machine stands"),
+    ("TangentialState", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
     ("TangentialSolution", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
     ("AdhesiveCycleSolution", "work"): Word("W", "J", "what the machine has spent since the beginning"),
     ("AdhesiveCycleSolution", "energy"): Word("U", "J", "energy of bodies, machine and surfaces"),

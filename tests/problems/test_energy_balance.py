@@ -166,3 +166,39 @@ def test_next_to_nothing_resists_a_ball_that_slides_far_from_its_relaxation_time
     for name in ("standard solid", "Kelvin-Voigt") if speed < 1.0 else ("standard solid", "Maxwell"):
         found = wk.SlidingResistance(bed(solids(1.0)[name]), wk.Depth(depth), speed).solve()
         assert found.line_shear_force == pytest.approx(slow if speed < 1.0 else fast, rel=tolerance)
+
+
+@pytest.mark.parametrize("coefficient", [0.3, math.inf])
+@pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
+def test_slip_on_a_random_way_keeps_account(profile, coefficient):
+    """The work is that of every spring along its way: stuck, sliding, coming and leaving, whatever it keeps or loses."""
+    random, count = np.random.default_rng(1), 40
+    contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    depth = np.where(random.random(count) < 0.3, 1e-6, 1e-6 * random.uniform(-0.2, 1.0, count))
+    force = wk.Indentation(contact, wk.Depth(np.abs(depth))).solve().force
+    pulled = min(coefficient, 1.0) * 0.9 * force * random.uniform(-1.0, 1.0, count)
+    time = np.arange(float(count))
+    for path in (
+        wk.Path(time, wk.Depth(depth), wk.Shift(1e-6 * random.uniform(-1.0, 1.0, count))),
+        wk.Path(time, wk.Force(force), wk.ShearForce(pulled)),
+    ):
+        found = wk.Tangential(contact, wk.Coulomb(coefficient), path).solve()
+        assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-12
+        assert standing(found) is Standing.EXACT
+
+
+@pytest.mark.parametrize("speed", [1e-20, 1e-8, 1e14])
+def test_the_edge_of_rubber_keeps_account(speed):
+    """Slowly nothing but leaps is lost, as in a cycle that knows no speed; at once nothing is."""
+    rubber = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(young=1e6, poisson=0.5)))
+    law = wk.RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
+    time, places = np.array([0.0, 5e-5, 1e-4]) / speed, wk.Depth([5e-6, -45e-6, 5e-6])
+    found = wk.ViscoelasticAdhesion(rubber, law, wk.Path(time, places)).solve()
+    assert missing_energy(found.work, found.energy, found.dissipation) <= 1e-5
+    assert np.all(np.diff(found.dissipation) >= 0.0)
+    assert standing(found) is (Standing.EXACT if speed == 1e14 else Standing.APPROXIMATE)
+    slow = wk.AdhesiveCycle(rubber, wk.ShortRange(0.05), places).solve().dissipation
+    if speed == 1e-20:
+        assert found.dissipation == pytest.approx(slow, rel=3e-6)
+    if speed == 1e14:
+        assert found.dissipation[1] == pytest.approx(slow[0], rel=1e-6)
