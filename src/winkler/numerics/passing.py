@@ -19,10 +19,6 @@ from winkler.numerics.jit import compiled
 
 __all__ = ["pass_over"]
 
-_X, _W = np.polynomial.legendre.leggauss(8)
-NODES, WEIGHTS = 0.5 + 0.5 * _X, 0.5 * _W
-"""From 0 to 1: enough for what fades by no more than e."""
-
 
 @compiled
 def _load(relaxed, drag, moduli, lengths, u, slope, turn, memory, y, phi):  # type: ignore[no-untyped-def]
@@ -36,15 +32,17 @@ def _load(relaxed, drag, moduli, lengths, u, slope, turn, memory, y, phi):  # ty
 
 
 @compiled
-def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, loads, sums):  # type: ignore[no-untyped-def]
+def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, loads, rule, sums):  # type: ignore[no-untyped-def]
     """Let a body pass over a spring.
 
     `place` (n,) are ways y, `u` the recess there, `before` and `after` the slopes u' at both sides of the intervals
     between them (n - 1,).  `memory` (m,) begins as zero and ends as the S_i; `loads` (n,) gets q; `sums` the integrals
-    of q and of q u' over y, and where the spring lets go.  `drag` is eta v.
+    of q and of q u' over y, and where the spring lets go.  `drag` is eta v; `rule`
+    are nodes and weights from 0 to 1, for what fades within an interval by no more than e.
     """
     count, modes = place.size, moduli.size
-    phi, fade, within = np.empty(4), np.empty((modes, 4)), np.empty((modes, 3, NODES.size))
+    nodes, shares = rule
+    phi, fade, within = np.empty(4), np.empty((modes, 4)), np.empty((modes, 3, nodes.size))
     for j in range(count):
         loads[j] = 0.0
     force, lost, width, last = 0.0, 0.0, -1.0, u[count - 1]
@@ -81,8 +79,8 @@ def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, l
             for i in range(modes):
                 x = span / lengths[i]
                 fading(x, fade[i])
-                for k in range(NODES.size if x < 1.0 else 0):
-                    part = NODES[k]
+                for k in range(nodes.size if x < 1.0 else 0):
+                    part = nodes[k]
                     within[i, 0, k], within[i, 1, k] = np.exp(-x * part), part * first(x * part)
                     within[i, 2, k] = part * part * second(x * part)
         s, r, t = span, slope * span, turn * span * span
@@ -96,9 +94,9 @@ def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, l
             force += s * (memory[i] * one + stress * (r * two + t * three))
             old, new = memory[i], memory[i] * np.exp(-x) + stress * (r * one + t * two)
             memory[i] = new
-            for k in range(NODES.size if x < 1.0 else 0):
+            for k in range(nodes.size if x < 1.0 else 0):
                 now = old * within[i, 0, k] + stress * (r * within[i, 1, k] + t * within[i, 2, k])
-                lost += WEIGHTS[k] * x * now * now / stress
+                lost += shares[k] * x * now * now / stress
             if x >= 1.0:  # what is put in is far more than what is stored of it
                 lost += r * (old * one + stress * (r * two + t * three))
                 lost += t * (old * (one - two) + stress * (r * (two - three) + t * (three - four)))
