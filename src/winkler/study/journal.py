@@ -25,7 +25,7 @@ from winkler.study.canonical import digest, plain
 from winkler.study.study import Study
 from winkler.study.varied import Axis
 
-__all__ = ["Journal"]
+__all__ = ["Journal", "settled"]
 
 ENDING = ".journal"
 
@@ -44,7 +44,7 @@ class Journal:
     def __init__(self, path: Path, study: Study) -> None:
         self.path = path
         self.count = 0
-        """Number of points that are kept."""
+        """Number of points that are kept, without those that are tried again: see `settled`."""
         self._head = _head(study)
         self._file = -1
         self._known = 0
@@ -92,19 +92,19 @@ class Journal:
                     raise self._refused("holds points of another study, or of another version of this one")
                 good += len(line)
                 self._known = number
-        self.count = self._known
+                self.count += number > 0 and settled(content)
         os.ftruncate(self._file, good)
         os.lseek(self._file, 0, os.SEEK_END)
         if not good:
             self._write(json.dumps(self._head))
 
-    def write(self, text: str) -> None:
-        """Append one point."""
+    def write(self, text: str, *, final: bool = True) -> None:
+        """Append one point; one that is not `final` is tried again by a later run."""
         if self._file < 0:
             self._open(os.O_RDWR | os.O_CREAT | os.O_EXCL)
             self._write(json.dumps(self._head))
         self._write(text)
-        self.count += 1
+        self.count += final
 
     def remove(self) -> None:
         """Remove the journal; nothing happens if there is none.
@@ -156,6 +156,11 @@ class Journal:
         return InvalidInput(
             f"journal: '{self.path}' {why}; add --anew to begin again without it, or give another folder with --output."
         )
+
+
+def settled(content: dict[str, Any]) -> bool:
+    """Return whether a line tells what came of a point for good: an unexpected error may be gone the next time."""
+    return "traceback" not in content
 
 
 def _content(line: bytes) -> Any:
