@@ -31,7 +31,11 @@ def run(
         ),
     ] = None,
     cluster: Annotated[
-        str, typer.Option("--cluster", help="Address of a dask scheduler whose workers solve a sweep.")
+        str,
+        typer.Option(
+            "--cluster",
+            help="Address of a dask scheduler whose workers solve a sweep; given up after 60 s without a worker.",
+        ),
     ] = "",
     anew: Annotated[bool, typer.Option("--anew", help="Forget what a sweep that was stopped has solved.")] = False,
     quiet: Quiet = False,

@@ -106,19 +106,25 @@ def completed(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluste
     InvalidInput
         If a worker of another pool asks, or the cluster cannot be used.
     NotConverged
-        If a worker ends before its time.
+        If a worker ends before its time, or the last one of a cluster and no other comes.
     """
     if isinstance(workers, Cluster):
-        with connected(workers) as (executor, count):
-            yield from _shared(answer, todo, executor.submit, count)
+        with connected(workers) as cluster:
+            yield from _shared(answer, todo, cluster.submit, cluster.threads, cluster.beat, cluster.look)
         return
     with _processes(min(workers, len(todo))) as submit:
         yield from _shared(answer, todo, submit, workers)
 
 
 def _shared(
-    answer: Callable[[T], R], todo: Sequence[T], submit: Callable[..., Future[Any]], workers: int
+    answer: Callable[[T], R],
+    todo: Sequence[T],
+    submit: Callable[..., Future[Any]],
+    workers: int,
+    beat: float | None = None,
+    look: Callable[[bool], object] = bool,
 ) -> Iterator[tuple[int, R]]:
+    """Share items out; `look` is told after every `beat` [s], if any, whether there were answers."""
     waiting: dict[Future[Any], int] = {}
     sent, size = 0, 1
     while sent < len(todo) or waiting:
@@ -126,7 +132,8 @@ def _shared(
             batch = list(todo[sent : sent + size])
             waiting[submit(_answered, answer, batch)] = sent
             sent += len(batch)
-        ready, _ = wait(waiting, return_when=FIRST_COMPLETED)
+        ready, _ = wait(waiting, beat, return_when=FIRST_COMPLETED)
+        look(bool(ready))
         for future in ready:
             first = waiting.pop(future)
             found, seconds = future.result()

@@ -106,6 +106,8 @@ def journaled(
     ------
     InvalidInput
         Before the first point, if one of them cannot be asked, or the journal is of another study.
+    NotConverged
+        If workers died: how many points are kept.
     """
     checked_workers(workers)
     todo = tasks(study)
@@ -118,7 +120,7 @@ def journaled(
         known = recalled(content, todo[place], study.expect)
         useful = useful or not isinstance(known, Failed)
         yield known
-    for _, point in _answered(study, todo.without(done), workers, watch, keep):
+    for point in _counted(_answered(study, todo.without(done), workers, watch, keep), journal, len(todo)):
         if point.code == INTERRUPTED and journal.count:  # the points before it are kept, and the run goes on from there
             raise KeyboardInterrupt
         if isinstance(point, Failed) or point.code != INTERRUPTED:
@@ -130,6 +132,16 @@ def journaled(
         yield point
     if not useful:  # the study has to be changed
         journal.remove()
+
+
+def _counted(points: Iterator[tuple[int, Point]], journal: Journal, many: int) -> Iterator[Point]:
+    """Yield points; if nobody is left to solve them, tell how many are kept."""
+    try:
+        for _, point in points:
+            yield point
+    except NotConverged as error:
+        kept = f"{journal.count} of {many} points are kept in '{journal.path}', and the same run goes on from there."
+        raise NotConverged(f"{error} {kept}" if journal.count else f"{error} No point was solved.") from None
 
 
 def _answered(study: Study, todo: Tasks, workers: Workers, watch: Watch, keep: Keep) -> Iterator[tuple[int, Point]]:
