@@ -128,7 +128,7 @@ def test_what_dask_raises_becomes_a_sentence(monkeypatch):
         raise next(raised)
 
     with inside() as local:
-        monkeypatch.setattr("winkler.study.pool.wait", broken)
+        monkeypatch.setattr("distributed.wait", broken)
         for sentence in said:
             with pytest.raises(NotConverged, match=sentence):
                 run(ONE_BY_ONE, workers=Cluster(local.scheduler_address))

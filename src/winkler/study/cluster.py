@@ -8,10 +8,11 @@ none comes for a while, the sweep is given up; dask would wait for ever.
 from __future__ import annotations
 
 import contextlib
+import functools
 import math
 import time
-from collections.abc import Callable, Iterator
-from concurrent.futures import CancelledError, Future
+from collections.abc import Callable, Collection, Iterator
+from concurrent.futures import CancelledError
 from importlib.metadata import version
 from typing import Any, NamedTuple
 
@@ -59,16 +60,13 @@ class Connection(NamedTuple):
         Sends work.
     threads
         How many the workers have.
-    beat
-        How long answers are waited for before `look` is called [s].
-    look
-        Told whether there were any; gives up if there have been neither answers nor workers for too long.
+    ready
+        Waits until there are answers to some of what was sent, and returns these with them.
     """
 
-    submit: Callable[..., Future[Any]]
+    submit: Callable[..., Any]
     threads: int
-    beat: float
-    look: Callable[[bool], None]
+    ready: Callable[[Collection[Any]], list[tuple[Any, Any]]]
 
 
 @contextlib.contextmanager
@@ -102,9 +100,9 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
                 f"cluster: '{cluster.address}' has no workers; start some with `dask worker {cluster.address}`."
             )
         _same_version(client)
-        executor = client.get_executor(pure=False)
         try:
-            yield Connection(executor.submit, threads, min(BEAT, 0.25 * cluster.patience), _watch(client, cluster))
+            submit = functools.partial(client.submit, pure=False)
+            yield Connection(submit, threads, functools.partial(_ready, client, cluster))
         except KilledWorker as error:
             raise NotConverged(
                 f"cluster: workers of '{cluster.address}' died whenever they solved certain points (out of memory, or "
@@ -114,25 +112,27 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
             raise NotConverged(
                 f"cluster: the scheduler at '{cluster.address}' is gone; start it and its workers, and run again."
             ) from None
-        finally:
-            executor.shutdown(wait=False)  # what is still under way is given up
 
 
-def _watch(client: Any, cluster: Cluster) -> Callable[[bool], None]:
-    """Return what gives up when a cluster has been without a worker for too long."""
-    alone = math.inf
+def _ready(client: Any, cluster: Cluster, waiting: Collection[Any]) -> list[tuple[Any, Any]]:
+    """Return what has an answer, and the answers; give up when the cluster has been without a worker for too long."""
+    from distributed import wait
 
-    def look(answered: bool) -> None:
-        nonlocal alone
+    beat, alone = min(BEAT, 0.25 * cluster.patience), math.inf
+    while True:
+        found = []
+        with contextlib.suppress(TimeoutError), client.as_current():
+            for future in wait(list(waiting), beat, return_when="FIRST_COMPLETED").done:
+                found.append((future, future.result(beat)))  # no answer any more, if its worker died with it
+        if found:
+            return found
         now = time.monotonic()
-        alone = math.inf if answered or client.nthreads() else min(alone, now)
+        alone = math.inf if client.nthreads() else min(alone, now)
         if now - alone >= cluster.patience:
             raise NotConverged(
                 f"cluster: '{cluster.address}' has had no worker for {cluster.patience:g} s; start some with "
                 f"`dask worker {cluster.address}` and run again."
             )
-
-    return look
 
 
 def _same_version(client: Any) -> None:
