@@ -52,7 +52,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _told(error: Exception, interrupts: list[int]) -> int:
     """Say what went wrong in one sentence, and return the exit code."""
-    from winkler.errors import WinklerError
+    from winkler.errors import WinklerError, mistake_in
 
     if isinstance(error, WinklerError):
         _say(str(error))
@@ -64,8 +64,7 @@ def _told(error: Exception, interrupts: list[int]) -> int:
         path = context.command_path if context is not None else "winkler"
         _say(f"{str(error.format_message()).rstrip('.')}; `{path} --help` tells what is known.")
         return int(error.exit_code)
-    text = " ".join(str(error).split())
-    _say(f"winkler made a mistake ({type(error).__name__}: {text}); run again with --traceback and report it.")
+    _say(f"{mistake_in(error)}; run again with --traceback and report it.")
     return MISTAKE
 
 
