@@ -110,8 +110,7 @@ def tasks(study: Study) -> Tasks:
     for place in np.unique(np.linspace(0, len(found) - 1, min(len(found), ASKED)).round().astype(int)):
         try:
             _ = found[place].problem
-        except WinklerError:
-            raise
-        except Exception:  # a mistake of ours: it fails in its turn, and the others are solved
-            continue
+        except Exception as error:
+            if isinstance(error, WinklerError):
+                raise  # else it is a mistake of ours: the point fails in its turn, and the others are solved
     return found
