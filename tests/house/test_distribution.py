@@ -5,6 +5,7 @@ The archives are those of the folder that `WINKLER_DIST` names; `.ci/run` and th
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import tarfile
@@ -97,3 +98,24 @@ def test_nothing_large_and_nothing_foreign_is_shipped(wheel, source):
     assert {name for name in wheel if PurePosixPath(name).suffix not in ENDINGS and ".dist-info/" not in name} == set()
     left = ("results/", "__pycache__", ".hypothesis", "docs/gallery", "docs/_build", ".egg-info", ".venv")
     assert [name for name in sizes if any(word in name for word in left)] == []
+
+
+def test_the_bill_of_materials_is_that_of_the_lock(root, dist, project):
+    """The release makes it; the components are those of the lock, and all that winkler needs is among them."""
+    from packaging.requirements import Requirement
+    from packaging.utils import canonicalize_name
+
+    bills = list(dist.glob("*.cdx.json"))
+    if not bills:
+        pytest.skip("only the release makes a bill of materials")
+    [bill] = [json.loads(path.read_text(encoding="utf-8")) for path in bills]
+    assert bill["bomFormat"] == "CycloneDX"
+    assert (bill["metadata"]["component"]["name"], bill["metadata"]["component"]["version"]) == (
+        project["name"],
+        project["version"],
+    )
+    found = {f"{canonicalize_name(one['name'])}=={one['version']}" for one in bill["components"]}
+    assert found <= set((root / "constraints" / "newest.txt").read_text(encoding="utf-8").splitlines())
+    names = {line.partition("==")[0] for line in found}
+    assert {canonicalize_name(Requirement(text).name) for text in project["dependencies"]} <= names
+    assert [one["name"] for one in bill["components"] if not one.get("licenses")] == []
