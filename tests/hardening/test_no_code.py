@@ -33,10 +33,12 @@ def worn(path):
     return read_wear(wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace(wk.Elastic(1e9, 0.3))), path)
 
 
-@pytest.mark.parametrize(
-    "reader", [read_contacts, worn, wk.read_topography, wk.read_profile, wk.read_curve, wk.read_bed]
-)
-@pytest.mark.parametrize("ending", [".npy", ".npz", ".csv", ".pkl"])
+READERS = (read_contacts, worn, wk.read_profile, wk.read_curve, wk.read_bed)
+CASES = [(reader, ending) for reader in READERS for ending in (".npy", ".npz", ".csv", ".pkl")]
+CASES += [(wk.read_topography, ".npy"), (wk.read_topography, ".npz")]
+
+
+@pytest.mark.parametrize(("reader", "ending"), CASES)
 def test_nothing_is_unpickled(reader, ending, tmp_path):
     path, payload = tmp_path / f"payload{ending}", np.array([Payload(tmp_path / "done")], dtype=object)
     with path.open("wb") as file:
