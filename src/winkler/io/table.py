@@ -15,33 +15,27 @@ import math
 import os
 import re
 from array import array
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.text_file import lines_of
+from winkler.io.text_file import head_of, headed, lines_of
+from winkler.limits import CELL_LETTERS
 from winkler.numerics.types import Array
 from winkler.units import comma_hint, comma_readings, scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "names_columns", "read_table"]
 
-ABOVE = 500
-"""Most lines above the numbers."""
 SEPARATORS = ("\t", ";", ",", None)
 LARGEST = 1e75
 """Largest number of a table in SI units; fourth powers of it can still be computed."""
 COMMENT = "#% \t"
 MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
-NAME_AND_UNIT = (
-    r"(.+?)\s*[\[(]([^\])]*)[\])]",
-    r"(.+?)\s*/\s*(.+)",
-    r"(.+?)\s+in\s+(\S+)",
-    r"(.+)_([^_]+)",
-    r"(\S+)\s+(\S+)",
-)
+WORDS = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
+"""A name with a unit in brackets behind it, or a word."""
 
 
 @value
@@ -119,8 +113,9 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         If the file cannot be read; the message names the line.
     """
     shown = str(path)
-    lines = _lines(path, columns)
-    header = _header(lines, columns, shown)
+    lines = lines_of(path, _needs(columns))
+    head = headed(lines, shown)
+    header = _header(head, columns, shown)
     separator = _separator(lines, header)
     numbers, places, absent = array("d"), array("d"), list[int]()
     for index in range(header.line, len(lines)):
@@ -175,8 +170,9 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
     InvalidInput
         If the file cannot be read.
     """
-    lines = _lines(path, columns)[:ABOVE]
-    texts = [line.lstrip(COMMENT).rstrip() for line in lines if _may_name(line.lower(), columns)]
+    texts = [
+        line.lstrip(COMMENT).rstrip() for line in head_of(path, _needs(columns)) if _may_name(line.lower(), columns)
+    ]
     rows = [_cells(text, separator) for text in texts if text for separator in SEPARATORS]
     return any(all(any(_named(cell, column)[0] for cell in cells) for column in columns) for cells in rows)
 
@@ -190,15 +186,15 @@ def _example(columns: Sequence[Column]) -> str:
     return ", ".join(column.example for column in columns)
 
 
-def _lines(given: str | os.PathLike[str], columns: Sequence[Column]) -> list[str]:
-    return lines_of(given, f"a header such as '{_example(columns)}', and numbers below")
+def _needs(columns: Sequence[Column]) -> str:
+    return f"a header such as '{_example(columns)}', and numbers below"
 
 
 def _cells(line: str, separator: str | None) -> list[str]:
     if separator is not None:
         return [cell.strip(" \t\"'") for cell in line.split(separator)]
     # a unit in brackets belongs to the name before it
-    return re.findall(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?", line) if "[" in line or "(" in line else line.split()
+    return WORDS.findall(line) if "[" in line or "(" in line else line.split()
 
 
 def _is_number(cell: str) -> bool:
@@ -225,16 +221,38 @@ def _number(cell: str, where: str, column: str) -> float:
 
 def _named(cell: str, column: Column) -> tuple[bool, str]:
     """Return whether a cell of the header names the column, and the unit behind the name if there is one."""
-    for pattern in NAME_AND_UNIT:
-        match = re.fullmatch(pattern, cell)
-        if match and match[1].lower() in column.names:
-            return True, match[2].strip(" -")
+    if len(cell) > CELL_LETTERS:
+        return False, ""
+    for name, unit in _readings(cell):
+        if name.lower() in column.names:
+            return True, unit.strip(" -")
     return cell.lower() in column.names, ""
+
+
+def _readings(cell: str) -> Iterator[tuple[str, str]]:
+    """Yield how a cell of the header may be name and unit: ``r [um]``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    if cell[-1:] in ("]", ")"):
+        closed = max(cell.rfind("]", 1, -1), cell.rfind(")", 1, -1))
+        opened = min((place for mark in "[(" if (place := cell.find(mark, max(closed, 0) + 1)) > 0), default=0)
+        if opened:
+            yield cell[:opened].rstrip(), cell[opened + 1 : -1]
+    name, _, unit = cell.partition("/")
+    if name and unit:
+        yield name.rstrip(), unit.lstrip()
+    words = cell.rsplit(None, 2)
+    if len(words) == 3 and words[1] == "in":
+        yield words[0], words[2]
+    name, _, unit = cell.rpartition("_")
+    if name and unit:
+        yield name, unit
+    words = cell.split(None, 2)
+    if len(words) == 2:
+        yield words[0], words[1]
 
 
 def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
     """Return the first line in which every column is named."""
-    for index, line in enumerate(lines[:ABOVE]):
+    for index, line in enumerate(lines):
         text = line.lstrip(COMMENT).rstrip()
         for separator in SEPARATORS if text else ():
             cells = _cells(text, separator)
@@ -295,7 +313,7 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
     """Return why no header was found."""
     example = _example(columns)
     above: list[str] = []
-    for index, line in enumerate(lines[:ABOVE]):
+    for index, line in enumerate(lines):
         text = line.lstrip(COMMENT).rstrip()
         splits = [_cells(text, separator) for separator in SEPARATORS]
         if text == line.strip() and any(

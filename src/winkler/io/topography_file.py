@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.height_matrix import FoundMap, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import existing
@@ -23,6 +24,7 @@ IMPOSSIBLE = 1e4
 UNKNOWN = (float("nan"), float("nan"))
 
 
+@reader("a height map")
 def read_topography(
     path: str | os.PathLike[str],
     *,

@@ -1,0 +1,53 @@
+"""How much is read and computed at most: a wrong zero becomes one sentence, not a machine without memory.
+
+What is given is compared with these numbers before anything is read, unpacked or allocated for it.  They are far above
+what instruments write: a map of 4096 x 4096 heights has 2^24 pixels.
+"""
+
+from __future__ import annotations
+
+__all__ = [
+    "CELL_LETTERS",
+    "FILE_BYTES",
+    "HEADER_LETTERS",
+    "HEADER_LINES",
+    "LINE_LETTERS",
+    "LIST_BYTES",
+    "MOST_CURVES",
+    "MOST_NUMBERS",
+    "MOST_POINTS",
+    "STUDY_BYTES",
+    "STUDY_MARKS",
+    "TEXT_BYTES",
+    "TEXT_LINES",
+    "UNIT_LETTERS",
+]
+
+TEXT_BYTES = 200_000_000
+"""Bytes of a text with numbers."""
+TEXT_LINES = 2_000_000
+"""Lines of such a text."""
+HEADER_LINES = 500
+"""Lines among which the header of a table is looked for,"""
+HEADER_LETTERS = 100_000
+"""characters of all of them,"""
+LINE_LETTERS = 20_000
+"""and of one of them."""
+CELL_LETTERS = 200
+"""Characters of the name of a column with its unit."""
+UNIT_LETTERS = 100
+"""Characters of a unit."""
+STUDY_BYTES = 200_000_000
+"""Bytes of a study, of which a packed height map may be nearly all."""
+STUDY_MARKS = 1_000_000
+"""Signs of a study that separate its entries: commas, equals signs, brackets and ends of lines."""
+FILE_BYTES = 1_000_000_000
+"""Bytes of a file of an instrument, and of all that is packed in it."""
+LIST_BYTES = 50_000_000
+"""Bytes of the list of contents of an archive; a map of a million curves needs them."""
+MOST_NUMBERS = 2**26
+"""Numbers of all arrays of a file, and pixels of a map: 512 MiB."""
+MOST_POINTS = 1_000_000
+"""Points of a path, springs, cells and samples: whatever is counted in a march."""
+MOST_CURVES = 100_000
+"""Files of one fit."""
