@@ -19,7 +19,9 @@ from typing import NoReturn
 
 __all__ = ["main"]
 
-MISTAKE, INTERRUPTED, TERMINATED = 70, 130, 143
+UNUSABLE, MISTAKE, INTERRUPTED, TERMINATED = 2, 70, 130, 143
+LONGEST = 200
+"""Letters of a path in a sentence."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -64,6 +66,9 @@ def _told(error: Exception, interrupts: list[int]) -> int:
         path = context.command_path if context is not None else "winkler"
         _say(f"{str(error.format_message()).rstrip('.')}; `{path} --help` tells what is known.")
         return int(error.exit_code)
+    if isinstance(error, OSError) and isinstance(error.filename, str):
+        _say(f"'{error.filename[-LONGEST:]}' cannot be used ({(error.strerror or '').lower()}); give another path.")
+        return UNUSABLE
     text = " ".join(str(error).split())
     _say(f"winkler made a mistake ({type(error).__name__}: {text}); run again with --traceback and report it.")
     return MISTAKE
