@@ -8,16 +8,26 @@ from __future__ import annotations
 
 __all__ = [
     "CELL_LETTERS",
+    "FIELD_PLACES",
     "FILE_BYTES",
     "HEADER_LETTERS",
     "HEADER_LINES",
+    "HOLES",
     "LINE_LETTERS",
     "LIST_BYTES",
+    "MADE_PIXELS",
+    "MEASURED_PLACES",
+    "MEASURED_TIMES",
     "MOST_CURVES",
     "MOST_NUMBERS",
-    "MOST_POINTS",
+    "PATH_POINTS",
+    "RELAXING_SPRINGS",
+    "SLOWEST",
+    "SPRINGS",
     "STUDY_BYTES",
     "STUDY_MARKS",
+    "SWEPT",
+    "TERMS",
     "TEXT_BYTES",
     "TEXT_LINES",
     "UNIT_LETTERS",
@@ -47,7 +57,27 @@ LIST_BYTES = 50_000_000
 """Bytes of the list of contents of an archive; a map of a million curves needs them."""
 MOST_NUMBERS = 2**26
 """Numbers of all arrays of a file, and pixels of a map: 512 MiB."""
-MOST_POINTS = 1_000_000
-"""Points of a path, springs, cells and samples: whatever is counted in a march."""
+PATH_POINTS = 10_000_000
+"""Points of a path."""
+MADE_PIXELS = 2**24
+"""Pixels of a map that is made at random: 4096 x 4096."""
+SPRINGS = 2**20
+"""Springs, samples and realisations of a problem,"""
+RELAXING_SPRINGS = 50_000
+"""springs that each remember,"""
+TERMS = 1000
+"""and how many things each of them remembers: terms of a series of relaxation."""
+MEASURED_TIMES = 20_000
+"""Measured times or frequencies that a series is fitted to,"""
+MEASURED_PLACES = 500_000
+"""and places at which a shape or a bed was measured."""
+SLOWEST = 1e-4
+"""Least exponent of a power of time; the series of a smaller one has no end, and the body hardly relaxes."""
+FIELD_PLACES = 2**20
+"""Places at which fields are restored in a study."""
+SWEPT = 2**24
+"""Points of a sweep."""
+HOLES = 500_000
+"""Missing heights that are bridged."""
 MOST_CURVES = 100_000
 """Files of one fit."""
