@@ -124,9 +124,9 @@ def try_curves(
 def _each(
     path: str | os.PathLike[str], spring_constant: float | None, sensitivity: float | None
 ) -> Iterator[PlacedCurve | UnreadCurve]:
-    file = existing(path, "a force curve")
-    refuse_large(file, FILE_BYTES)
-    with sentence_of(file, "a force curve cannot be read from it", "check the file, or save it anew"):
+    with sentence_of(path, "a force curve cannot be read from it", "check the file, or save it anew"):
+        file = existing(path, "a force curve")
+        refuse_large(file, FILE_BYTES)
         if _is_text(file) and is_curve_table(file):
             curve = read_curve_table(file, spring_constant=spring_constant, sensitivity=sensitivity)
             yield PlacedCurve(curve, np.nan, np.nan)
