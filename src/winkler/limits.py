@@ -13,6 +13,7 @@ __all__ = [
     "HEADER_LETTERS",
     "HEADER_LINES",
     "HOLES",
+    "KEY_LETTERS",
     "LINE_LETTERS",
     "LIST_BYTES",
     "MADE_PIXELS",
@@ -47,6 +48,8 @@ CELL_LETTERS = 200
 """Characters of the name of a column with its unit."""
 UNIT_LETTERS = 100
 """Characters of a unit."""
+KEY_LETTERS = 500
+"""Characters of a key of a study, and of the name of a quantity."""
 STUDY_BYTES = 200_000_000
 """Bytes of a study, of which a packed height map may be nearly all."""
 STUDY_MARKS = 1_000_000

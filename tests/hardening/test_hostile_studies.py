@@ -74,6 +74,24 @@ def test_texts_made_to_harm(case):
     assert sentence in told
 
 
+LONG = "9" * 5000
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        f'[sweep]\n"problem.bed.{LONG}" = ["1 N"]\n',
+        f'[sweep]\n"problem.load.force.{LONG}" = ["1 N"]\n',
+        f'[sweep]\n"{"a." * 20_000}" = ["1 N"]\n',
+        f'[[expect]]\nquantity = "depth{".1" * 9000}.x"\nvalue = "1 m"\ntolerance = 0.1\n',
+        f'[[expect]]\nquantity = "{LONG}"\nvalue = "1 m"\ntolerance = 0.1\n',
+    ],
+)
+def test_keys_without_end(more):
+    with pytest.raises(InvalidInput, match=r"at most 500 letters|more than 50 parts|give at most 500\."):
+        parse_study(f"{PRESSED}\n{more}", file="study.toml")
+
+
 @pytest.mark.parametrize("unit", ["m " * 5000, "m^" + "9" * 90, "(" * 90, "Ym^12 Ym^12 Ym^12 Ym^12 Ym^12 Ym^12"])
 def test_units_made_to_harm(unit):
     with pytest.raises(InvalidInput):
@@ -122,6 +140,8 @@ def test_folders_of_results_with_long_names(swept, tmp_path, capsys, monkeypatch
 # ------------------------------------------------------------------------------------------------------------- sizes
 
 COUNTS = [
+    ("bimodal_damping", "normal_cycles"),
+    ("bimodal_damping", "lateral_cycles"),
     ("equilibrium", "count"),
     ("fretting_wear", "count"),
     ("hold", "count"),

@@ -13,18 +13,17 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.table_cells import cells_of, like_number, named, number_in
 from winkler.io.text_file import head_of, headed, lines_of
-from winkler.limits import CELL_LETTERS
 from winkler.numerics.types import Array
-from winkler.units import comma_hint, comma_readings, scale
+from winkler.units import scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "names_columns", "read_table"]
@@ -33,9 +32,6 @@ SEPARATORS = ("\t", ";", ",", None)
 LARGEST = 1e75
 """Largest number of a table in SI units; fourth powers of it can still be computed."""
 COMMENT = "#% \t"
-MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
-WORDS = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
-"""A name with a unit in brackets behind it, or a word."""
 
 
 @value
@@ -122,7 +118,7 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         line = lines[index].partition("#")[0]
         if not line.strip():
             continue
-        cells = _cells(line, separator)
+        cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
         if len(cells) != len(header.cells):
@@ -134,7 +130,9 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
                 raise ValueError("float() reads 1_000")
             row = [float(cells[place]) for place in header.places]
         except ValueError:
-            row = [_number(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places]
+            row = [
+                number_in(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places
+            ]
         if not all(map(math.isfinite, row)):
             absent.append(index + 1)
         numbers.extend(row)
@@ -173,8 +171,8 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
     texts = [
         line.lstrip(COMMENT).rstrip() for line in head_of(path, _needs(columns)) if _may_name(line.lower(), columns)
     ]
-    rows = [_cells(text, separator) for text in texts if text for separator in SEPARATORS]
-    return any(all(any(_named(cell, column)[0] for cell in cells) for column in columns) for cells in rows)
+    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS]
+    return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -190,73 +188,13 @@ def _needs(columns: Sequence[Column]) -> str:
     return f"a header such as '{_example(columns)}', and numbers below"
 
 
-def _cells(line: str, separator: str | None) -> list[str]:
-    if separator is not None:
-        return [cell.strip(" \t\"'") for cell in line.split(separator)]
-    # a unit in brackets belongs to the name before it
-    return WORDS.findall(line) if "[" in line or "(" in line else line.split()
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return "_" not in cell
-
-
-def _like_number(cell: str) -> bool:
-    return _is_number(cell) or any(map(_is_number, comma_readings(cell)))
-
-
-def _number(cell: str, where: str, column: str) -> float:
-    if _is_number(cell):
-        return float(cell)
-    if cell.lower() in MISSING:
-        return float("nan")
-    if _like_number(cell):
-        raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
-    raise InvalidInput(f"{where}: '{cell[:40]}' in the column '{column}' is not a number.")
-
-
-def _named(cell: str, column: Column) -> tuple[bool, str]:
-    """Return whether a cell of the header names the column, and the unit behind the name if there is one."""
-    if len(cell) > CELL_LETTERS:
-        return False, ""
-    for name, unit in _readings(cell):
-        if name.lower() in column.names:
-            return True, unit.strip(" -")
-    return cell.lower() in column.names, ""
-
-
-def _readings(cell: str) -> Iterator[tuple[str, str]]:
-    """Yield how a cell of the header may be name and unit: ``r [um]``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
-    if cell[-1:] in ("]", ")"):
-        closed = max(cell.rfind("]", 1, -1), cell.rfind(")", 1, -1))
-        opened = min((place for mark in "[(" if (place := cell.find(mark, max(closed, 0) + 1)) > 0), default=0)
-        if opened:
-            yield cell[:opened].rstrip(), cell[opened + 1 : -1]
-    name, _, unit = cell.partition("/")
-    if name and unit:
-        yield name.rstrip(), unit.lstrip()
-    words = cell.rsplit(None, 2)
-    if len(words) == 3 and words[1] == "in":
-        yield words[0], words[2]
-    name, _, unit = cell.rpartition("_")
-    if name and unit:
-        yield name, unit
-    words = cell.split(None, 2)
-    if len(words) == 2:
-        yield words[0], words[1]
-
-
 def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
     """Return the first line in which every column is named."""
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT).rstrip()
         for separator in SEPARATORS if text else ():
-            cells = _cells(text, separator)
-            found = [[p for p, cell in enumerate(cells) if _named(cell, column)[0]] for column in columns]
+            cells = cells_of(text, separator)
+            found = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
             if not all(found):
                 continue
             found = [
@@ -269,7 +207,9 @@ def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Hea
                     raise InvalidInput(
                         f"{shown}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
                     )
-            units = tuple(_named(cells[places[0]], column)[1] for column, places in zip(columns, found, strict=True))
+            units = tuple(
+                named(cells[places[0]], column.names)[1] for column, places in zip(columns, found, strict=True)
+            )
             header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in found), units)
             return _with_units(header, lines, columns, shown)
     raise InvalidInput(f"{shown}: {_without_header(lines, columns)}.")
@@ -280,7 +220,7 @@ def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[in
     fitting = []
     for place in places:
         try:
-            scale(_named(cells[place], column)[1], column.unit)
+            scale(named(cells[place], column.names)[1], column.unit)
         except InvalidInput:
             continue
         fitting.append(place)
@@ -294,9 +234,9 @@ def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column]
     given = zip(header.places, header.units, needs, strict=True)
     bare = [header.cells[place] for place, unit, need in given if need and not unit]
     if bare:
-        below = _cells(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
+        below = cells_of(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
         wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
-        missing = [need and (not unit or _like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
+        missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
         if not wanted or any(missing):
             listed = " and ".join(f"'{name}'" for name in bare)
             example = _example(columns)
@@ -315,16 +255,16 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
     above: list[str] = []
     for index, line in enumerate(lines):
         text = line.lstrip(COMMENT).rstrip()
-        splits = [_cells(text, separator) for separator in SEPARATORS]
+        splits = [cells_of(text, separator) for separator in SEPARATORS]
         if text == line.strip() and any(
-            any(cells) and all(_like_number(cell) for cell in cells if cell) for cells in splits
+            any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
         ):
             if not above:
                 return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
             break
         if text:
             above = next((cells for cells in splits if len(cells) > 1), [text])
-    missing = [column for column in columns if not any(_named(cell, column)[0] for cell in above)]
+    missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
     wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
     return f"the header has no {wanted}, there are {listed}; name the columns, as in '{example}'"
@@ -334,7 +274,7 @@ def _separator(lines: Sequence[str], header: _Header) -> str | None:
     """Return what separates the cells of the numbers: as in the header, or otherwise if the first row says so."""
     first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
     for separator in (header.separator, *SEPARATORS):
-        cells = _cells(first.partition("#")[0], separator)
-        if len(cells) == len(header.cells) and all(_is_number(cells[place]) for place in header.places):
+        cells = cells_of(first.partition("#")[0], separator)
+        if len(cells) == len(header.cells) and all(is_number(cells[place]) for place in header.places):
             return separator
     return header.separator

@@ -15,7 +15,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.given import affordable
-from winkler.limits import FIELD_PLACES
+from winkler.limits import FIELD_PLACES, KEY_LETTERS
 from winkler.numerics.types import Array, Quantity
 from winkler.study.designs import POINT, Crossed, Design, Zipped, axes_of
 from winkler.study.varied import Axis, Range
@@ -114,6 +114,8 @@ def named(quantity: str) -> str:
     >>> named("problem.bed.medium.modulus"), named("shear_force.-1")
     ('modulus', 'shear_force')
     """
+    if len(quantity) > KEY_LETTERS:
+        raise InvalidInput(f"quantity is '{quantity[:40]}...'; give a name of at most {KEY_LETTERS} letters.")
     return re.sub(r"(\.-?\d+)+$", "", quantity).rpartition(".")[2]
 
 
