@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 from bounded import sentence_within
 
 import winkler as wk
+import winkler.limits as limits
 from winkler.cli import main
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields
@@ -231,3 +234,12 @@ def test_a_body_of_rotation_of_too_many_places(tmp_path):
     assert isinstance(fields, SubsurfaceFields)
     with pytest.raises(InvalidInput, match=r"write_vtk: 9000900 places are too many"):
         write_vtk(fields, tmp_path / "body.vtk", around=10_000)
+
+
+def test_the_manual_tells_the_limits():
+    page = (Path(__file__).parents[2] / "docs" / "exchange.md").read_text(encoding="utf-8")
+    told = {int(number) for number in re.findall(r"\d+", page.partition("| at most |")[2])}
+    units = {"TEXT_BYTES": 10**6, "STUDY_BYTES": 10**6, "FILE_BYTES": 10**6}
+    inner = {"LIST_BYTES", "UNIT_LETTERS", "MEASURED_PLACES", "SLOWEST"}
+    stated = {getattr(limits, name) // units.get(name, 1) for name in limits.__all__ if name not in inner}
+    assert stated <= told

@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.table_cells import cells_of, like_number, named, number_in
+from winkler.io.table_cells import cells_of, is_number, like_number, named, number_in
 from winkler.io.text_file import head_of, headed, lines_of
 from winkler.numerics.types import Array
 from winkler.units import scale
