@@ -1,10 +1,14 @@
-"""Arrays in files of NumPy's kinds ``.npy`` and ``.npz``: read within limits; replaced once the new file is whole."""
+"""Arrays in files of NumPy's kinds ``.npy`` and ``.npz``: read within limits; replaced once the new file is whole.
+
+The version of winkler stands beside them.
+"""
 
 from __future__ import annotations
 
 import math
 import os
 from collections.abc import Iterable, Mapping
+from importlib.metadata import version
 from pathlib import Path
 from typing import IO
 
@@ -17,7 +21,7 @@ from winkler.io.text_file import existing
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 
-__all__ = ["read_arrays", "write_arrays"]
+__all__ = ["read_arrays", "version_of", "write_arrays"]
 
 MEMBERS = 1000
 """Arrays in a file."""
@@ -87,10 +91,10 @@ def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_N
     form = np.lib.format
     if not size:
         raise ValueError("No data left in file")
-    version = form.read_magic(file)
-    if version not in ((1, 0), (2, 0)):
-        raise ValueError(f"the version {version[0]}.{version[1]} of the format is for tables of records")
-    shape, _, kind = (form.read_array_header_1_0 if version == (1, 0) else form.read_array_header_2_0)(file)
+    form_version = form.read_magic(file)
+    if form_version not in ((1, 0), (2, 0)):
+        raise ValueError(f"the version {form_version[0]}.{form_version[1]} of the format is for tables of records")
+    shape, _, kind = (form.read_array_header_1_0 if form_version == (1, 0) else form.read_array_header_2_0)(file)
     count = math.prod(shape)
     if kind.hasobject:
         raise ValueError("Object arrays cannot be loaded")
@@ -105,6 +109,15 @@ def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_N
     return np.asarray(form.read_array(file, allow_pickle=False))
 
 
+def version_of(path: Path) -> str:
+    """Return the version of winkler that wrote a file; empty if the file does not tell."""
+    try:
+        found = read_arrays(path, ("version",), wrong="no version can be read from it", remedy="give another file")
+    except InvalidInput:
+        return ""
+    return str(found.get("version", ""))
+
+
 def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
     """Write arrays beside the file, and then put them in its place.
 
@@ -116,7 +129,7 @@ def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
     partial = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         with partial.open("wb") as file:
-            np.savez(file, allow_pickle=False, **arrays)
+            np.savez(file, allow_pickle=False, version=np.array(version("winkler")), **arrays)
             file.flush()
             os.fsync(file.fileno())
         partial.replace(path)

@@ -19,6 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.content import LARGEST
 from winkler.errors import InvalidInput
 from winkler.io.table_cells import cells_of, is_number, like_number, named, number_in
 from winkler.io.text_file import head_of, headed, lines_of
@@ -29,8 +30,6 @@ from winkler.values import value
 __all__ = ["Column", "Table", "names_columns", "read_table"]
 
 SEPARATORS = ("\t", ";", ",", None)
-LARGEST = 1e75
-"""Largest number of a table in SI units; fourth powers of it can still be computed."""
 COMMENT = "#% \t"
 
 
