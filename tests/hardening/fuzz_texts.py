@@ -105,8 +105,8 @@ def quantity(rng: Random) -> str:
         return fuzz_words.text(rng, 30)
     if what < 0.5:
         return "".join(rng.choices("0123456789.eE+-*/^()  mkNPaGdegCs,µ°%", k=rng.randint(0, 30)))
-    unit = "".join(
-        f"{rng.choice(('', '*', '/', ' ', '·'))}{rng.choice(fuzz_words.UNITS[:16])}{rng.choice(('', '', '^2', '^-1', '²'))}"
-        for _ in range(rng.randint(1, 4))
-    )
+    unit = ""
+    for _ in range(rng.randint(1, 4)):
+        unit += rng.choice(("", "*", "/", " ", "·")) + rng.choice(fuzz_words.UNITS[:16])
+        unit += rng.choice(("", "", "^2", "^-1", "²"))
     return f"{fuzz_words.number(rng)} {unit}"

@@ -12,7 +12,6 @@ import tomli_w
 from fuzz_cases import Case
 from fuzz_readers import READERS
 
-from winkler.errors import WinklerError
 from winkler.numerics.expression import Expression
 from winkler.profiles.formula import Formula
 from winkler.study.reading import parse_study, read_study, study_text
@@ -46,12 +45,8 @@ def written(table) -> str:
 
 @trial("text")
 def _text(case: Case) -> None:
-    """A study is read and can be written; or an error says what is wrong with which file."""
-    try:
-        study = parse_study(case.content, file="study.toml")
-    except WinklerError as error:
-        assert str(error).startswith("study.toml"), error
-        raise
+    """A study is read, and comes back from its text."""
+    study = parse_study(case.content, file="study.toml")
     again = parse_study(study_text(study), file="study.toml")
     assert again == study, "the study does not come back from its text"
 

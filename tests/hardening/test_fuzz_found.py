@@ -32,20 +32,20 @@ def test_a_case_that_was_found(file):
 
 @pytest.mark.parametrize("problem", ["indentation", "pull_off", "tangential", "thermal_constriction", "rolling"])
 def test_a_few_studies_are_solved(problem, tmp_path, monkeypatch):
-    monkeypatch.setenv("WINKLER_FUZZ_SEED", "the same in every run")
-    judged(problem, 8, lambda rng: Case("solve", written(fuzz_studies.solvable(rng, problem))), tried, tmp_path)
+    monkeypatch.setenv("WINKLER_FUZZ_SEED", "of every run")
+    judged(problem, 4, lambda rng: Case("solve", written(fuzz_studies.solvable(rng, problem))), tried, tmp_path)
 
 
 def test_most_variations_are_solved():
     """What is refused at the door shows nothing of the laws."""
     solved = 0
-    for place in range(100):
+    for place in range(60):
         try:
             build(fuzz_studies.solvable(Random(place), "indentation")["problem"])
             solved += 1
         except wk.WinklerError:
             pass
-    assert solved > 50
+    assert solved > 30
 
 
 def spin(case: Case) -> None:
