@@ -9,6 +9,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.error
 import urllib.request
@@ -28,6 +29,8 @@ def served(*options):
         port = probe.getsockname()[1]
     words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser", *options]
     plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
+    uploads = tempfile.TemporaryDirectory()
+    plain["TMPDIR"] = uploads.name
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=plain)
     address = f"http://127.0.0.1:{port}"
     for _ in range(300):
@@ -43,6 +46,8 @@ def served(*options):
     assert process.returncode in (0, 130), err
     assert address in out
     assert "Traceback" not in err, err
+    with uploads:
+        assert not list(Path(uploads.name).glob("winkler-*"))
 
 
 @pytest.fixture(scope="session")
@@ -78,13 +83,18 @@ class Seen:
     """One page of the app, as a person uses it."""
 
     def __init__(self, browser, address, width=1400, height=950):
-        self.left_machine, self.mistakes = [], []
+        self.left_machine, self.mistakes = [], []  # requests to elsewhere; exceptions, and what the policy forbids
         self.context = browser.new_context(viewport={"width": width, "height": height}, accept_downloads=True)
         self.page = self.context.new_page()
         self.page.route("**/*", self._only_here(address))
         self.page.on("pageerror", lambda error: self.mistakes.append(str(error)))
+        self.page.on("console", self._overheard)
         self.page.goto(address)
         self.settled()
+
+    def _overheard(self, message):
+        if "Content Security Policy" in message.text:
+            self.mistakes.append(message.text)
 
     def _only_here(self, address):
         def judge(route):
@@ -151,4 +161,5 @@ def fresh(browser, app):
     yield open_page
     for page in opened:
         assert page.left_machine == []
+        assert page.mistakes == []
         page.context.close()

@@ -144,20 +144,128 @@ def test_run_sends_to_fit(here, capsys):
     assert "`winkler fit gel.toml` fits it" in capsys.readouterr().err
 
 
-def test_what_was_fitted_before_a_stop_is_kept(here, monkeypatch, capsys):
+def stopping(monkeypatch, at: str, how):
+    """Let something happen in place of the fit of one curve."""
     from winkler.study import fit_run
 
     plain = fit_run._fit_piece
 
     def stopped(study, piece, watch):
-        if piece.endswith("curve3.csv"):
-            raise KeyboardInterrupt
+        if piece.endswith(at):
+            how()
         return plain(study, piece, watch)
 
     monkeypatch.setattr(fit_run, "_fit_piece", stopped)
-    assert main(["fit", "gel.toml"]) == 130
-    assert "2 curves were done" in capsys.readouterr().err
-    assert names(here / "results" / "gel") == [*CURVES[:2], "fit.csv", "fit.nc", PROVENANCE, "study.toml"]
+
+
+def interrupt():
+    raise KeyboardInterrupt
+
+
+def test_what_was_fitted_before_a_stop_is_kept_and_the_same_command_goes_on(here, monkeypatch, capsys):
+    assert main(["fit", "gel.toml", "--quiet", "--output", "whole"]) == 0
+    with monkeypatch.context() as patch:
+        stopping(patch, "curve3.csv", interrupt)
+        assert main(["fit", "gel.toml"]) == 130
+    assert capsys.readouterr().err == (
+        f"winkler: interrupted; 2 curves were done and are in {Path('results') / 'gel'}, 1 of 3 files are missing; the "
+        "same command goes on from there.\n"
+    )
+    folder = here / "results" / "gel"
+    assert names(folder) == [*CURVES[:2], "fit.csv", "fit.nc", PROVENANCE, "study.toml"]
+    with monkeypatch.context() as patch:
+        stopping(patch, "curve1.csv", interrupt)  # nobody asks for it again
+        assert main(["fit", "gel.toml"]) == 0
+    assert "2 of 3 files were known from the run before." in capsys.readouterr().out
+    assert (folder / "fit.csv").read_bytes() == (here / "whole" / "fit.csv").read_bytes()
+    assert [path.name for path in (here / "results").iterdir()] == ["gel"]
+    assert main(["fit", "gel.toml"]) == 2  # whole results are not replaced
+    assert "already holds results" in capsys.readouterr().err
+
+
+def test_a_stop_before_a_curve_has_an_answer(here, monkeypatch, capsys):
+    (here / "gel" / "curve1.csv").write_text("?\n", encoding="utf-8")
+    with monkeypatch.context() as patch:
+        stopping(patch, "curve2.csv", interrupt)
+        assert main(["fit", "gel.toml"]) == 130
+    assert capsys.readouterr().err == (
+        f"winkler: interrupted; 1 of 3 files are kept beside {Path('results') / 'gel'}, and the same command goes on "
+        "from there.\n"
+    )
+    assert [path.name for path in (here / "results").iterdir()] == [".gel.journal"]
+    assert main(["fit", "gel.toml"]) == 2
+    assert "1 of 3 files were known from the run before." in capsys.readouterr().out
+
+
+def test_another_fit_is_refused_until_it_is_told_to_begin_anew(here, monkeypatch, capsys):
+    with monkeypatch.context() as patch:
+        stopping(patch, "curve3.csv", interrupt)
+        assert main(["fit", "gel.toml", "--output", "out"]) == 130
+    (here / "gel.toml").write_text(STUDY.replace("5 um", "6 um"), encoding="utf-8")
+    capsys.readouterr()
+    assert main(["fit", "gel.toml", "--output", "out", "--overwrite"]) == 2
+    assert "holds curves of another study, or of another version of this one; add --anew" in capsys.readouterr().err
+    assert main(["fit", "gel.toml", "--output", "out", "--overwrite", "--anew"]) == 0
+    assert not (here / ".out.journal").exists()
+    assert "known from the run before" not in capsys.readouterr().out
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork there")
+@pytest.mark.parametrize("moment", ["before the first", "before the second", "in a line", "at the end"])
+def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, moment):
+    """A forked run kills itself; the next one fits what is missing, and all files are those of a run in peace."""
+    from winkler.study import fit_run, fit_writing
+    from winkler.study.journal import Journal
+
+    (here / "gel" / "curve2.csv").write_text("?\n", encoding="utf-8")  # no answer, but its reason
+    made = fit_run.provenance("", 1.0, "gel.toml")
+    monkeypatch.setattr(fit_run, "provenance", lambda *_: made)
+    assert main(["fit", "gel.toml", "--quiet", "--output", "whole"]) == 2
+    done, todo = {
+        "before the first": (0, 3),
+        "before the second": (1, 2),
+        "in a line": (1, 2),
+        "at the end": (3, 0),
+    }[moment]
+    child = os.fork()
+    if child == 0:
+        try:
+            if moment == "in a line":
+                write = Journal._write
+                monkeypatch.setattr(
+                    Journal, "_write", lambda self, text: torn(self) if "curve2" in text else write(self, text)
+                )
+            elif moment == "at the end":
+                monkeypatch.setattr(fit_writing, "write_provenance", lambda *_, **__: killed())
+            else:
+                stopping(monkeypatch, f"curve{done + 1}.csv", killed)
+            main(["fit", "gel.toml", "--quiet"])
+        finally:
+            os._exit(1)
+    _, status = os.waitpid(child, 0)
+    assert os.WTERMSIG(status) == signal.SIGKILL
+    asked = []
+    plain = fit_run._fit_piece
+    monkeypatch.setattr(
+        fit_run, "_fit_piece", lambda study, piece, watch: asked.append(piece) or plain(study, piece, watch)
+    )
+    assert main(["fit", "gel.toml", "--quiet"]) == 2
+    assert len(asked) == todo
+    folder = here / "results" / "gel"
+    assert names(folder) == names(here / "whole")
+    for name in names(folder):
+        assert (folder / name).read_bytes() == (here / "whole" / name).read_bytes(), name
+    if done:  # who has kept something clears away what it left
+        assert [path.name for path in (here / "results").iterdir()] == ["gel"]
+
+
+def killed():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def torn(journal):
+    os.write(journal._file, b'12345678 {"of"')
+    killed()
 
 
 def one_curve(here: Path, more: str = "") -> None:
@@ -236,21 +344,30 @@ def test_a_bar_tells_how_far_the_fit_has_come(here, monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT of a process alone there")
 def test_workers_change_no_number_and_ctrl_c_leaves_none_behind(here):
-    for number in range(4, 40):
+    """Interrupted with two workers, and gone on with: the numbers are those of one worker in peace."""
+    for number in range(4, 41):
         write_curve(here / "gel" / f"curve{number}.csv", 4e3, number)
     command = [sys.executable, "-m", "winkler.cli", "fit", "gel.toml", "--quiet", "--output"]
     assert subprocess.run([*command, "one"], check=False).returncode == 0
-    assert subprocess.run([*command, "two", "--workers", "2"], check=False).returncode == 0
-    assert (here / "one" / "fit.csv").read_bytes() == (here / "two" / "fit.csv").read_bytes()
-    for number in range(40, 400):
-        write_curve(here / "gel" / f"curve{number}.csv", 4e3, number)
-    running = subprocess.Popen([*command, "three", "--workers", "2"], stderr=subprocess.PIPE, text=True)
-    time.sleep(12.0)
+    running = subprocess.Popen([*command, "two", "--workers", "2"], stderr=subprocess.PIPE, text=True)
+    journal, deadline = here / ".two.journal", time.monotonic() + 120.0
+    while not journal.exists() or journal.read_bytes().count(b"\n") < 6:
+        assert running.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
     running.send_signal(signal.SIGINT)
     _, told = running.communicate(timeout=60)
     assert running.returncode == 130, told
-    if "nothing was written" not in told:
-        assert (here / "three" / "fit.csv").stat().st_size > 0
-        assert "are missing" in told
+    assert "are missing; the same command goes on from there" in told
     assert not list(here.glob(".*partial*"))
+    done = (here / "two" / "fit.csv").read_bytes().count(b"\n") - 1
+    assert 5 <= done <= journal.read_bytes().count(b"\n") <= 40
+    answer = subprocess.run(
+        [*command[:-2], "--workers", "2", "--output", "two"], capture_output=True, text=True, check=False
+    )
+    assert answer.returncode == 0, answer.stderr
+    assert re.search(r"\d+ of 40 files were known from the run before\.", answer.stdout)
+    assert (here / "one" / "fit.csv").read_bytes() == (here / "two" / "fit.csv").read_bytes()
+    assert not journal.exists()

@@ -51,7 +51,7 @@ def here(tmp_path, monkeypatch) -> Path:
 def begun(here: Path, count: int) -> Path:
     """Leave what a run leaves that was killed after some points."""
     study, folder = read_study(here / "balls.toml"), here / "results" / "balls"
-    (here / "results" / ".balls.0123.partial").mkdir(parents=True)
+    (here / "results" / ".balls.0123456789ab.partial").mkdir(parents=True)
     with Journal.beside(folder, study) as journal:
         points = journaled(study, journal)
         for _ in range(count):

@@ -1,15 +1,11 @@
-"""Two runs into one folder do not mix, and a run that is stopped leaves whole files or none."""
+"""Two runs into one folder do not mix."""
 
 from __future__ import annotations
 
 import csv
 import json
-import os
-import random
-import signal
 import subprocess
 import sys
-import time
 
 import pytest
 
@@ -59,23 +55,3 @@ def test_two_runs_at_once_leave_the_results_of_one(tmp_path):
         assert "Traceback" not in sentence
     assert whole(output) in (1.0, 2.0)
     assert hidden(tmp_path) == []
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
-def test_ctrl_c_at_any_moment_leaves_whole_files(tmp_path):
-    output = tmp_path / "results"
-    begun = time.perf_counter()
-    assert started(study(tmp_path, "first", 1), output).wait(120) == 0
-    usual = time.perf_counter() - begun
-    moments, stopped = random.Random(7), 0
-    for number in range(5):
-        run = started(study(tmp_path, "second", 2 + number), output)
-        time.sleep(moments.uniform(0.1, 1.1) * usual)
-        run.send_signal(signal.SIGINT)
-        sentence = run.communicate(timeout=120)[1]
-        assert run.returncode in (0, 130, -signal.SIGINT), sentence
-        stopped += run.returncode != 0
-        whole(output)
-        assert hidden(tmp_path) == [], sentence
-    assert stopped >= 1

@@ -13,8 +13,9 @@ from winkler.plot import draw
 from winkler.study.build import build
 from winkler.study.catalogue import CATALOGUE, kinds
 from winkler.study.explain import example_study
-from winkler.study.marching import INTERRUPTED, is_march, marched
+from winkler.study.marching import is_march, marched
 from winkler.study.outcome import answers_of
+from winkler.study.stopping import INTERRUPTED
 
 PROBLEMS = CATALOGUE["problem"]
 MARCHES = [name for name, line in PROBLEMS.items() if hasattr(line.cls, "steps")]

@@ -137,11 +137,13 @@ def test_every_answer_has_a_picture(name):
     for axes in panels:
         labels = [axes.get_xlabel(), axes.get_ylabel()]
         assert all("[" in label for label in labels) or not axes.axison or "factor" in labels[1]
+    if name in SLOW:
+        figure.savefig(io.BytesIO(), format="png", dpi=30)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ITEMS)
-def test_every_picture_can_be_saved(name):
+@pytest.mark.parametrize("name", [name for name in ITEMS if name not in SLOW])
+def test_every_other_picture_can_be_saved(name):
     draw(ITEMS[name][0]()).savefig(io.BytesIO(), format="png", dpi=30)
 
 

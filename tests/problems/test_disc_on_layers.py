@@ -63,12 +63,13 @@ def test_the_verdict_on_hard_coatings(medium, shape, a, disc):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("young", [10.0, 100.0, 1e3, 1e4])
-@pytest.mark.parametrize("a", [0.1, 0.5, 1.0, 2.0, 5.0, 20.0])
+@pytest.mark.parametrize(
+    ("young", "a"),
+    [(10.0, 0.5), (10.0, 2.0), (10.0, 20.0), (1e2, 0.1), (1e2, 1.0), (1e2, 5.0), (1e3, 0.5), (1e3, 2.0), (1e4, 0.1),
+     (1e4, 1.0)],
+)  # fmt: skip
 @pytest.mark.parametrize("shape", [wk.Paraboloid(1.0), wk.PowerLaw(1.0, 4.0)], ids=["ball", "quartic"])
 def test_the_verdict_everywhere(young, a, shape):
-    if young * a > 1e5:
-        pytest.skip("there the judge, not the solver, runs out of digits")
     bed = wk.Foundation(shape, coated(young))
     try:
         wk.Indentation(bed, wk.Radius(a)).solve()
@@ -203,9 +204,13 @@ def test_shapes_that_end(name, medium):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", SHAPES)
-@pytest.mark.parametrize("medium", ["soft", "hard", "film", "graded"])
+@pytest.mark.parametrize(
+    ("name", "medium"),
+    [(name, medium) for place, name in enumerate(SHAPES)
+     for number, medium in enumerate(["soft", "hard", "film", "graded"]) if (place + number) % 2]
+)  # fmt: skip
 def test_all_shapes(name, medium):
+    """Each shape on two of the four media, each medium under half of the shapes."""
     solved_and_restored(SHAPES[name], MEDIA[medium])
 
 

@@ -262,8 +262,7 @@ def test_a_force_map_is_laid_on_its_grid(here):
         for column in (2, 0, 1)
         for row in (1, 0)
     ]
-    results = [result for many in fit_curves(study, todo) for result in many]
-    outcome = gather_fits(study, results, started=0.0)
+    outcome = gather_fits(study, fit_curves(study, todo), started=0.0)
     grid = map_grid(outcome)
     assert isinstance(grid, Grid)
     assert np.allclose(grid.laid(outcome.numbers(study.free[0])), truth, rtol=0.02)

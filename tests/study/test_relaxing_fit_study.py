@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from winkler.io.curves import read_curve
 from winkler.io.segments import directions
 from winkler.plot import draw
 from winkler.study.fit_reading import parse_fit_study, read_fit_study
+from winkler.study.fit_recording import results_of, written_fits
 from winkler.study.fit_run import fit_study
 from winkler.study.fit_writing import dataset, write_fits
 
@@ -23,6 +25,15 @@ SOLID = "problem.bed.medium.first."
 @pytest.fixture
 def studies(root):
     return root / "examples" / "studies"
+
+
+def comes_back(outcome):
+    """A journal keeps fits to the last digit."""
+    (result,) = outcome.results
+    (again,) = results_of(outcome.study, json.loads(written_fits("", outcome.results)))
+    assert again.fit == result.fit
+    assert again.notes == result.notes == again.fit.validity
+    assert again.steps == result.steps
 
 
 def test_the_loop_gives_what_is_known(studies, tmp_path):
@@ -39,6 +50,7 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
         free={free.path: free.asked for free in study.free},
     )
     assert direct.values.tolist() == result.fit.values.tolist()
+    comes_back(outcome)
     write_fits(outcome, tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     for words in ("The measured motion drives", "the way in, the hold and the way out", "Lee", "exponent"):
@@ -60,6 +72,7 @@ def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
     outcome = fit_study(study)
     (result,) = outcome.fitted
     assert result.fit.count == 501
+    comes_back(outcome)
     for path, truth in (("relaxed_shear", 300.0), ("shears[0]", 700.0), ("relaxation_times[0]", 0.8)):
         name = f"bed.medium.first.{path}"
         assert abs(result.fit.value(name) - truth) < 4.0 * result.fit.error(name), path

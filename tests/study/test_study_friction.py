@@ -21,12 +21,13 @@ from winkler.study.explain import example_study
 from winkler.study.figures import figures_of
 from winkler.study.formulas import formulas_of
 from winkler.study.inputs import in_words, inputs
-from winkler.study.marching import INTERRUPTED, marched
+from winkler.study.marching import marched
 from winkler.study.mathml import formula
 from winkler.study.outcome import answers_of
 from winkler.study.reading import parse_study, study_text
 from winkler.study.report import page
 from winkler.study.run import run
+from winkler.study.stopping import INTERRUPTED
 from winkler.study.study import Axis, Study
 from winkler.study.sweep import solve_points
 

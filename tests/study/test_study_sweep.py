@@ -205,7 +205,7 @@ import json, os, sys
 from winkler.study.pool import ONE_THREAD, _quiet_start
 import multiprocessing, signal
 def look():
-    deaf = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    deaf = signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())
     print(json.dumps([os.environ.get(name) for name in ONE_THREAD] + [deaf]))
 if __name__ == "__main__":
     worker = multiprocessing.get_context("spawn").Process(target=look)

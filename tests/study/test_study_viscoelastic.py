@@ -19,12 +19,13 @@ from winkler.study.figures import Shown, figures_of
 from winkler.study.formulas import formulas_of
 from winkler.study.inputs import in_words, inputs
 from winkler.study.kinds_of_viscoelasticity import VISCOELASTICITY
-from winkler.study.marching import INTERRUPTED, marched
+from winkler.study.marching import marched
 from winkler.study.mathml import formula
 from winkler.study.outcome import answers_of
 from winkler.study.reading import parse_study, study_text
 from winkler.study.report import page
 from winkler.study.run import run
+from winkler.study.stopping import INTERRUPTED
 from winkler.study.study import Axis, Study
 from winkler.study.sweep import solve_points
 

@@ -74,7 +74,7 @@ def test_a_run_that_was_killed_goes_on_with_the_same_numbers(tmp_path, monkeypat
     assert len(taken) == 1
     assert again.solution == whole
     assert keep.path(problem).exists()
-    keep.clear([problem])
+    keep.forget()
     assert list(tmp_path.iterdir()) == []
 
 

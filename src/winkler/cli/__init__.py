@@ -9,17 +9,14 @@ terminated.
 
 from __future__ import annotations
 
-import contextlib
-import signal
 import sys
-from collections.abc import Iterator, Sequence
-from threading import current_thread, main_thread
-from types import FrameType
-from typing import NoReturn
+from collections.abc import Sequence
+
+from winkler.study import stopping
 
 __all__ = ["main"]
 
-MISTAKE, INTERRUPTED, TERMINATED = 70, 130, 143
+MISTAKE = 70
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -30,35 +27,44 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments
         Words after ``winkler``; those of the process if not given.
     """
-    words = list(sys.argv[1:] if arguments is None else arguments)
-    traceback = "--traceback" in words
-    words = [word for word in words if word != "--traceback"]
-    _end_cleanly_when_terminated()
-    with _interrupts() as interrupts:
-        try:
-            from winkler.cli.app import app
-
-            answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
-            if answer == INTERRUPTED:  # what typer makes of Ctrl-C
-                return _interrupted()
-            return answer if isinstance(answer, int) else 0
-        except KeyboardInterrupt:
-            return _interrupted()
-        except Exception as error:
-            if traceback:
-                raise
-            return _told(error, interrupts)
+    traceback, heard = False, stopping.Heard()
+    try:
+        with stopping.listening() as heard:
+            words = list(sys.argv[1:] if arguments is None else arguments)
+            traceback = "--traceback" in words
+            return _command([word for word in words if word != "--traceback"])
+    except KeyboardInterrupt:
+        return _stopped(heard)
+    except SystemExit:
+        if not heard.code:
+            raise
+        return heard.code
+    except Exception as error:
+        if traceback:
+            raise
+        return _told(error, heard)
 
 
-def _told(error: Exception, interrupts: list[int]) -> int:
+def _command(words: list[str]) -> int:
+    from winkler.cli.app import app
+
+    stopping.look()  # what is imported may swallow a signal
+    answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
+    stopping.look()
+    if answer == stopping.INTERRUPTED:  # what typer makes of Ctrl-C
+        raise KeyboardInterrupt
+    return answer if isinstance(answer, int) else 0
+
+
+def _told(error: Exception, heard: stopping.Heard) -> int:
     """Say what went wrong in one sentence, and return the exit code."""
-    from winkler.errors import WinklerError
+    from winkler.errors import Interrupted, WinklerError
 
+    if (heard.code and not isinstance(error, Interrupted)) or type(error).__name__ == "Abort":
+        return _stopped(heard)  # a library made an error of its own of it
     if isinstance(error, WinklerError):
         _say(str(error))
         return error.exit_code
-    if interrupts or type(error).__name__ == "Abort":
-        return _interrupted()
     if hasattr(error, "format_message") and hasattr(error, "exit_code"):
         context = getattr(error, "ctx", None)
         path = context.command_path if context is not None else "winkler"
@@ -69,39 +75,13 @@ def _told(error: Exception, interrupts: list[int]) -> int:
     return MISTAKE
 
 
-def _interrupted() -> int:
-    _say("interrupted; nothing was written.")
-    return INTERRUPTED
+def _stopped(heard: stopping.Heard) -> int:
+    """Return the exit code of a run that was stopped; after Ctrl-C a sentence says what was kept."""
+    if heard.code == stopping.TERMINATED:
+        return heard.code
+    _say(f"interrupted; {heard.kept or 'nothing was written'}.")
+    return stopping.INTERRUPTED
 
 
 def _say(sentence: str) -> None:
     print(f"winkler: {sentence}", file=sys.stderr)
-
-
-@contextlib.contextmanager
-def _interrupts() -> Iterator[list[int]]:
-    """Give the list of the times that Ctrl-C was pressed: some libraries turn the interrupt into an error of theirs."""
-    seen: list[int] = []
-
-    def remembered(number: int, frame: FrameType | None) -> None:
-        seen.append(number)
-        signal.default_int_handler(number, frame)
-
-    heard = signal.getsignal(signal.SIGINT) is signal.default_int_handler and current_thread() is main_thread()
-    if heard:  # else somebody else takes care of it
-        signal.signal(signal.SIGINT, remembered)
-    try:
-        yield seen
-    finally:
-        if heard and signal.getsignal(signal.SIGINT) is remembered:
-            signal.signal(signal.SIGINT, signal.default_int_handler)
-
-
-def _end_cleanly_when_terminated() -> None:
-    def stop(*_: object) -> NoReturn:
-        raise SystemExit(TERMINATED)
-
-    try:
-        signal.signal(signal.SIGTERM, stop)
-    except ValueError:  # not in the main thread: whoever runs us there keeps its own handler
-        return

@@ -15,6 +15,11 @@ def app(
         bool, typer.Option("--browser/--no-browser", help="Whether to open a page of the browser.")
     ] = True,
     time_limit: Annotated[float, typer.Option(help=r"The longest that a study may take \[s].")] = 60.0,
+    pages: Annotated[int, typer.Option(min=1, help="How many pages may be open at once; each has a process.")] = 6,
+    address: Annotated[
+        list[str] | None,
+        typer.Option(help="Another address at which the app is opened, through a tunnel or a proxy; may be repeated."),
+    ] = None,
 ) -> None:
     r"""Open the app in the browser: forms, sliders, pictures, and the study file that tells it all.
 
@@ -24,4 +29,4 @@ def app(
     """
     from winkler.web.serve import serve
 
-    serve(port=port, limit=time_limit, browser=browser)
+    serve(port=port, limit=time_limit, browser=browser, pages=pages, addresses=address or ())

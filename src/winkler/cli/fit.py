@@ -40,23 +40,30 @@ def fit(
             "--segments", help="Where the curves are loaded, held, unloaded: 'loading 0 s, hold 12 s, unloading 17 s'."
         ),
     ] = "",
+    anew: Annotated[bool, typer.Option("--anew", help="Forget what a batch that was stopped has fitted.")] = False,
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
     """Fit numbers of a model to one curve, a batch of files, or a force map.
 
-    The results are written whole or not at all; after Ctrl-C with what was fitted so far. If curves have no answer, the
-    exit code is that of the first one. A curve that takes longer than the time limit has none; the others go on.
+    The results are written whole or not at all; after Ctrl-C with what was fitted so far. A batch that was stopped goes
+    on where it was if the same study is fitted again. If curves have no answer, the exit code is that of the first one.
+    A curve that takes longer than the time limit has none; the others go on.
 
     Example: winkler fit examples/studies/fit_gel.toml --output results/gel
     """
     from winkler.cli import terminal
     from winkler.cli.run import may_overwrite
     from winkler.errors import Interrupted, InvalidInput, WinklerError
+    from winkler.study.fit_outcome import Fitted
     from winkler.study.fit_reading import read_fit_study
+    from winkler.study.fit_recording import recalled_fits
     from winkler.study.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.fit_writing import write_fits
-    from winkler.study.writing import holds_results, placed
+    from winkler.study.journal import Journal
+    from winkler.study.reserving import reserved
+    from winkler.study.stopping import answered
+    from winkler.study.writing import holds_results, missing, placed
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
@@ -65,37 +72,65 @@ def fit(
     if time_limit is not None:
         asked = dataclasses.replace(asked, time_limit=time_limit)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
-    if holds_results(folder) and not overwrite:
-        overwrite = may_overwrite(folder)
-    results: list[Any] = []
-    done = 0
+    todo = pieces(asked)
+    many = f"{len(todo)} {'files' if len(asked.sources) > 1 else 'curves'}"
+    found: dict[int, Any] = {}
     under_way = _UnderWay(asked)
-    with placed(folder, overwrite=overwrite) as partial:
-        todo = pieces(asked)
-        stream = fit_curves(asked, todo, workers=workers, watch=under_way.watch)
-        try:
-            for many in terminal.tracked(stream, len(todo), hidden=quiet or as_json, doing=under_way.told):
-                results += many
-                done += 1
-        except KeyboardInterrupt:
-            if not results and under_way.state is not None:
-                raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
-            if not results:
-                raise
-        left = len(todo) - done
-        try:
-            outcome = gather_fits(asked, results, started=started, source=study.name, left=left)
-        except WinklerError as error:
-            raise type(error)(f"{study.name}: {error}") from None
-        write_fits(outcome, partial)
+    journal = Journal.beside(folder, asked)
+    with reserved(folder):
+        if anew:
+            journal.remove()
+        with journal:
+            if holds_results(folder) and not overwrite:  # those of the run that is to go on need not be kept
+                overwrite = bool(journal.count and missing(folder)) or may_overwrite(folder)
+            known = recalled_fits(asked, todo, journal)
+            stream = fit_curves(
+                asked,
+                todo,
+                workers=workers,
+                watch=under_way.watch,
+                known=known,
+                journal=journal if len(todo) > 1 else None,
+            )
+            watched = terminal.tracked(
+                stream, len(todo), hidden=quiet or as_json, doing=under_way.told, before=len(known)
+            )
+            try:
+                with placed(folder, overwrite=overwrite) as partial:
+                    try:
+                        for place, results in watched:
+                            found[place] = results
+                    except KeyboardInterrupt:
+                        if not found and under_way.state is not None:
+                            raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
+                        if not any(isinstance(result, Fitted) for results in found.values() for result in results):
+                            raise
+                        answered()
+                    left = len(todo) - len(found)
+                    try:
+                        outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
+                    except WinklerError as error:
+                        raise type(error)(f"{study.name}: {error}") from None
+                    write_fits(outcome, partial)
+            except KeyboardInterrupt:
+                if not journal.count:
+                    raise
+                raise Interrupted(
+                    f"interrupted; {journal.count} of {many} are kept beside {folder}, and the same command goes on "
+                    "from there."
+                ) from None
+            if not left:
+                journal.remove()
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
         _print(outcome, folder)
+        if known:
+            print(f"{len(known)} of {many} were known from the run before.")
     if left:
         raise Interrupted(
-            f"interrupted; {len(results)} curves were done and are in {folder}, {left} of {len(todo)} "
-            f"{'files' if len(asked.sources) > 1 else 'curves'} are missing."
+            f"interrupted; {len(outcome.results)} curves were done and are in {folder}, {left} of {many} are missing; "
+            "the same command goes on from there."
         )
     return outcome.refused[0].code if outcome.refused else 0
 
@@ -110,8 +145,10 @@ class _UnderWay:
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
         """Pass states on, and keep the last."""
         from winkler.fitting.search import FitState
+        from winkler.study.stopping import look
 
         for state in states:
+            look()
             self.state = state if isinstance(state, FitState) else None
             yield state
 

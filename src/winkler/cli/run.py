@@ -51,48 +51,51 @@ def run(
     from winkler.study.keeping import Keep
     from winkler.study.pool import Machine
     from winkler.study.reading import read_study
+    from winkler.study.reserving import reserved
     from winkler.study.run import gather
+    from winkler.study.stopping import held
     from winkler.study.sweep import journaled, solve_points
-    from winkler.study.writing import clear_partial, holds_results, placed, write_outcome
+    from winkler.study.writing import holds_results, placed, write_outcome
 
     started = time.perf_counter()
     if cluster and workers is not None:
         raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
     asked = read_study(study)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
-    if holds_results(folder) and not overwrite:
-        overwrite = may_overwrite(folder)
     many, hidden = math.prod(asked.shape), quiet or as_json
-    journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
-    if anew:
-        journal.remove()
-        keep.forget()
-    with journal:
-        before = journal.count
-        if before:  # it was killed, and nobody else can be at it
-            clear_partial(folder)
-        with placed(folder, overwrite=overwrite) as partial:
+    with reserved(folder):
+        if holds_results(folder) and not overwrite:
+            overwrite = may_overwrite(folder)
+        journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
+        if anew:
+            journal.remove()
+            keep.forget()
+        with journal:
+            before = journal.count
             who = Cluster(cluster) if cluster else Machine() if workers is None else workers
             watch = terminal.marching(hidden=hidden or many > 1)
             try:
-                if many > 1:
-                    points = journaled(asked, journal, workers=who, watch=watch, keep=keep)
-                else:
-                    points = solve_points(asked, workers=who, watch=watch, keep=keep)
-                watched = terminal.tracked(points, many, hidden=hidden, before=before)
-                outcome = gather(asked, watched, started=started, source=study.name)
-                write_outcome(outcome, partial)
-            except WinklerError as error:
-                raise type(error)(f"{study.name}: {error}") from None
+                with placed(folder, overwrite=overwrite) as partial:
+                    if many > 1:
+                        points = journaled(asked, journal, workers=who, watch=watch, keep=keep)
+                    else:
+                        points = solve_points(asked, workers=who, watch=watch, keep=keep)
+                    watched = terminal.tracked(points, many, hidden=hidden, before=before)
+                    try:
+                        outcome = gather(asked, watched, started=started, source=study.name)
+                        write_outcome(outcome, partial)
+                    except WinklerError as error:
+                        raise type(error)(f"{study.name}: {error}") from None
             except KeyboardInterrupt:
                 if not journal.count:
                     raise
                 kept = f"{journal.count} of {many} points are kept beside {folder}"
                 raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
-        code = _code(outcome)
-        if code != Interrupted.exit_code:
-            journal.remove()
-            keep.clear([point.problem for point in outcome.points])
+            code = _code(outcome)
+            if code != Interrupted.exit_code:
+                with held():
+                    journal.remove()
+                    keep.forget()
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:

@@ -14,7 +14,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.given import positive_fields, whole_number
@@ -143,6 +143,11 @@ class ViscoelasticImpact:
     def _scale(self, series: RelaxationSeries) -> float:
         """Return the depth [m] at which the stiffness at the rate of the impact has taken the kinetic energy."""
         elastic, energy = elastic_like(self.bed), 0.5 * self.mass * self.velocity**2
+        if energy == 0.0:
+            raise OutsideValidity(
+                f"ViscoelasticImpact: the kinetic energy of {self.mass:g} kg at {self.velocity:g} m/s is below the "
+                "smallest floating-point number; check the units."
+            )
         # any number to begin with
         modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
         depth, last = _depth_of(elastic, energy / modulus, 1e-3 * shape_length(elastic)), 0.0

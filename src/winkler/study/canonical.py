@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 
 from winkler.study.catalogue import kind_of
+from winkler.study.fitting import FitStudy
 from winkler.study.study import Places, Study
 
-__all__ = ["canonical", "digest", "digest_of", "plain"]
+__all__ = ["canonical", "digest", "digest_of", "how_fitted", "plain"]
 
 LARGE = 4096
 """Maps with more numbers are told by their hash."""
@@ -43,6 +44,18 @@ def digest_of(problem: Any) -> str:
     """Return the SHA-256 of the canonical form of a problem alone, as 64 hexadecimal digits."""
     content = json.dumps(plain(problem), sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(content.encode()).hexdigest()
+
+
+def how_fitted(study: FitStudy) -> dict[str, Any]:
+    """Return what determines the numbers of a fit beside its curves, as JSON can hold it."""
+    return {
+        "model": digest(Study("", study.problem)),
+        "free": [[free.key, list(free.given)] for free in study.free],
+        "how": [study.part, study.fitted, list(study.correct), *([list(study.segments)] if study.segments else [])],
+        "numbers": [
+            str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
+        ],
+    }
 
 
 def _places(places: Places) -> Any:

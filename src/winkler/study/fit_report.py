@@ -16,7 +16,7 @@ from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.study import figures
 from winkler.study.figures import Shown, drawn
 from winkler.study.fit_outcome import FitOutcome
-from winkler.study.fit_run import seen_from
+from winkler.study.fit_recording import seen_from
 from winkler.study.fit_tables import ROWS, answers, counts, doubts, failures
 from winkler.study.fit_writing import CSV, FEW, MAPS, NETCDF, map_grid
 from winkler.study.fitting import FitStudy, Free

@@ -1,4 +1,8 @@
-"""Fitting the curves of a study: one after the other or in a pool of processes, as a stream; none stops the others."""
+"""Fitting the curves of a study: one after the other or in a pool of processes, as a stream; none stops the others.
+
+With a journal, what came of a curve is written as soon as it is fitted, and what an earlier run has written of a curve
+that is still the same is not fitted again.
+"""
 
 from __future__ import annotations
 
@@ -6,37 +10,41 @@ import functools
 import hashlib
 import json
 import math
+import operator
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
-from winkler.errors import InvalidInput, NotConverged, WinklerError
+from winkler.errors import InvalidInput, WinklerError
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
-from winkler.study.canonical import digest
+from winkler.study.canonical import how_fitted
 from winkler.study.correcting import corrected
 from winkler.study.fit_outcome import FitOutcome, Fitted, Refused
+from winkler.study.fit_recording import Piece, Results, fingerprint, recalled_fits, seen_from, written_fits
 from winkler.study.fitting import FitStudy
-from winkler.study.pool import pooled
+from winkler.study.journal import Journal
+from winkler.study.pool import checked_workers, completed
 from winkler.study.run import ERRORS, provenance
-from winkler.study.study import Study
+from winkler.study.stopping import look
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces", "seen_from"]
+__all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
 
-Piece = str | PlacedCurve | UnreadCurve
-"""A file of many, or a curve of one file."""
-
+MISTAKE = 70
+"""What the command line returns for a mistake of winkler itself."""
+NOTHING: Mapping[int, Results] = MappingProxyType({})
 
 Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
 """Passes on how far a fit has come, state after state, and last what it has found."""
 
 
-def fit_study(study: FitStudy, *, workers: int = 1) -> FitOutcome:
+def fit_study(study: FitStudy, *, workers: int = 1, journal: str | Path = "") -> FitOutcome:
     """Fit every curve of a study.
 
     Parameters
@@ -45,6 +53,9 @@ def fit_study(study: FitStudy, *, workers: int = 1) -> FitOutcome:
         From `winkler.study.fit_reading.read_fit_study`.
     workers
         Number of processes; the numbers do not depend on it.
+    journal
+        File in which fits are kept while it runs: the same call goes on from there if it was stopped. It is removed at
+        the end.
 
     Raises
     ------
@@ -52,8 +63,16 @@ def fit_study(study: FitStudy, *, workers: int = 1) -> FitOutcome:
         If no curve can be fitted: the reason of the first.
     """
     started = time.perf_counter()
-    results = [result for many in fit_curves(study, pieces(study), workers=workers) for result in many]
-    return gather_fits(study, results, started=started)
+    todo = pieces(study)
+    if journal:
+        with Journal(Path(journal), study) as kept:
+            known = recalled_fits(study, todo, kept)
+            outcome = gather_fits(
+                study, fit_curves(study, todo, workers=workers, known=known, journal=kept), started=started
+            )
+            kept.remove()
+        return outcome
+    return gather_fits(study, fit_curves(study, todo, workers=workers), started=started)
 
 
 def pieces(study: FitStudy) -> list[Piece]:
@@ -62,9 +81,15 @@ def pieces(study: FitStudy) -> list[Piece]:
 
 
 def fit_curves(
-    study: FitStudy, todo: list[Piece], *, workers: int = 1, watch: Watch | None = None
-) -> Iterator[tuple[Fitted | Refused, ...]]:
-    """Yield what came of every piece as soon as it is known, in their order.
+    study: FitStudy,
+    todo: Sequence[Piece],
+    *,
+    workers: int = 1,
+    watch: Watch | None = None,
+    known: Mapping[int, Results] = NOTHING,
+    journal: Journal | None = None,
+) -> Iterator[tuple[int, Results]]:
+    """Yield the place of every piece and what came of it, first what is known, then others as they are fitted.
 
     Parameters
     ----------
@@ -76,17 +101,45 @@ def fit_curves(
         Number of processes; 1 fits in this one.
     watch
         Sees every fit on its way; not those of other processes.
+    known
+        What an earlier run found, by place, from `recalled_fits`.
+    journal
+        Where the others are written; it is removed if no curve has an answer, for then the study has to be changed.
     """
-    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
-        raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
-    if workers == 1 or len(todo) == 1:
-        yield from (_fit_piece(study, piece, watch) for piece in todo)
+    checked_workers(workers)
+    yield from known.items()
+    left = [place for place in range(len(todo)) if place not in known]
+    useful = any(_useful(results) for results in known.values())
+    for nth, (mark, results) in _answered(study, [todo[place] for place in left], workers, watch):
+        look()  # a library may have made the curve a failed one of it
+        if journal is not None:
+            journal.write(written_fits(mark, results))
+        useful = useful or _useful(results)
+        yield left[nth], results
+    if journal is not None and not useful:
+        journal.remove()
+
+
+def _useful(results: Results) -> bool:
+    return any(isinstance(result, Fitted) for result in results)
+
+
+def _answered(
+    study: FitStudy, todo: list[Piece], workers: int, watch: Watch | None
+) -> Iterator[tuple[int, tuple[str, Results]]]:
+    if workers == 1 or len(todo) < 2:
+        yield from ((place, _marked(study, piece, watch)) for place, piece in enumerate(todo))
     else:
-        yield from pooled(functools.partial(_fit_piece, study), todo, min(workers, len(todo)))
+        yield from completed(functools.partial(_marked, study), todo, min(workers, len(todo)))
+
+
+def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[str, Results]:
+    """Return what came of a piece behind its fingerprint, which is taken before it is read."""
+    return fingerprint(study, piece), _fit_piece(study, piece, watch)
 
 
 def gather_fits(
-    study: FitStudy, results: Iterable[Fitted | Refused], *, started: float, source: str = "", left: int = 0
+    study: FitStudy, results: Iterable[tuple[int, Results]], *, started: float, source: str = "", left: int = 0
 ) -> FitOutcome:
     """Return the outcome of fits.
 
@@ -95,7 +148,7 @@ def gather_fits(
     study
         What was asked.
     results
-        What came of the curves.
+        What `fit_curves` yields, in any order.
     started
         ``time.perf_counter()`` when the run began.
     source
@@ -108,11 +161,11 @@ def gather_fits(
     InvalidInput, NotConverged, OutsideValidity
         If no curve has an answer: the reason of the first.
     """
-    found = tuple(results)
+    found = tuple(result for _, many in sorted(results, key=operator.itemgetter(0)) for result in many)
     if not any(isinstance(result, Fitted) for result in found):
         first = next(result for result in found if isinstance(result, Refused))
         many = f"none of the {len(found)} curves can be fitted; the first: " if len(found) > 1 else ""
-        raise ERRORS.get(first.code, NotConverged)(f"{many}{first.name}: {first.reason}")
+        raise ERRORS.get(first.code, RuntimeError)(f"{many}{first.name}: {first.reason}")
     made = provenance(_hash(study), time.perf_counter() - started, source)
     return FitOutcome(study, found, made, left)
 
@@ -129,16 +182,8 @@ def _fit_piece(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tup
     return (_fit_curve(study, piece, where, watch),)
 
 
-def seen_from(study: FitStudy, path: str) -> str:
-    """Return a file as seen from the study."""
-    try:
-        return Path(path).relative_to(study.folder).as_posix()
-    except ValueError:
-        return Path(path).as_posix()
-
-
 def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watch: Watch | None) -> Fitted | Refused:
-    """Fit one curve; an error of reading or of the physics becomes a `Refused`."""
+    """Fit one curve; an error of reading or of the physics, or a mistake of ours, becomes a `Refused`."""
     own = one.name if isinstance(one, UnreadCurve) else one.curve.name
     file = where.rpartition("/")[2]
     name = where + own.removeprefix(file) if own.startswith(file) else own
@@ -151,6 +196,9 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         return Fitted(name, one.x, one.y, steps, found, _notes(found))
     except WinklerError as error:
         return Refused(name, one.x, one.y, str(error), error.exit_code)
+    except Exception as error:  # it costs this curve, not the batch
+        told = " ".join(str(error).split())
+        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {told}", MISTAKE)
 
 
 def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:
@@ -178,12 +226,7 @@ def _notes(found: AnyFit) -> tuple[Note, ...]:
 def _hash(study: FitStudy) -> str:
     """Return the SHA-256 of the question: the model, what is free, what was done, and the bytes of the curves."""
     content = {
-        "model": digest(Study("", study.problem)),
-        "free": [[free.key, list(free.given)] for free in study.free],
-        "how": [study.part, study.fitted, list(study.correct), *([list(study.segments)] if study.segments else [])],
-        "numbers": [
-            str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
-        ],
+        **how_fitted(study),
         "curves": [hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in study.sources],
     }
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()

@@ -61,7 +61,7 @@ def write_fits(outcome: FitOutcome, folder: Path) -> None:
         write_report(outcome, folder)
     if outcome.study.text:
         (folder / "study.toml").write_text(outcome.study.text, encoding="utf-8")
-    write_provenance(outcome.provenance, folder)
+    write_provenance(outcome.provenance, folder, missing=outcome.left)
 
 
 def write_numbers(outcome: FitOutcome, folder: Path) -> None:

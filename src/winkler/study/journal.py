@@ -1,8 +1,9 @@
-"""The journal of a sweep: every point that was solved, kept beside the results while it runs.
+"""The journal of a sweep, or of a batch of fits: what was solved or fitted, kept beside the results while it runs.
 
-A text file that is only ever appended to: a first line that tells the question, then one line for each point, each
-with a checksum in front.  A run that was killed leaves it behind; the same study finds it and goes on, without solving
-a point twice.  A last line that was torn by the kill is dropped.  It is removed when the results are written.
+A text file that is only ever appended to: a first line that tells the question, then one line for each point of a
+sweep, or for each file or curve of a batch, each with a checksum in front.  A run that was killed leaves it behind; the
+same study finds it and goes on, without solving a point twice.  A last line that was torn by the kill is dropped.  It
+is removed when the results are written.
 """
 
 from __future__ import annotations
@@ -21,7 +22,9 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.study.canonical import digest, plain
+from winkler.study.canonical import digest, how_fitted, plain
+from winkler.study.fitting import FitStudy
+from winkler.study.locking import lock
 from winkler.study.study import Study
 from winkler.study.varied import Axis
 
@@ -36,21 +39,21 @@ class Journal:
     Parameters
     ----------
     path
-        The file; it is made when the first point is written.
+        The file; it is made when the first line is written.
     study
-        What is solved.
+        What is solved, or fitted.
     """
 
-    def __init__(self, path: Path, study: Study) -> None:
+    def __init__(self, path: Path, study: Study | FitStudy) -> None:
         self.path = path
         self.count = 0
-        """Number of points that are kept."""
+        """Number of lines that are kept."""
         self._head = _head(study)
         self._file = -1
         self._known = 0
 
     @classmethod
-    def beside(cls, results: Path, study: Study) -> Journal:
+    def beside(cls, results: Path, study: Study | FitStudy) -> Journal:
         """Return the journal beside a folder of results."""
         return cls(results.parent / f".{results.name}{ENDING}", study)
 
@@ -72,7 +75,7 @@ class Journal:
         self._close()
 
     def recalled(self) -> Iterator[dict[str, Any]]:
-        """Yield what an earlier run wrote of each point, read line after line."""
+        """Yield what an earlier run wrote, read line after line."""
         known, self._known = self._known, 0
         if known:
             with self.path.open("rb") as file:
@@ -88,8 +91,8 @@ class Journal:
                     if file.read(1):
                         raise self._refused(f"is spoilt in line {number + 1}")
                     break
-                if number == 0 and content != self._head:
-                    raise self._refused("holds points of another study, or of another version of this one")
+                if number == 0:
+                    self._refuse_other(content)
                 good += len(line)
                 self._known = number
         self.count = self._known
@@ -98,8 +101,17 @@ class Journal:
         if not good:
             self._write(json.dumps(self._head))
 
+    def _refuse_other(self, head: Any) -> None:
+        """Refuse the journal of another version of winkler, or of another question."""
+        told, mine = (one.get("version") if isinstance(one, dict) else None for one in (head, self._head))
+        if told != mine:
+            raise self._refused(f"was begun by another version of winkler ({told}; this is {mine})")
+        if head != self._head:
+            what = "curves" if "fit" in self._head else "points"
+            raise self._refused(f"holds {what} of another study, or of another version of this one")
+
     def write(self, text: str) -> None:
-        """Append one point."""
+        """Append what came of one point, or of one file or curve."""
         if self._file < 0:
             self._open(os.O_RDWR | os.O_CREAT | os.O_EXCL)
             self._write(json.dumps(self._head))
@@ -135,8 +147,8 @@ class Journal:
             why = (error.strerror or type(error).__name__).lower()
             raise InvalidInput(f"journal: '{self.path}' cannot be opened ({why}); give another folder.") from None
         try:
-            _lock(self._file)
-        except OSError:
+            lock(self._file)
+        except BlockingIOError:
             self._close()
             raise self._taken() from None
 
@@ -166,12 +178,14 @@ def _content(line: bytes) -> Any:
     return json.loads(data)
 
 
-def _head(study: Study) -> dict[str, Any]:
+def _head(study: Study | FitStudy) -> dict[str, Any]:
     """Return what the first line says: equal heads mean equal points, expectations and numbers."""
+    made = {"journal of": "winkler", "version": version("winkler")}
+    if isinstance(study, FitStudy):
+        return {**made, "fit": _hash([how_fitted(study), str(study.time_limit)])}
     asked = [_drawn(axis) for axis in study.axes] if study.design.draws else []
     return {
-        "journal of": "winkler",
-        "version": version("winkler"),
+        **made,
         "question": digest(study),
         "points": _hash(asked),
         "expect": _hash([plain(item) for item in study.expect]),
@@ -187,17 +201,3 @@ def _drawn(axis: Axis) -> Any:
 
 def _hash(content: Any) -> str:
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
-
-
-def _lock(file: int) -> None:
-    """Take a file for this process alone; the system gives it back when the process ends, however it ends."""
-    if os.name == "nt":
-        import msvcrt
-
-        os.lseek(file, 2**40, os.SEEK_SET)
-        msvcrt.locking(file, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined,unused-ignore]
-        os.lseek(file, 0, os.SEEK_SET)
-    else:
-        import fcntl
-
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -65,14 +65,7 @@ class Keep:
             write_wear(states, self.path(problem))
 
     def forget(self) -> None:
-        """Remove the files of all problems with this stem."""
-        for path in Path(self.folder).glob(f".{glob.escape(self.stem)}.*{ENDING}"):
+        """Remove the files of all problems with this stem: their results are written, or nobody wants them."""
+        for path in Path(self.folder).glob(f".{glob.escape(self.stem)}.{'[0-9a-f]' * 16}{ENDING}"):
             with contextlib.suppress(OSError):
                 path.unlink()
-
-    def clear(self, problems: list[Any]) -> None:
-        """Remove the files of these problems: their results are written."""
-        for problem in problems:
-            if isinstance(problem, KEPT):
-                with contextlib.suppress(OSError):
-                    self.path(problem).unlink(missing_ok=True)

@@ -12,11 +12,9 @@ from typing import Any, NamedTuple, Protocol, TypeGuard
 
 from winkler.errors import WinklerError
 from winkler.study.keeping import KEPT, Keep
+from winkler.study.stopping import INTERRUPTED, answered, look
 
-__all__ = ["ANEW", "INTERRUPTED", "March", "Marching", "Watch", "is_march", "marched", "unwatched"]
-
-INTERRUPTED = 130
-"""What the command line returns if it was interrupted."""
+__all__ = ["ANEW", "March", "Marching", "Watch", "is_march", "marched", "unwatched"]
 
 
 class Marching(Protocol):
@@ -116,15 +114,18 @@ class _Reached:
         kept: list[Any] = []
         try:
             for state in self._watch(itertools.chain(before, marching), problem.total):
-                self._count += 1
                 if keep != ANEW:
                     kept.append(state)
                     if len(kept) > len(before):
                         keep.write(problem, kept)
+                look()
+                self._count += 1
                 yield state
         except (KeyboardInterrupt, WinklerError) as end:
             if not self._count:
                 raise
+            if isinstance(end, KeyboardInterrupt):
+                answered()
             self.end = end
 
     @property

@@ -15,13 +15,15 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import resource_tracker
 from typing import Any, TypeVar
 
 from winkler.errors import InvalidInput, NotConverged
 from winkler.study.cluster import Cluster, connected
+from winkler.study.stopping import held
 from winkler.values import value
 
-__all__ = ["Machine", "Workers", "checked_workers", "completed", "pooled"]
+__all__ = ["Machine", "Workers", "checked_workers", "completed"]
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -76,17 +78,6 @@ def checked_workers(workers: Workers) -> Workers:
     if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
         raise InvalidInput(f"workers is {workers!r}; give a whole number from 1 on.")
     return workers
-
-
-def pooled(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[R]:
-    """Yield ``answer(item)`` of every item, in their order; see `completed`."""
-    early: dict[int, R] = {}
-    due = 0
-    for place, found in completed(answer, todo, workers):
-        early[place] = found
-        while due in early:
-            yield early.pop(due)
-            due += 1
 
 
 def completed(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[tuple[int, R]]:
@@ -190,18 +181,21 @@ def _end_with_parent() -> None:
 
 @contextlib.contextmanager
 def _quiet_start() -> Iterator[None]:
-    """Start processes with one thread each, and deaf to Ctrl-C from their first moment on."""
-    kept = {name: os.environ.get(name) for name in ONE_THREAD}
-    os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
-    main = threading.current_thread() is threading.main_thread()
-    handler = signal.signal(signal.SIGINT, signal.SIG_IGN) if main else None
-    try:
-        yield
-    finally:
-        if main:
-            signal.signal(signal.SIGINT, handler)
-        for name, content in kept.items():
-            if content is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = content
+    """Start processes with one thread each, and deaf to Ctrl-C from their first moment on; here it comes afterwards."""
+    blocks = hasattr(signal, "pthread_sigmask")
+    if blocks:
+        resource_tracker.ensure_running()  # as it starts, it would open the mask that the others are to inherit
+    with held():
+        kept = {name: os.environ.get(name) for name in ONE_THREAD}
+        os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if blocks else set()
+        try:
+            yield
+        finally:
+            for name, content in kept.items():
+                if content is None:
+                    del os.environ[name]
+                else:
+                    os.environ[name] = content
+            if blocks:
+                signal.pthread_sigmask(signal.SIG_SETMASK, mask)

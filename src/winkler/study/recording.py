@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import base64
 import dataclasses
 import functools
 import json
 import typing
+from collections.abc import Iterable
 from typing import Any
-
-import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
 from winkler.fields import SubsurfaceFields, SurfaceFields
@@ -17,13 +15,14 @@ from winkler.foundation.sheared_fields import ShearedFields
 from winkler.problems.torsion_fields import TwistedFields
 from winkler.study.events import EVENTS, Event
 from winkler.study.judging import judge
+from winkler.study.lossless import packed, unpacked
 from winkler.study.points import Failed, Recalled, Solved, Verdict
 from winkler.study.study import Expectation
 from winkler.study.tasks import Task
 from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
 
-__all__ = ["light", "recalled", "written"]
+__all__ = ["light", "notes_of", "plain_notes", "recalled", "written"]
 
 RESTORED = {cls.__name__: cls for cls in (SurfaceFields, SubsurfaceFields, ShearedFields, TwistedFields)}
 
@@ -67,16 +66,14 @@ def written(point: Recalled | Failed) -> str:
         content = {
             "at": point.index,
             "answer": point.answer_type.__name__,
-            "found": {name: _plain(numbers) for name, numbers in point.found},
-            "validity": [
-                [note.assumption.value, note.standing.value, note.statement, note.source] for note in point.validity
-            ],
+            "found": {name: packed(numbers) for name, numbers in point.found},
+            "validity": plain_notes(point.validity),
         }
         more = {
-            "events": dict(point.told),
-            "verdicts": [[_plain(one.expectation.expected), _plain(one.got), one.deviation] for one in point.verdicts],
-            "surface": [_plain(fields) for fields in point.surface],
-            "subsurface": [_plain(fields) for fields in point.subsurface],
+            "events": {name: packed(rows) for name, rows in point.told},
+            "verdicts": [packed((one.expectation.expected, one.got, one.deviation)) for one in point.verdicts],
+            "surface": [packed(fields) for fields in point.surface],
+            "subsurface": [packed(fields) for fields in point.subsurface],
             "stopped": point.stopped,
             "code": point.code,
         }
@@ -84,25 +81,21 @@ def written(point: Recalled | Failed) -> str:
     return json.dumps(content, separators=(",", ":"), ensure_ascii=False)
 
 
-def _plain(content: Any) -> Any:
-    """Return numbers, arrays and fields as JSON can hold them, with all their digits."""
-    if isinstance(content, np.ndarray):
-        data = base64.b64encode(np.ascontiguousarray(content).tobytes()).decode("ascii")
-        return {"shape": content.shape, "type": content.dtype.str, "data": data}
-    if dataclasses.is_dataclass(content):
-        fields = {field.name: _plain(getattr(content, field.name)) for field in dataclasses.fields(content)}
-        return {"fields": type(content).__name__, **fields}
-    return content
+def plain_notes(notes: Iterable[Note]) -> list[list[str]]:
+    """Return notes as rows of texts."""
+    return [[note.assumption.value, note.standing.value, note.statement, note.source] for note in notes]
 
 
-def _number(content: Any) -> Any:
-    if isinstance(content, dict) and "data" in content:
-        data = base64.b64decode(content["data"])
-        return np.frombuffer(data, dtype=content["type"]).reshape(content["shape"])
-    if isinstance(content, dict):
-        parts = {name: _number(item) for name, item in content.items() if name != "fields"}
-        return RESTORED[content["fields"]](**parts)
-    return content
+def notes_of(rows: Iterable[list[str]]) -> tuple[Note, ...]:
+    """Return the notes that `plain_notes` was given."""
+    return tuple(
+        Note(Assumption(assumption), Standing(standing), statement, source)
+        for assumption, standing, statement, source in rows
+    )
+
+
+def _unpacked(content: Any) -> Any:
+    return unpacked(content, RESTORED)
 
 
 def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...]) -> Recalled | Failed:
@@ -125,30 +118,27 @@ def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...
     if "reason" in content:
         return Failed(index, settings, problem, content["reason"], content["code"])
     verdicts = [
-        Verdict(index, dataclasses.replace(asked, expected=_number(expected)), _number(got), deviation)
+        Verdict(index, dataclasses.replace(asked, expected=_unpacked(expected)), _unpacked(got), _unpacked(deviation))
         for asked, (expected, got, deviation) in zip(expect, content.get("verdicts", []), strict=True)
     ]
     return Recalled(
         index,
         settings,
         problem,
-        tuple((name, _number(numbers)) for name, numbers in content["found"].items()),
+        tuple((name, _unpacked(numbers)) for name, numbers in content["found"].items()),
         _answer_type(problem.__class__, content["answer"]),
-        tuple(
-            Note(Assumption(assumption), Standing(standing), statement, source)
-            for assumption, standing, statement, source in content["validity"]
-        ),
+        notes_of(content["validity"]),
         tuple((name, _rows(rows)) for name, rows in content.get("events", {}).items()),
         tuple(verdicts),
-        tuple(_number(fields) for fields in content.get("surface", [])),
-        tuple(_number(fields) for fields in content.get("subsurface", [])),
+        tuple(_unpacked(fields) for fields in content.get("surface", [])),
+        tuple(_unpacked(fields) for fields in content.get("subsurface", [])),
         content.get("stopped", ""),
         content.get("code", 0),
     )
 
 
 def _rows(rows: list[Any]) -> tuple[tuple[Event, ...], ...]:
-    return tuple(tuple(Event(name, Word(*word), content) for name, word, content in row) for row in rows)
+    return tuple(tuple(Event(name, Word(*word), _unpacked(content)) for name, word, content in row) for row in rows)
 
 
 @functools.cache

@@ -17,10 +17,11 @@ from winkler.fields import restore
 from winkler.study.cluster import Cluster
 from winkler.study.journal import Journal
 from winkler.study.keeping import Keep
-from winkler.study.marching import ANEW, INTERRUPTED, March, Watch, is_march, marched, unwatched
+from winkler.study.marching import ANEW, March, Watch, is_march, marched, unwatched
 from winkler.study.outcome import Failed, Point, Solved, answers_of
 from winkler.study.pool import Machine, Workers, checked_workers, completed
 from winkler.study.recording import light, recalled, written
+from winkler.study.stopping import INTERRUPTED, look
 from winkler.study.study import Expectation, Study
 from winkler.study.tasks import Task, Tasks, tasks
 
@@ -81,6 +82,7 @@ def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched
     early: dict[int, Point] = {}
     due = 0
     for place, point in _answered(study, tasks(study), workers, watch, keep):
+        look()
         early[place] = point
         while due in early:
             yield early.pop(due)
@@ -114,6 +116,7 @@ def journaled(
         useful = useful or not isinstance(known, Failed)
         yield known
     for _, point in _answered(study, todo.without(done), workers, watch, keep):
+        look()  # a library may have made the point a failed one of it
         if point.code == INTERRUPTED and journal.count:  # the points before it are kept, and the run goes on from there
             raise KeyboardInterrupt
         if isinstance(point, Failed) or point.code != INTERRUPTED:

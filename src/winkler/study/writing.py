@@ -1,28 +1,42 @@
 """The folder of results: written whole or not at all.
 
 Everything is written into a hidden folder beside the wanted one, which takes its name when it is complete.  Two runs
-into one folder never mix, and a run that is stopped leaves what was there before.
+into one folder never mix, and a run that is stopped leaves what was there before.  What a run leaves that was killed
+without warning, the next one puts right: see `winkler.study.reserving`.
 """
 
 from __future__ import annotations
 
 import contextlib
-import glob
 import json
 import os
 import shutil
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.study.outcome import Outcome, Provenance
 from winkler.study.reading import study_text
+from winkler.study.stopping import held, keeping, look
 
-__all__ = ["PROVENANCE", "clear_partial", "holds_results", "placed", "write_outcome", "write_provenance"]
+__all__ = [
+    "OLD",
+    "PARTIAL",
+    "PROVENANCE",
+    "holds_results",
+    "missing",
+    "placed",
+    "unwritable",
+    "write_outcome",
+    "write_provenance",
+]
 
 PROVENANCE = "provenance.json"
 """Marks a folder of results, and lists its files."""
+PARTIAL, OLD = ".partial", ".old"
+"""How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
 
 
 def write_outcome(outcome: Outcome, folder: Path) -> None:
@@ -41,8 +55,18 @@ def write_outcome(outcome: Outcome, folder: Path) -> None:
     write_provenance(outcome.provenance, folder)
 
 
-def write_provenance(made: Provenance, folder: Path) -> None:
-    """Write provenance.json, with a list of everything that already lies in `folder`."""
+def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
+    """Write provenance.json, with a list of everything that already lies in `folder`.
+
+    Parameters
+    ----------
+    made
+        What made the numbers.
+    folder
+        Where they lie.
+    missing
+        How many curves of a batch that was interrupted were not reached.
+    """
     content = {
         "program": "winkler",
         "version": made.version,
@@ -51,6 +75,7 @@ def write_provenance(made: Provenance, folder: Path) -> None:
         "created": made.created,
         "seconds": made.seconds,
         "packages": dict(made.packages),
+        **({"missing": missing} if missing else {}),
         "files": [*_files(folder), PROVENANCE],
     }
     (folder / PROVENANCE).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
@@ -80,7 +105,7 @@ def holds_results(folder: Path) -> bool:
             raise InvalidInput(f"output: '{folder}' is a file; give a folder.")
         present = _files(folder)
     except OSError as error:
-        raise _unwritable(folder, error) from None
+        raise unwritable(folder, error) from None
     if not present and not any(folder.iterdir()):
         return False
     foreign = [name for name in present if name not in _listed(folder)]
@@ -92,12 +117,26 @@ def holds_results(folder: Path) -> bool:
     return True
 
 
+def missing(folder: Path) -> int:
+    """Return how many curves are missing in results of a batch that was interrupted; zero if it was not."""
+    told = _provenance(folder).get("missing", 0)
+    return told if isinstance(told, int) else 0
+
+
 def _listed(folder: Path) -> set[str]:
     try:
-        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
-        return set(content["files"]) if content["program"] == "winkler" else set()
-    except (OSError, ValueError, KeyError, TypeError):
+        return set(_provenance(folder)["files"])
+    except (KeyError, TypeError):
         return set()
+
+
+def _provenance(folder: Path) -> dict[str, Any]:
+    """Return what provenance.json tells; nothing if winkler did not write it."""
+    try:
+        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) and content.get("program") == "winkler" else {}
 
 
 def _is_here(folder: Path) -> bool:
@@ -105,7 +144,8 @@ def _is_here(folder: Path) -> bool:
     return there == here or there in here.parents
 
 
-def _unwritable(folder: Path, error: OSError) -> InvalidInput:
+def unwritable(folder: Path, error: OSError) -> InvalidInput:
+    """Return the error of a folder that the system does not let us write."""
     why = (error.strerror or type(error).__name__).lower()
     return InvalidInput(f"output: '{folder}' cannot be written ({why}); give another folder with --output.")
 
@@ -117,7 +157,7 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
     Parameters
     ----------
     folder
-        Where the results go.
+        Where the results go; the folder that holds it is there, as `winkler.study.reserving.reserved` sees to.
     overwrite
         Whether results of an earlier run may be replaced.
 
@@ -128,35 +168,24 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
     """
     if holds_results(folder) and not overwrite:
         raise _occupied(folder)
-    parent = folder.parent
-    created = [path for path in (parent, *parent.parents) if not path.exists()]
     mark = f".{folder.name}.{uuid.uuid4().hex[:12]}"
-    partial = parent / f"{mark}.partial"
+    partial = folder.parent / f"{mark}{PARTIAL}"
     done = False
     try:
         try:
-            parent.mkdir(parents=True, exist_ok=True)
             partial.mkdir()
-        except OSError as error:
-            raise _unwritable(folder, error) from None
-        try:
             yield partial
+            look()
+            with held():  # a stop between the two names, or before the old results are gone, would leave both
+                _put(partial, folder, folder.parent / f"{mark}{OLD}", overwrite)
+                done = True
+                keeping(f"the results in {folder} are complete")
         except OSError as error:
-            raise _unwritable(folder, error) from None
-        _put(partial, folder, parent / f"{mark}.old", overwrite)
-        done = True
+            raise unwritable(folder, error) from None
     finally:
         if not done:
-            shutil.rmtree(partial, ignore_errors=True)
-            for path in created:
-                with contextlib.suppress(OSError):
-                    path.rmdir()
-
-
-def clear_partial(folder: Path) -> None:
-    """Remove what runs into `folder` that were killed have left; no other run may be under way."""
-    for path in folder.parent.glob(f".{glob.escape(folder.name)}.*.partial"):
-        shutil.rmtree(path, ignore_errors=True)
+            with held():
+                shutil.rmtree(partial, ignore_errors=True)
 
 
 def _occupied(folder: Path) -> InvalidInput:
@@ -178,8 +207,6 @@ def _put(partial: Path, folder: Path, aside: Path, overwrite: bool) -> None:
         elif folder.exists():
             folder.rmdir()
         os.rename(partial, folder)
-    except OSError as error:
-        raise _unwritable(folder, error) from None
     finally:
         if moved and not folder.exists():
             os.rename(aside, folder)

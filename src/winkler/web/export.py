@@ -22,7 +22,7 @@ class File(NamedTuple):
     content: bytes
 
 
-def exported(outcome: Outcome | FitOutcome, what: str) -> File:
+def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
     """Return an answer as a file.
 
     Parameters
@@ -31,10 +31,12 @@ def exported(outcome: Outcome | FitOutcome, what: str) -> File:
         What a study came to.
     what
         ``csv``, ``netcdf``, ``png`` or ``report``.
+    page
+        The folder of the page: files are written there on their way, and go with it if the worker is killed.
     """
     if what == "report":
         return File(report.REPORT, _page(outcome).encode("utf-8"))
-    with tempfile.TemporaryDirectory(prefix="winkler-app-") as place:
+    with tempfile.TemporaryDirectory(dir=page) as place:
         folder = Path(place)
         if what == "png":
             figures.save(_figures(outcome), folder, ("png",))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -25,34 +24,22 @@ from winkler.web.fit_fields import draw_curve, draw_free, draw_measurement
 from winkler.web.questions import Questions
 from winkler.web.result import Result
 from winkler.web.room import Room
-from winkler.web.solver import Solver, Worker, started
+from winkler.web.solver import Solver
 from winkler.web.sweep_fields import draw_sweep
 from winkler.web.worker import Done, Export, Look, Progress, Solve, Wrong
 
-__all__ = ["Page", "page"]
+__all__ = ["Page", "style"]
 
 KNOWN = ("title", "problem", "fit", "sweep", "source", "grade")
 """Sections of a study that the form shows, or that need no showing."""
 HERE = Path(__file__).parent
 
 
-def page(limit: float, spare: list[Worker]) -> Callable[[], None]:
-    """Return what builds a page for everybody who opens the app.
-
-    Parameters
-    ----------
-    limit
-        The longest that a study may take [s].
-    spare
-        Workers that are ready, for the first to come.
-    """
-
-    def build() -> None:
-        made = Page(limit, spare.pop() if spare else started())
-        made.build()
-        context.client.on_delete(made.left)
-
-    return build
+def style() -> None:
+    """Give the page that is being made its looks."""
+    ui.add_css((HERE / "app.css").read_text(encoding="utf-8"))
+    report = (HERE.parent / "study" / "report.css").read_text(encoding="utf-8")
+    ui.add_css(f".paper {{ {report} }}")
 
 
 class Page:
@@ -62,16 +49,25 @@ class Page:
     ----------
     limit
         The longest that a study may take [s].
-    worker
-        Solves and draws for this page.
+    folder
+        Where its uploads are kept, in a folder of their own.
+
+    Raises
+    ------
+    OSError
+        If no folder can be made, or no process started.
     """
 
-    def __init__(self, limit: float, worker: Worker) -> None:
+    def __init__(self, limit: float, folder: Path) -> None:
         self.limit = limit
         self.client = context.client
         self.asking = Asking(self.changed, self.solve)
-        self.room = Room()
-        self.solver = Solver(self.heard, worker)
+        self.room = Room(folder)
+        try:
+            self.solver = Solver(self.heard)
+        except OSError:
+            self.room.close()
+            raise
         self.questions = Questions(self.solver.ask)
         self.anew = True
         self.shown_task = self.asking.task
@@ -85,9 +81,6 @@ class Page:
 
     def build(self) -> None:
         """Lay the page out."""
-        ui.add_css((HERE / "app.css").read_text(encoding="utf-8"))
-        report = (HERE.parent / "study" / "report.css").read_text(encoding="utf-8")
-        ui.add_css(f".paper {{ {report} }}")
         with ui.element("header").classes("top"):
             ui.html("<h1>winkler</h1>", sanitize=False)
             ui.label("Contact mechanics: measured shapes in; forces, pressures and stresses out.").classes("motto")

@@ -50,15 +50,21 @@ def files_in(content: Any, key: str = "") -> list[tuple[str, Any]]:
 
 
 class Room:
-    """One folder for one page; it is gone when the page is."""
+    """One folder for one page; it is gone when the page is.
 
-    def __init__(self) -> None:
-        self.folder = Path(tempfile.mkdtemp(prefix="winkler-app-"))
+    Parameters
+    ----------
+    inside
+        The folder of the app; by default the folder for temporary files.
+    """
+
+    def __init__(self, inside: Path | None = None) -> None:
+        self.folder = Path(tempfile.mkdtemp(prefix="winkler-page-", dir=inside))
 
     @property
     def names(self) -> tuple[str, ...]:
         """The files that are there."""
-        return tuple(sorted(path.name for path in self.folder.iterdir()))
+        return tuple(sorted(path.name for path in self.folder.iterdir() if path.is_file()))
 
     def keep(self, name: str, content: bytes) -> str:
         """Keep an upload, and return the name that it got.

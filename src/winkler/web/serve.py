@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import socket
+from collections.abc import Sequence
 
 from winkler.errors import InvalidInput
+from winkler.web.security import origin_of
+from winkler.web.uploads import uploads
 
 __all__ = ["HOST", "serve"]
 
@@ -12,7 +15,7 @@ HOST = "127.0.0.1"
 """Only programs of this machine can reach it."""
 
 
-def serve(*, port: int, limit: float, browser: bool) -> None:
+def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequence[str]) -> None:
     """Serve the app until it is interrupted.
 
     Parameters
@@ -23,41 +26,49 @@ def serve(*, port: int, limit: float, browser: bool) -> None:
         The longest that a study may take [s].
     browser
         Whether a page is opened.
+    pages
+        How many pages may be open at once.
+    addresses
+        Other addresses at which the app is opened, through a tunnel or a proxy.
 
     Raises
     ------
     InvalidInput
-        If the extra ``app`` is not installed, or the port is taken.
+        If the extra ``app`` is not installed, the port is taken, or an address is none.
     """
     try:
-        from nicegui import app, ui
-        from starlette.middleware.trustedhost import TrustedHostMiddleware
+        from nicegui import ui
     except ImportError:
         told = 'the app needs NiceGUI, which is not installed; install it with: pip install "winkler[app]"'
         raise InvalidInput(told) from None
     if not limit > 0.0:
         raise InvalidInput(f"the time limit is {limit:g} s; give a positive number of seconds.")
+    origins = [origin_of(f"http://{name}:{port}") for name in (HOST, "localhost")]
+    origins += [origin_of(address) for address in addresses]
     _free(port)
-    from winkler.web.page import page
-    from winkler.web.solver import Worker, started
+    from winkler.web.assembly import assemble
+    from winkler.web.visitors import Visitors
 
-    spare: list[Worker] = []
-    app.on_startup(lambda: spare.append(started()))  # so that the first page need not wait
-    # pages of the internet cannot reach the app under a name of their own
-    app.add_middleware(TrustedHostMiddleware, allowed_hosts=[HOST, "localhost"])
-    print(f"The app runs at http://{HOST}:{port}; stop it with Ctrl-C.", flush=True)
-    ui.run(
-        page(limit, spare),
-        host=HOST,
-        port=port,
-        title="winkler",
-        favicon="◒",
-        reload=False,
-        show=browser,
-        show_welcome_message=False,
-        tailwind=False,
-        reconnect_timeout=30.0,
-    )
+    with uploads() as folder:
+        visitors = Visitors(limit, pages, folder)
+        assemble(visitors, tuple(origins))
+        print(f"The app runs at http://{HOST}:{port}; stop it with Ctrl-C.", flush=True)
+        try:
+            ui.run(
+                host=HOST,
+                port=port,
+                title="winkler",
+                favicon="◒",
+                reload=False,
+                show=browser,
+                show_welcome_message=False,
+                tailwind=False,
+                reconnect_timeout=30.0,
+                server_header=False,
+                timeout_graceful_shutdown=2,
+            )
+        finally:
+            visitors.close()
 
 
 def _free(port: int) -> None:

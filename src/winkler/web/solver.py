@@ -45,17 +45,15 @@ class Solver:
     ----------
     heard
         Called, in the loop of the page, with every part of the answers to the newest question and the newest study.
-    worker
-        One that was started before; a new one if left out.
     """
 
-    def __init__(self, heard: Heard, worker: Worker | None = None) -> None:
+    def __init__(self, heard: Heard) -> None:
         self.heard = heard
         self.loop = asyncio.get_running_loop()
         self.number = self.study = 0
         self.since = 0.0
         self.open: set[int] = set()
-        self._begin(worker or started())
+        self._begin(started())
 
     def _begin(self, worker: Worker) -> None:
         self.ready = False

@@ -267,7 +267,7 @@ class _Bench:
 
         if self.outcome is None:
             raise InvalidInput("there is no answer to take along; mend the study first.")
-        return exported(self.outcome, what)
+        return exported(self.outcome, what, self.folder)
 
 
 def beside_the_curve(sentence: str) -> str:
