@@ -10,7 +10,7 @@ from winkler.io.wear_states import read_wear
 BED = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
 R = np.linspace(0.0, 1e-3, 12)
 T = np.geomspace(1e-3, 10.0, 12)
-X = np.arange(24.0)
+X = np.arange(72.0)
 Z = 3.0 * np.sin(X / 5.0) + np.sin(2.0 * X)
 
 
@@ -46,7 +46,7 @@ READERS = {
     "scan": (wk.read_scan, rows("x [um],z [nm]", X, Z)),
     "topography": (
         lambda path: wk.read_topography(path, lengths=(5e-6, 2e-6), unit="nm"),
-        "\n".join(",".join(f"{height:.6g}" for height in row) for row in Z.reshape(6, 4)),
+        "\n".join(",".join(f"{height:.6g}" for height in row) for row in Z[:24].reshape(6, 4)),
     ),
     "curves": (lambda path: list(wk.read_curves(path)), rows("depth [um],force [mN]", R * 1e3, (R * 1e3) ** 1.5)),
     "contacts": (wk.read_contacts, ""),
