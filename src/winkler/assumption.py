@@ -30,6 +30,7 @@ class Assumption(Enum):
     INERTIA = "inertia, waves and weight left out"
     STEADY = "steady state"
     RESOLUTION = "numerical resolution"
+    ENERGY = "energy balance"
     CONDUCTION = "flow of heat and current"
     CONTINUUM = "contact wide against the free path of carriers"
     TEMPERATURE = "properties that do not change with temperature"

@@ -23,12 +23,14 @@ from winkler.vocabulary import word
 
 __all__ = [
     "FAULTS",
+    "LARGEST",
     "Expected",
     "careful",
     "expected_of",
     "guarded",
     "guarded_answer",
     "guarded_stream",
+    "refuse_size",
     "refuse_wrong",
 ]
 
@@ -39,8 +41,9 @@ SMALLEST, LARGEST = 1e-60, 1e60
 """Numbers in SI units of what is given lie between these; squares and cubes of them are still numbers."""
 LONGEST = 40
 """Bits of a whole number: nothing that is counted is counted further."""
-GIVEN = ("materials", "laws", "profiles", "media", "loading")
-"""Floors on which every value was given; on others only problems were."""
+GIVEN = ("materials", "laws", "profiles", "media", "loading", "path", "path_steps", "program")
+"""Floors on which every value was given; on others only problems were, and these:"""
+GIVEN_TOO = ("Contacts", "ForceCurve", "MeasuredBed")
 NEVER_ZERO = (
     "curvature_radius", "deep_young", "depth_scale", "mass", "surface_young", "thickness", "transition_width", "young",
 )  # fmt: skip
@@ -65,7 +68,7 @@ class Expected(NamedTuple):
 def expected_of(cls: Any) -> tuple[Expected, ...]:
     """Return what the fields of a dataclass may hold; fields whose type says nothing are left out."""
     parts = cls.__module__.split(".")
-    given = len(parts) > 1 and (parts[1] in GIVEN or hasattr(cls, "solve"))
+    given = len(parts) > 1 and (parts[1] in GIVEN or hasattr(cls, "solve") or cls.__name__ in GIVEN_TOO)
     found = []
     for field in dataclasses.fields(cls):
         written = field.type if isinstance(field.type, str) else getattr(field.type, "__name__", "")
@@ -75,18 +78,18 @@ def expected_of(cls: Any) -> tuple[Expected, ...]:
 
 
 def _has_size(cls: Any, field: str) -> bool:
-    """Return whether a field has a unit that is no angle and no power which depends on other fields."""
+    """Return whether a field has a unit, and none with a power that depends on other fields."""
     try:
         unit = word(cls.__name__, field).unit
     except KeyError:
         return False
-    return bool(unit) and unit != "rad" and not re.search(r"\([^)]*[a-zA-Z]", str(unit).replace("(m K)", ""))
+    return bool(unit) and not re.search(r"\([^)]*[a-zA-Z]", str(unit).replace("(m K)", ""))
 
 
 def careful(cls: type) -> bool:
     """Return whether numbers that overflow in the checks of a class end them: those of values that are given."""
     parts = cls.__module__.split(".")
-    return len(parts) > 1 and parts[1] in (*GIVEN, "path", "path_steps", "program")
+    return len(parts) > 1 and parts[1] in GIVEN
 
 
 def _sort(written: str) -> str:
@@ -119,11 +122,32 @@ def refuse_wrong(content: Any, expected: tuple[Expected, ...]) -> None:
                     f"{type(content).__name__}: the {field.name} is a {type(inside).__name__}{lacks}; give {wanted}."
                 )
             raise InvalidInput(f"{type(content).__name__}: {field.name} is {_shown(inside)}; give {wanted}.")
-        if field.sized and not _sized(inside, SMALLEST if field.name in NEVER_ZERO else 0.0):
-            raise InvalidInput(
-                f"{type(content).__name__}: {field.name} is {_size(inside)}; numbers in SI units are between "
-                f"{SMALLEST:g} and {LARGEST:g} in size: check the unit."
-            )
+        if field.sized:
+            smallest = SMALLEST if field.name in NEVER_ZERO else 0.0
+            refuse_size(type(content).__name__, field.name, inside, smallest)
+
+
+def refuse_size(owner: str, word: str, inside: Any, smallest: float = 0.0) -> None:
+    """Refuse a number, or an array of numbers, beyond all physics.
+
+    Parameters
+    ----------
+    owner, word
+        Who takes it, and what it is called there.
+    inside
+        In SI units.
+    smallest
+        Least size of a single number that is not zero.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if not _sized(inside, smallest):
+        raise InvalidInput(
+            f"{owner}: {word} is {_size(inside)}; numbers in SI units are between {SMALLEST:g} and {LARGEST:g} in "
+            "size: check the unit."
+        )
 
 
 def _wrong(inside: Any, sort: str) -> bool:

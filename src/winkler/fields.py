@@ -12,7 +12,7 @@ from typing import Protocol, TypeGuard, overload
 
 import numpy as np
 
-from winkler.content import guarded_answer
+from winkler.content import LARGEST, guarded_answer
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
@@ -272,8 +272,10 @@ def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
         numbers = np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError):
         raise InvalidInput(f"{asker}: {word} is {given!r:.60}; give a number or an array in m.") from None
-    if not np.all(np.abs(numbers) < 1e60):
-        raise InvalidInput(f"{asker}: {word} holds values that are not finite, or beyond 1e60; give places in m.")
+    if not np.all(np.abs(numbers) < LARGEST):
+        raise InvalidInput(
+            f"{asker}: {word} holds values that are not finite, or beyond {LARGEST:g}; give places in m."
+        )
     return numbers
 
 

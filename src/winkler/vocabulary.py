@@ -489,6 +489,7 @@ OWNED: dict[tuple[str, str], Word] = {
     ("ViscoelasticAdhesionSolution", "position"): Word("D", "m", "where the far end of the machine stands"),
     ("ViscoelasticTangential", "count"): Word("n", "", "how many springs"),
     ("ViscoelasticTangentialSolution", "work"): Word("W", "J", "what the machine has spent since the beginning"),
+    ("ViscoelasticTangentialState", "work"): Word("W", "J", "what the machine has spent since the beginning"),
     ("ViscoelasticTangentialSolution", "stored_energy"): Word("U", "J", "energy stored in all springs, both ways"),
     ("ViscoelasticTangentialState", "stored_energy"): Word("U", "J", "energy stored in all springs, both ways"),
     ("ViscoelasticTangentialState", "displacement"): Word("u_t", "m", "displacement of every spring along the surface"),
@@ -529,6 +530,7 @@ OWNED: dict[tuple[str, str], Word] = {
     ("EdgeState", "position"): Word("D", "m", "where the far end of the machine stands"),
     ("AdhesiveState", "position"): Word("D", "m", "where the far end of the machine stands"),
     ("AdhesiveCycleSolution", "position"): Word("D", "m", "where the far end of the machine stands"),
+    ("TangentialState", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
     ("TangentialSolution", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
     ("AdhesiveCycleSolution", "work"): Word("W", "J", "what the machine has spent since the beginning"),
     ("AdhesiveCycleSolution", "energy"): Word("U", "J", "energy of bodies, machine and surfaces"),
@@ -560,6 +562,8 @@ OWNED: dict[tuple[str, str], Word] = {
     ("ElasticPlasticParticle", "curvature_radius"): Word("R", "m", "radius of the particle"),
     ("ParticleState", "energy"): Word("U", "J", "stored in the particle, less what closing its surfaces has gained"),
     ("ParticleSolution", "energy"): Word("U", "J", "stored in the particle, less what closing its surfaces has gained"),
+    ("ViscoelasticAdhesionSolution", "work"): Word("W", "J", "what the machine has spent since the beginning"),
+    ("ViscoelasticAdhesionState", "work"): Word("W", "J", "what the machine has spent since the beginning"),
     ("ParticleSolution", "work"): Word("W", "J", "what was spent since the beginning"),
     ("Contacts", "coefficient"): Word(r"\mu", "", "friction coefficient"),
     ("BallImpacts", "coefficient"): Word(r"\mu", "", "friction coefficient"),
@@ -669,6 +673,11 @@ OWNED: dict[tuple[str, str], Word] = {
     ("SmoothSprings", "joints"): Word("x_j", "m", "radii where one polynomial meets the next"),
     ("SmoothSprings", "jump"): Word("J", "m", "step at the last radius"),
     ("ViscoelasticState", "stored_energy"): Word("U", "J", "energy stored in all springs, also in those set free"),
+    ("ViscoelasticImpactSolution", "stored_energy"): Word(
+        "U", "J", "energy stored in all springs, also in those set free"
+    ),
+    ("ViscoelasticState", "work"): Word("W", "J", "what was spent since the beginning, the integral of the force"),
+    ("ViscoelasticSolution", "work"): Word("W", "J", "what was spent since the beginning, the integral of the force"),
     ("ViscoelasticSolution", "stored_energy"): Word("U", "J", "energy stored in all springs, also in those set free"),
     ("HarmonicSolution", "loss_stiffness"): Word(
         "k''", "N/m", "force a quarter turn ahead of a motion, over the motion"

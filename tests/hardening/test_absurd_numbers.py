@@ -83,11 +83,33 @@ def test_every_number_of_other_problems(name):
     assert faults(name) == []
 
 
-@pytest.mark.parametrize("load", [wk.Force, wk.Depth, wk.Radius, wk.Shift, wk.ShearForce])
+@pytest.mark.parametrize("load", [wk.Force, wk.Depth, wk.Radius, wk.Shift, wk.ShearForce, wk.Angle, wk.Torque])
 def test_a_load_beyond_all_physics_is_named(load):
     word = dataclasses.fields(load)[0].name
     with pytest.raises(InvalidInput, match=rf"^{load.__name__}: {word} is 1e\+300; numbers in SI units .* check the"):
         load(1e300)
+
+
+BEADS = wk.Contacts.apart(BED.medium, curvature_radius=[1e-3], coefficient=0.3, reach=2e-6)
+
+
+@pytest.mark.parametrize(
+    ("word", "made"),
+    [
+        ("motion", lambda: BEADS.moved([1e-6], motion=[[1e300, 0.0]])),
+        ("twist", lambda: BEADS.moved([1e-6], twist=[-1e300])),
+        ("curvature_radius", lambda: dataclasses.replace(BEADS, curvature_radius=np.array([1e300]))),
+        ("time", lambda: wk.Path([0.0, 1e300], wk.Depth([0.0, 1e-6]))),
+        ("duration", lambda: wk.Hold(duration=1e300)),
+        ("position", lambda: wk.ForceCurve([0.0, 1e300], [0.0, 1.0])),
+        ("force", lambda: wk.ForceCurve([0.0, 1.0], [0.0, 1e300])),
+    ],
+)
+def test_what_is_given_beside_loads_is_bounded_by_the_same_sentence(word, made):
+    with pytest.raises(
+        InvalidInput, match=rf"{word} is .*1e\+300.*; numbers in SI units are between 1e-60 and 1e\+60 in"
+    ):
+        made()
 
 
 def test_the_greatest_of_many_is_named():

@@ -83,8 +83,8 @@ STUDIES = {
     "sweep": ("run", BALL + SWEEP + PLAIN, 30, 2),
     "wear": ("run", WEAR + PLAIN, 30, 2),
     "report": ("run", tomli_w.dumps(example_study("elastic_plastic_particle")), 30, 5),
-    "fit": ("fit", FIT.replace("CURVE", "gel/curve1.csv") + PLAIN, 15, 3),
-    "fits": ("fit", FIT.replace("CURVE", "gel") + PLAIN, 15, 3),
+    "fit": ("fit", FIT.replace("CURVE", "gel/curve1.csv") + PLAIN, 15, 5),
+    "fits": ("fit", FIT.replace("CURVE", "gel") + PLAIN, 15, 5),
 }
 """Command, study, how many kills of each sort, and how many in a row before a run is let to its end."""
 OLDER = {

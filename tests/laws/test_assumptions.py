@@ -1,5 +1,6 @@
 """Every kind of problem declares what it assumes, says what a check of it found, and flags what violates it."""
 
+import dataclasses
 import functools
 import math
 
@@ -152,6 +153,12 @@ def hotter_than_any_solid():
     return wk.FrictionHeating(bed, COULOMB, wk.Force(1e3), pair, first_speed=300.0).solve().validity
 
 
+def energy_from_nowhere():
+    """What a march answered that summed up a loss by differences: more than was put in."""
+    found = answer("viscoelastic_indentation")
+    return dataclasses.replace(found, dissipation=found.dissipation - 2e-3 * np.max(found.work)).validity
+
+
 def area_of_a_line():
     return answer("rough_contact").validity
 
@@ -169,6 +176,7 @@ VIOLATED = {
     Assumption.CALIBRATION: uncalibrated,
     Assumption.INERTIA: as_fast_as_sound,
     Assumption.RESOLUTION: a_single_pixel,
+    Assumption.ENERGY: energy_from_nowhere,
     Assumption.CONTINUUM: narrower_than_the_free_path,
     Assumption.TEMPERATURE: hotter_than_any_solid,
     Assumption.ROUGHNESS: area_of_a_line,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import types
 
 import numpy as np
 import pytest
@@ -35,6 +36,20 @@ def test_a_kernel_may_call_kernels_of_its_file():
     assert squares(np.array([1.0, 2.0, 3.0])) == 14.0
     assert squares.machine is not squares.function
     assert isinstance(square, Kernel)
+
+
+def test_what_it_calls_belongs_to_its_cache():
+    """numba goes by the file of a kernel alone: what other files give to it must stand in its closure."""
+    assert squares.machine.py_func.__closure__[0].cell_contents == squares.content
+
+    def cubes(x):
+        return x * x * x
+
+    known = {**squares.function.__globals__, "square": Kernel(cubes)}
+    other = Kernel(types.FunctionType(squares.function.__code__, known))
+    assert other.content != squares.content
+    assert other(np.array([1.0, 2.0])) == 9.0
+    assert square.content == Kernel(square.function).content != Kernel(quotient.function).content
 
 
 def test_it_keeps_its_name():

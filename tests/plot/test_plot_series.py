@@ -78,7 +78,9 @@ def test_tables_take_the_middle():
         (math.radians(60.0), "rad", "60°"),
         (1e6, "m^-3", "1·10⁶ m⁻³"),
         (0.0, "N", "0 N"),
-        (math.inf, "Pa", "∞ Pa"),
+        (math.inf, "Pa", "infinite"),
+        (-math.inf, "Pa", "−infinite"),
+        (math.nan, "Pa", "undefined"),
     ],
 )
 def test_told(number, unit, text):

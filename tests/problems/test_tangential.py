@@ -288,7 +288,7 @@ def test_work_is_stored_or_lost(history):
     depths, shifts = np.array(history).T
     depths[0] = abs(depths[0]) + 0.01
     errors = []
-    for count in (150, 600):
+    for count in (60, 240):
         share = np.linspace(0.0, depths.size - 1.0, count * (depths.size - 1) + 1)
         fine = [np.interp(share, np.arange(depths.size), q) for q in (depths, shifts - shifts[0])]
         answer = run(through(wk.Depth(fine[0]), wk.Shift(fine[1])))

@@ -150,7 +150,7 @@ def test_a_batch_without_any_answer_leaves_no_journal(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_mistake_of_ours_costs_one_curve(monkeypatch):
+def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_path):
     plain = fit_run._found
 
     def broken(study, measured, watch):
@@ -158,11 +158,15 @@ def test_a_mistake_of_ours_costs_one_curve(monkeypatch):
             raise ZeroDivisionError("float division by zero")
         return plain(study, measured, watch)
 
-    monkeypatch.setattr(fit_run, "_found", broken)
-    found = dict(fit_curves(STUDY, MAP))
+    with monkeypatch.context() as patch:
+        patch.setattr(fit_run, "_found", broken)
+        _, found = kept(tmp_path / "x")
     assert found[2][0].reason == "an unexpected error, ZeroDivisionError: float division by zero"
     assert found[2][0].code == 70
     assert isinstance(found[3][0], Fitted)
+    known, found = kept(tmp_path / "x")
+    assert sorted(known) == [0, 1, 3]
+    assert isinstance(found[2][0], Fitted)
 
 
 def test_a_line_that_does_not_fit_is_refused(tmp_path):

@@ -152,6 +152,21 @@ def test_the_two_renamings_are_not_torn_apart(sign, here, monkeypatch, capsys):
     assert [path.name for path in (here / "results").iterdir()] == ["ball"]
 
 
+def test_what_was_half_made_is_taken_down_without_a_word(here, monkeypatch, capsys):
+    class HalfMade:
+        def __init__(self):
+            self.itself = self
+            send(signal.SIGTERM)
+            self.closed = False
+
+        def __del__(self):
+            assert not self.closed  # there is no such attribute yet
+
+    monkeypatch.setattr(writing, "study_text", lambda study: str(HalfMade()))
+    assert main(["run", "ball.toml", "--quiet"]) == 143
+    assert capsys.readouterr().err == ""
+
+
 def test_whoever_listens_already_goes_on_listening(here):
     """A program that runs a command in itself keeps its own handlers."""
     heard = []

@@ -5,6 +5,8 @@ from __future__ import annotations
 import dataclasses
 import functools
 import json
+import re
+from importlib.metadata import version
 
 import numpy as np
 import pytest
@@ -168,8 +170,10 @@ def test_a_journal_of_another_study_is_refused(change, tmp_path):
 def test_another_version_of_winkler_does_not_go_on(tmp_path, monkeypatch):
     path = tmp_path / "x.journal"
     first(STUDY, path, 4)
-    monkeypatch.setattr("winkler.study.journal.version", lambda _: "99.0")
-    with pytest.raises(InvalidInput, match="another version"), Journal(path, STUDY):
+    mine = version("winkler")
+    monkeypatch.setattr("winkler.study.keeping.version", lambda _: "99.0")
+    told = rf"was begun by version {re.escape(mine)} of winkler, and this is 99\.0: .*; add --anew to begin again"
+    with pytest.raises(InvalidInput, match=told), Journal(path, STUDY):
         pass
 
 

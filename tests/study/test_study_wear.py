@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
+from winkler.errors import InvalidInput, NotConverged
 from winkler.problems import wear_march
 from winkler.problems.fretting_wear import FrettingSolution
 from winkler.study.keeping import Keep
@@ -81,6 +81,22 @@ def test_a_run_that_was_killed_goes_on_with_the_same_numbers(tmp_path, monkeypat
 def test_a_spoilt_file_is_no_reason_to_stop(tmp_path):
     problem, keep = study().problem, Keep.beside(tmp_path / "results")
     keep.path(problem).write_bytes(b"half")
+    assert keep.reached(problem) == []
+
+
+@pytest.mark.parametrize(("made", "told"), [("99.0", "version 99.0"), (None, "an unknown version")])
+def test_states_of_another_version_are_refused(made, told, tmp_path, monkeypatch):
+    problem, keep = study().problem, Keep.beside(tmp_path / "results")
+    with pytest.raises(Stopped):
+        marched(problem, stopping(3), keep)
+    path = keep.path(problem)
+    with np.load(path) as stored:
+        arrays = {name: stored[name] for name in stored.files if name != "version"}
+    assert len(arrays) < len(np.load(path).files)
+    np.savez(path, **arrays, **({} if made is None else {"version": np.array(made)}))
+    with pytest.raises(InvalidInput, match=rf"^states: .* was begun by {told} of winkler, and this is .*; add --anew"):
+        marched(problem, keep=keep)
+    keep.forget()
     assert keep.reached(problem) == []
 
 

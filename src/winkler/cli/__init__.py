@@ -12,6 +12,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
+from winkler.cli.saying import say, spell
 from winkler.study import stopping
 
 __all__ = ["main"]
@@ -30,6 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     traceback, heard = False, stopping.Heard()
     try:
         with stopping.listening() as heard:
+            spell()
             words = list(sys.argv[1:] if arguments is None else arguments)
             traceback = "--traceback" in words
             return _command([word for word in words if word != "--traceback"])
@@ -84,4 +86,4 @@ def _stopped(heard: stopping.Heard) -> int:
 
 
 def _say(sentence: str) -> None:
-    print(f"winkler: {sentence}", file=sys.stderr)
+    say(f"winkler: {sentence}", error=True)

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from winkler.cli import browser, cite, draw, fit, new, run, show, table, validate
+from winkler.cli.saying import say
 
 __all__ = ["app"]
 
@@ -36,7 +37,7 @@ def _version(wanted: bool) -> None:
     if wanted:
         from importlib.metadata import version
 
-        print(f"winkler {version('winkler')}")
+        say(f"winkler {version('winkler')}")
         raise typer.Exit
 
 

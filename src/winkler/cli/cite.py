@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from winkler.cli.saying import say
+
 __all__ = ["cite"]
 
 
@@ -31,6 +33,6 @@ def cite(
         study = read_study(what)
         papers = papers_of((study.problem, study.sweep))
     for paper in papers:
-        print(paper.bibtex + "\n" if bibtex else paper.text)
+        say(paper.bibtex + "\n" if bibtex else paper.text)
     if not papers and not bibtex:
-        print(f"{what} stands on no particular paper.")
+        say(f"{what} stands on no particular paper.")

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from winkler.cli.saying import say
+
 if TYPE_CHECKING:
     from winkler.study.outcome import Solved
 
@@ -71,7 +73,7 @@ def draw(
     except OSError as error:
         why = (error.strerror or type(error).__name__).lower()
         raise InvalidInput(f"draw: '{path}' cannot be written ({why}); give another file with --output.") from None
-    print(f"Written {path}")
+    say(f"Written {path}")
 
 
 def _solved(study: Any, point: int) -> Solved:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
+from winkler.cli.saying import say, say_json
 
 if TYPE_CHECKING:
     from winkler.fitting.compare import AnyFit
@@ -126,7 +127,7 @@ def fit(
     elif not quiet:
         _print(outcome, folder)
         if known:
-            print(f"{len(known)} of {many} were known from the run before.")
+            say(f"{len(known)} of {many} were known from the run before.")
     if left:
         raise Interrupted(
             f"interrupted; {len(outcome.results)} curves were done and are in {folder}, {left} of {many} are missing; "
@@ -249,9 +250,6 @@ def _table(outcome: FitOutcome, out: Any) -> None:
 
 
 def _print_json(outcome: FitOutcome, folder: Path) -> None:
-    import json
-
-    from winkler.cli.terminal import plain_numbers
 
     made = outcome.provenance
     content: dict[str, Any] = {
@@ -261,8 +259,7 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
         "hash": made.hash,
         "seconds": made.seconds,
         "columns": [
-            {"name": column.name, "unit": column.word.unit, "values": plain_numbers(column.content)}
-            for column in outcome.table()
+            {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
         ],
         "flags": [
             {"curve": result.name, "name": flag.name, "statement": flag.statement}
@@ -281,4 +278,4 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
             for note in outcome.validity
         ],
     }
-    print(json.dumps(content, indent=2, ensure_ascii=False))
+    say_json(content)

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from winkler.cli.saying import say
+
 __all__ = ["new"]
 
 
@@ -76,4 +78,4 @@ def new(
     except OSError as error:
         why = (error.strerror or type(error).__name__).lower()
         raise InvalidInput(f"'{path}' cannot be written ({why}); give another file with --output.") from None
-    print(f"Written {path}; run it with: winkler run {path}")
+    say(f"Written {path}; run it with: winkler run {path}")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
+from winkler.cli.saying import safe, say, say_json
 
 if TYPE_CHECKING:
     from winkler.study.outcome import Outcome
@@ -101,7 +102,7 @@ def run(
     elif not quiet:
         _print(outcome, folder)
         if before:
-            print(f"{before} of {many} points were known from the run before.")
+            say(f"{before} of {many} points were known from the run before.")
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are kept in {folder}.")
     return code
@@ -118,7 +119,7 @@ def may_overwrite(folder: Path) -> bool:
             f"output: '{folder}' already holds results; add --overwrite to replace them, or give another folder with "
             "--output."
         )
-    if typer.confirm(f"'{folder}' already holds results. Replace them?", err=True):
+    if typer.confirm(safe(f"'{folder}' already holds results. Replace them?"), err=True):
         return True
     raise InvalidInput(f"output: '{folder}' was kept; give another folder with --output.")
 
@@ -153,9 +154,6 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 
 def _print_json(outcome: Outcome, folder: Path) -> None:
-    import json
-
-    from winkler.cli.terminal import plain_numbers
     from winkler.cli.validate import verdict_json
 
     content: dict[str, Any] = {
@@ -165,8 +163,7 @@ def _print_json(outcome: Outcome, folder: Path) -> None:
         "hash": outcome.provenance.hash,
         "seconds": outcome.provenance.seconds,
         "answers": [
-            {"name": column.name, "unit": column.word.unit, "values": plain_numbers(column.content)}
-            for column in outcome.table()
+            {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
         ],
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
@@ -182,4 +179,4 @@ def _print_json(outcome: Outcome, folder: Path) -> None:
             for note in outcome.validity
         ],
     }
-    print(json.dumps(content, indent=2, ensure_ascii=False))
+    say_json(content)

@@ -6,6 +6,8 @@ from typing import Annotated
 
 import typer
 
+from winkler.cli.saying import say_json
+
 __all__ = ["show"]
 
 
@@ -125,8 +127,6 @@ def _study() -> None:
 
 
 def _json(name: str) -> None:
-    import json
-
     from winkler.errors import InvalidInput
     from winkler.study.catalogue import kinds, slot_of
     from winkler.study.explain import completed, keys_of, summary
@@ -155,4 +155,4 @@ def _json(name: str) -> None:
         for kind, line in kinds().items()
         if name in ("", kind)
     ]
-    print(json.dumps(content, indent=2, ensure_ascii=False))
+    say_json(content)

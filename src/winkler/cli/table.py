@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from winkler.cli.saying import say
+
 __all__ = ["table"]
 
 
@@ -36,7 +38,7 @@ def table(
     deepest = float(np.max(problem.solve().depth))
     law = ContactLaw(problem.bed, deepest, tolerance).solve()
     write_law(law, output)
-    print(
+    say(
         f"{law.depth.size} rows written to {output}; errors of the force: {law.hermite_error:.2g} by cubics, "
         f"at most {law.linear_error:.2g} by straight lines."
     )

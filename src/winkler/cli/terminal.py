@@ -12,10 +12,13 @@ import numpy as np
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.text import Text
 
     from winkler.study.outcome import Column, Outcome
 
-__all__ = ["answers", "console", "indices", "marching", "notes", "plain_numbers", "prefixed", "tracked"]
+from winkler.cli.saying import safe
+
+__all__ = ["answers", "console", "indices", "marching", "notes", "prefixed", "tracked"]
 
 T = TypeVar("T")
 
@@ -29,11 +32,17 @@ WIDE = 160
 
 
 def console(*, stderr: bool = False) -> Console:
-    """Return where to write; texts are shown as they are."""
+    """Return where to write; texts are shown as they are, but for control characters."""
     from rich.console import Console
 
+    class Safe(Console):
+        """Every text passes here, those in cells of tables too."""
+
+        def render_str(self, text: str, **how: Any) -> Text:
+            return super().render_str(safe(text), **how)
+
     stream = sys.stderr if stderr else sys.stdout
-    return Console(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
+    return Safe(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
 
 
 def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
@@ -54,12 +63,19 @@ def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
     return 10.0**-power, f"{PREFIXES[power]}{unit}"
 
 
-def _shown(column: Column) -> tuple[str, list[str]]:
-    """Return the unit and the texts of a column."""
+def _shown(column: Column, empty: np.ndarray) -> tuple[str, list[str]]:
+    """Return the unit and the texts of a column; `empty` are rows without any answer."""
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]
     factor, unit = prefixed(column.content, column.word.unit)
-    return unit, ["-" if np.isnan(number) else f"{number * factor + 0.0:.6g}" for number in column.content]
+    numbers = (float(number * factor) + 0.0 for number in column.content)
+    return unit, [_number(number, "-" if bare else "undefined") for number, bare in zip(numbers, empty, strict=True)]
+
+
+def _number(number: float, undefined: str) -> str:
+    if math.isfinite(number):
+        return f"{number:.6g}"
+    return undefined if math.isnan(number) else f"{'-' * (number < 0.0)}infinite"
 
 
 def answers(outcome: Outcome, out: Console) -> None:
@@ -77,7 +93,9 @@ def answers(outcome: Outcome, out: Console) -> None:
         for column in table_
         if column.name in swept or not any(np.array_equal(column.content, content) for content in given)
     ]
-    shown = [_shown(column) for column in columns]
+    numbers = [column.content for column in table_ if column.content.dtype.kind == "f" and column.name not in swept]
+    empty = np.all(np.isnan(numbers), axis=0) if numbers else np.zeros(len(table_[0].content), dtype=bool)
+    shown = [_shown(column, empty) for column in columns]
     rows = len(columns[0].content)
     if rows == 1:
         table = Table("quantity", "symbol", "value", "unit", "meaning", box=box.SIMPLE_HEAD)
@@ -123,15 +141,6 @@ def notes(outcome: Outcome, out: Console) -> None:
         out.print("How far this can be trusted:")
     for note in outcome.validity:
         out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
-
-
-def plain_numbers(content: Any) -> Any:
-    """Return numbers for JSON: null where there is none."""
-    if isinstance(content, np.ndarray | list):
-        return [plain_numbers(item) for item in np.asarray(content).tolist()]
-    if isinstance(content, float):
-        return content if math.isfinite(content) else None
-    return content
 
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from winkler.cli.saying import say, say_json
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -34,8 +36,6 @@ def validate(
 
     Example: winkler validate --json
     """
-    import json
-
     from winkler.cli import terminal
     from winkler.errors import InvalidInput
     from winkler.study.ledger import case_files, ledger, remarks
@@ -47,9 +47,9 @@ def validate(
     hidden = quiet or as_json or as_markdown
     entries = list(terminal.tracked(ledger(files), len(files), hidden=hidden))
     if as_json:
-        print(json.dumps([_json(entry) for entry in entries], indent=2, ensure_ascii=False))
+        say_json([_json(entry) for entry in entries])
     elif as_markdown:
-        print(markdown(entries, "" if cases else remarks()), end="")
+        say(markdown(entries, "" if cases else remarks()), end="")
     else:
         _print([entry for entry in entries if not (quiet and entry.passed)], entries, quiet)
     return 0 if all(entry.passed for entry in entries) else MISSED
@@ -108,19 +108,15 @@ def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Ta
 
 def verdict_json(verdict: Verdict) -> dict[str, Any]:
     """Return a verdict for JSON."""
-    import numpy as np
-
-    from winkler.cli.terminal import plain_numbers
-
     asked = verdict.expectation
     return {
         "index": list(verdict.index),
         "quantity": asked.quantity,
         "place": dict(asked.place),
         "unit": asked.unit,
-        "expected": plain_numbers(np.asarray(asked.expected).tolist()),
-        "got": plain_numbers(np.asarray(verdict.got).tolist()),
-        "deviation": plain_numbers(verdict.deviation),
+        "expected": asked.expected,
+        "got": verdict.got,
+        "deviation": verdict.deviation,
         "tolerance": asked.tolerance,
         "digits": verdict.digits,
         "passed": verdict.passed,

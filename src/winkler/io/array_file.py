@@ -1,9 +1,14 @@
-"""Arrays in a file of NumPy's kind ``.npz``: what stood there is replaced only once the new one is whole."""
+"""Arrays in a file of NumPy's kind ``.npz``: what stood there is replaced only once the new one is whole.
+
+The version of winkler stands beside them.
+"""
 
 from __future__ import annotations
 
 import os
+import zipfile
 from collections.abc import Mapping
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +16,16 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 
-__all__ = ["write_arrays"]
+__all__ = ["version_of", "write_arrays"]
+
+
+def version_of(path: Path) -> str:
+    """Return the version of winkler that wrote a file; empty if the file does not tell."""
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            return str(stored["version"])
+    except (OSError, ValueError, KeyError, EOFError, TypeError, zipfile.BadZipFile):
+        return ""
 
 
 def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
@@ -25,7 +39,7 @@ def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
     partial = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         with partial.open("wb") as file:
-            np.savez(file, allow_pickle=False, **arrays)
+            np.savez(file, allow_pickle=False, version=np.array(version("winkler")), **arrays)
             file.flush()
             os.fsync(file.fileno())
         partial.replace(path)

@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.content import LARGEST
 from winkler.errors import InvalidInput
 from winkler.io.text_file import lines_of
 from winkler.numerics.types import Array
@@ -31,8 +32,6 @@ __all__ = ["Column", "Table", "names_columns", "read_table"]
 ABOVE = 500
 """Most lines above the numbers."""
 SEPARATORS = ("\t", ";", ",", None)
-LARGEST = 1e75
-"""Largest number of a table in SI units; fourth powers of it can still be computed."""
 COMMENT = "#% \t"
 MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_AND_UNIT = (

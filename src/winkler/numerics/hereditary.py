@@ -16,6 +16,7 @@ import math
 
 import numpy as np
 
+from winkler.numerics.fading import first, second
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
@@ -69,7 +70,7 @@ def _past(
     force, moved = relaxed * phi1, relaxed * d1
     for i in range(times.size):
         fade = math.exp(-part * dt / times[i])
-        fresh = (1.0 - fade) * times[i] / dt if dt > 0.0 else part
+        fresh = part * first(part * dt / times[i])
         left = moduli[i] * math.exp(-elapsed / times[i])
         force += left * (load[at, i] * fade + climb * fresh)
         moved += left * (drift[at, i] * fade + rise * fresh)
@@ -115,7 +116,7 @@ def borne(
             last = dt
             for i in range(terms):
                 fade[i] = math.exp(-dt / times[i])
-                fresh[i] = (1.0 - fade[i]) * times[i] / dt if dt > 0.0 else 1.0
+                fresh[i] = first(dt / times[i])
         for i in range(terms):
             before = load[n - 1, i] if n > 0 else 0.0
             stiff += moduli[i] * fresh[i]
@@ -225,7 +226,7 @@ def sunk(
         Written.
     """
     terms = times.size
-    memory, fade, fresh = np.zeros(terms), np.empty(terms), np.empty(terms)
+    crept, fade, old, new = np.zeros(terms), np.empty(terms), np.empty(terms), np.empty(terms)
     flowed, before, last = 0.0, 0.0, -1.0
     pieces = table.size - 1
     for n in range(time.size):
@@ -235,11 +236,11 @@ def sunk(
         if not abs(dt - last) <= ALIKE * dt:
             last = dt
             for k in range(terms):
-                fade[k] = math.exp(-dt / times[k])
-                fresh[k] = (1.0 - fade[k]) * times[k] / dt if dt > 0.0 else 1.0
+                x = dt / times[k]
+                fade[k], old[k], new[k] = math.exp(-x), x * first(x), x * second(x)
         for k in range(terms):
-            memory[k] = fade[k] * memory[k] + fresh[k] * (force[n] - before)
-            phi += compliances[k] * (force[n] - memory[k])
+            crept[k] = fade[k] * crept[k] + old[k] * before + new[k] * (force[n] - before)
+            phi += compliances[k] * crept[k]
         before = force[n]
         if phi <= 0.0:
             depth[n] = 0.0

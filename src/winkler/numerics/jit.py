@@ -3,15 +3,17 @@
 A kernel is written as ordinary Python and decorated with `compiled`.  numba is imported at the first call of a kernel,
 never when winkler is imported.  In a browser (emscripten), where there is no numba, the same source runs as it is.
 
-Rules for whoever writes a kernel: it calls only kernels of its own file, because numba's cache on disk does not notice
-when one in another file was edited.  It divides by zero without an error, and may count on infinities and on what
-comparisons with not-a-number give: only re-association, contraction and the sign of zero are given away for speed.
+A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
+function alone, is told what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
+may count on infinities and on what comparisons with not-a-number give: only re-association, contraction and the sign of
+zero are given away for speed.
 Kernels let other threads run.
 """
 
 from __future__ import annotations
 
 import functools
+import hashlib
 import sys
 import types
 from collections.abc import Callable
@@ -26,6 +28,8 @@ R = TypeVar("R")
 
 FREEDOMS = frozenset({"reassoc", "contract", "nsz"})
 """What the compiler may do to arithmetic; never to assume that there is no infinity and no not-a-number."""
+NUMBERS = int, float, np.ndarray
+"""What a kernel may read from its module."""
 INTERPRETED = sys.platform == "emscripten"
 """Whether kernels run as plain Python, where numba does not exist."""
 
@@ -43,6 +47,26 @@ class Kernel(Generic[P, R]):
         functools.update_wrapper(self, function)
         self.function = function
 
+    @property
+    def _called(self) -> dict[str, Kernel[Any, Any]]:
+        """Name -> every kernel that this one calls."""
+        source = self.function
+        assert isinstance(source, types.FunctionType)
+        known = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
+        return {name: kernel for name, kernel in known if isinstance(kernel, Kernel)}
+
+    @functools.cached_property
+    def content(self) -> str:
+        """A digest of this kernel and of all that it calls, numbers of their modules included."""
+        source = self.function
+        assert isinstance(source, types.FunctionType)
+        code = source.__code__
+        numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
+        own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, NUMBERS)]
+        parts = [code.co_code, code.co_consts, code.co_names, own]
+        called = [kernel.content for kernel in self._called.values()]
+        return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
+
     @functools.cached_property
     def machine(self) -> Callable[P, R]:
         """The compiled function; that of the kernels it calls is put in their place."""
@@ -54,10 +78,14 @@ class Kernel(Generic[P, R]):
         source = self.function
         assert isinstance(source, types.FunctionType)
         known: dict[str, Any] = dict(source.__globals__)
-        for name in source.__code__.co_names:
-            if isinstance(known.get(name), Kernel):
-                known[name] = known[name].machine
-        copy = types.FunctionType(source.__code__, known, source.__name__, source.__defaults__, source.__closure__)
+        code, cells = source.__code__, source.__closure__ or ()
+        for name, kernel in self._called.items():
+            known[name] = kernel.machine
+        if self._called:
+            # numba's cache goes by the code of a function and by what its closure holds
+            code = code.replace(co_freevars=(*code.co_freevars, "called"))
+            cells = (*cells, types.CellType(self.content))
+        copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells or None)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
         machine: Callable[P, R] = numba.njit(cache=True, nogil=True, fastmath=set(FREEDOMS), error_model="numpy")(copy)
         return machine

@@ -15,14 +15,19 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.numerics.fading import fading, losses
 from winkler.numerics.jit import compiled
+from winkler.numerics.relaxing_spring import carry, jump
 
 __all__ = ["NUMBERS", "march", "seek"]
 
-NUMBERS = 9
-"""Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring."""
-EVENTS = 64
-"""More within one step are rounding: a line and m exponentials vanish together m + 1 times at most."""
+NUMBERS = 10
+"""Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring, loss.
+
+The loss is that of every dashpot, not what is missing from the work.
+"""
+FACTORS = 7
+"""Of a step: of every memory its decay, gain with the rate, and three of `losses`; of every mode its fade and loss."""
 TRIALS = 200
 MET = 1e-13
 """Part of the forces to which a prescribed one is met."""
@@ -31,115 +36,11 @@ GONE = 1e-200
 
 
 @compiled
-def _turn(offset, matrix, u, memory, spare):  # type: ignore[no-untyped-def]
-    """Turn memories of a pressed spring into those of a free one, or back."""
-    for k in range(memory.size):
-        spare[k] = 0.0
-        if k < matrix.shape[0]:
-            spare[k] = offset[k] * u
-            for i in range(matrix.shape[1]):
-                spare[k] += matrix[k, i] * memory[i]
-    for k in range(memory.size):
-        memory[k] = spare[k]
-
-
-@compiled
-def _jump(law, gap, depth, change, u, memory, pressed, spare):  # type: ignore[no-untyped-def]
-    """Move one spring by a sudden change of depth; return place, whether it is pressed, its load, and work."""
-    relaxed, moduli = law[0], law[2]
-    glassy, q, part = relaxed + np.sum(moduli), 0.0, depth + change - gap - u
-    if pressed:
-        q = relaxed * u
-        for i in range(moduli.size):
-            q += memory[i]
-        part = change if q + glassy * change >= 0.0 else -q / glassy
-    elif part > 0.0:
-        _turn(law[5], law[7], 0.0, memory, spare)
-    else:
-        return u, False, 0.0, 0.0
-    # a jump of linear springs: the mean of the forces at its ends does the work of the part that is pressed
-    work = (q + 0.5 * glassy * part) * part
-    for i in range(moduli.size):
-        memory[i] += moduli[i] * part
-    if pressed and part != change:
-        _turn(law[5], law[6], u + part, memory, spare)
-        return u + part, False, 0.0, work
-    return u + part, True, q + glassy * part, work
-
-
-@compiled
-def _allowance(law, gap, place, rate, u, memory, pressed, t):  # type: ignore[no-untyped-def]
-    """Return what must not fall below zero, at the time t of steady motion: the load, or the distance of the body."""
-    if pressed:
-        q = law[0] * (u + rate * t) + law[1] * rate
-        for i in range(law[2].size):
-            gone = -np.expm1(-t / law[3][i])
-            q += memory[i] * (1.0 - gone) + law[2][i] * law[3][i] * rate * gone
-        return q
-    distance = gap - place - rate * t
-    for k in range(law[4].size):
-        distance += memory[k] * np.exp(-law[4][k] * t)
-    return distance
-
-
-@compiled
-def _carry(law, gap, depth, rate, dt, u, mine, pressed, spare):  # type: ignore[no-untyped-def]
-    """Carry one spring through a step; return place, whether it is pressed, its load at the end, and its impulse."""
-    relaxed, viscosity, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
-    left, place, impulse, caught = dt, depth, 0.0, False
-    for events in range(EVENTS + 1):
-        begin = _allowance(law, gap, place, rate, u, mine, pressed, 0.0)
-        # what has just been caught bears nothing yet; below zero is rounding
-        begin = max(begin, 0.0) if caught else begin
-        end = _allowance(law, gap, place, rate, u, mine, pressed, left)
-        turns = (end < 0.0 or (pressed and begin < 0.0)) and events < EVENTS
-        span = left
-        if turns:
-            low, high, f_low, f_high = 0.0, left if begin > 0.0 else 0.0, begin, end
-            for trial in range(TRIALS):
-                if high - low <= 1e-15 * left:
-                    break
-                middle = 0.5 * (low + high) if trial % 3 == 2 else low + (high - low) * f_low / (f_low - f_high)
-                if not low < middle < high:
-                    middle = 0.5 * (low + high)
-                f = _allowance(law, gap, place, rate, u, mine, pressed, middle)
-                if f >= 0.0:
-                    low, f_low = middle, f
-                if f <= 0.0:
-                    high, f_high = middle, f
-            span = low if pressed else high
-        if pressed:
-            impulse += relaxed * (u * span + 0.5 * rate * span * span) + viscosity * rate * span
-            for i in range(moduli.size):
-                gone = -np.expm1(-span / times[i])
-                grown = moduli[i] * times[i] * gone
-                impulse += times[i] * (mine[i] * gone + rate * (moduli[i] * span - grown))
-                mine[i] += -mine[i] * gone + grown * rate
-            u += rate * span
-        else:
-            u = 0.0
-            for k in range(rates.size):
-                mine[k] *= np.exp(-rates[k] * span)
-                u += mine[k]
-        if not turns:
-            break
-        left = max(left - span, 0.0)
-        place += rate * span
-        if pressed:
-            _turn(law[5], law[6], u, mine, spare)
-        else:
-            u = place - gap
-            _turn(law[5], law[7], 0.0, mine, spare)
-        pressed = caught = not pressed
-    return u, pressed, end if pressed else 0.0, impulse
-
-
-@compiled
-def _survey(law, state, dt, factors, spans):  # type: ignore[no-untyped-def]
+def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def]
     """Write what a step of this length does to all springs at any rate; return its growth with the rate.
 
     `spans` gets, of those pressed, the load now and at the end and the impulse, as if nothing moved; of those free, in
-    the second row, the place at the end.  `factors` gets decay, gain with the rate and lag of every memory, and fade.
+    the second row, the place at the end.  `factors` are those of `FACTORS`.
     """
     relaxed, _, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
     u, memory, _, counts = state
@@ -150,11 +51,14 @@ def _survey(law, state, dt, factors, spans):  # type: ignore[no-untyped-def]
         spans[1, j] = relaxed * u[j]
         spans[2, j] = relaxed * u[j] * dt
     for i in range(moduli.size):
-        gone = -np.expm1(-dt / times[i])
-        decay, gain, lag = 1.0 - gone, moduli[i] * times[i] * gone, times[i] * gone
+        x = dt / times[i]
+        fading(x, phi)
+        decay, lag = np.exp(-x), dt * phi[0]
+        gain = moduli[i] * lag
         factors[0, i], factors[1, i] = decay, gain
+        factors[3, i], factors[4, i], factors[5, i] = losses(x, phi)
         gains += gain
-        pulls += times[i] * (moduli[i] * dt - gain)
+        pulls += moduli[i] * dt * dt * phi[1]
         for j in range(inside):
             s = memory[i, j]
             spans[0, j] += s
@@ -164,7 +68,7 @@ def _survey(law, state, dt, factors, spans):  # type: ignore[no-untyped-def]
         spans[1, j] = 0.0
     for k in range(rates.size):
         fade = np.exp(-rates[k] * dt)
-        factors[2, k] = fade
+        factors[2, k], factors[6, k] = fade, -law[8][k] * np.expm1(-2.0 * rates[k] * dt)
         for j in range(inside, outer):
             spans[1, j] += memory[k, j] * fade
     return gains, pulls
@@ -179,13 +83,13 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, room, k
     relaxed, viscosity, moduli = law[0], law[1], law[2]
     gaps, weights, _ = springs
     u, memory, pressed, counts = state
-    columns, odd, spare = room
+    columns, odd, spare, steady, phi = room
     inside, outer, modes, odds, sudden = counts[0], counts[1], memory.shape[0], 0, dt == 0.0
     rate = 0.0 if sudden else change / dt
     first = viscosity * rate
     stay = relaxed * change + first + grown[0] * rate
     push = dt * (0.5 * relaxed * change + first) + rate * grown[1]
-    force, impulse, heavy, work, count = 0.0, 0.0, 0.0, 0.0, 0
+    force, impulse, heavy, work, lost, count = 0.0, 0.0, 0.0, 0.0, 0.0, 0
     for j in range(0 if sudden else inside):
         fine = (spans[0, j] + first >= 0.0) & (spans[1, j] + stay >= 0.0)
         part = weights[j] if fine else 0.0
@@ -193,6 +97,7 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, room, k
         impulse += part * (spans[2, j] + push)
         heavy += part
         count += 1 if fine else 0
+    lost += viscosity * rate * change * heavy
     for j in range(outer):
         if j < inside and not sudden:
             if count == inside or ((spans[0, j] + first >= 0.0) & (spans[1, j] + stay >= 0.0)):
@@ -213,11 +118,12 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, room, k
         for k in range(modes):
             mine[k] = memory[k, j]
         if sudden:
-            place, held, q, own = _jump(law, gaps[j], depth, change, u[j], mine, pressed[j], spare)
+            place, held, q, own = jump(law, gaps[j], depth, change, u[j], mine, pressed[j], spare)
             work += weights[j] * own
         else:
-            place, held, q, own = _carry(law, gaps[j], depth, rate, dt, u[j], mine, pressed[j], spare)
+            place, held, q, own, gone = carry(law, gaps[j], depth, rate, dt, u[j], mine, pressed[j], spare, phi)
             impulse += weights[j] * own
+            lost += weights[j] * gone
         columns[c, modes], columns[c, modes + 1] = place, 1.0 if held else 0.0
         force += weights[j] * q
         heavy += weights[j] if held else 0.0
@@ -227,16 +133,30 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, room, k
     sums[4] = 0.0 if sudden else heavy * (0.5 * relaxed * dt + viscosity + grown[1] / dt)
     if not keep:
         return count
+    for j in range(outer):
+        steady[j] = weights[j]
+    for c in range(odds):
+        steady[odd[c]] = 0.0
     for k in range(0 if sudden else modes):
-        fade = factors[2, k]
+        fade, kept = factors[2, k], 0.0
         for j in range(inside, outer):
+            kept += steady[j] * memory[k, j] * memory[k, j]
             s = memory[k, j] * fade
             memory[k, j] = s if abs(s) > GONE else 0.0
+        lost += factors[6, k] * kept
         if k < moduli.size:
-            decay, gain = factors[0, k], factors[1, k] * rate
+            decay, gain, rise = factors[0, k], factors[1, k] * rate, moduli[k] * change
+            zeroth, first, second = 0.0, 0.0, 0.0
             for j in range(inside):
-                s = memory[k, j] * decay + gain
+                s = memory[k, j]
+                zeroth += steady[j]
+                first += steady[j] * s
+                second += steady[j] * s * s
+                s = s * decay + gain
                 memory[k, j] = s if abs(s) > GONE else 0.0
+            mixed = factors[4, k] * first + factors[5, k] * rise * zeroth
+            lost += (factors[3, k] * second + rise * mixed) / moduli[k]
+    sums[9] = lost
     for j in range(0 if sudden else outer):
         u[j] = depth + change - gaps[j] if j < inside else spans[1, j]
     for c in range(odds):
@@ -308,11 +228,11 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 def march(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
     modes, count = state[1].shape
-    factors, spans = np.empty((3, modes)), np.empty((3, count))
-    room = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes)
+    factors, spans = np.empty((FACTORS, modes)), np.empty((3, count))
+    room = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
     for n in range(changes.size):
         change, dt, sums = changes[n], times[n], numbers[n]
-        grown = _survey(law, state, dt, factors, spans) if dt > 0.0 else (0.0, 0.0)
+        grown = _survey(law, state, dt, factors, spans, room[4]) if dt > 0.0 else (0.0, 0.0)
         held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, room, True, sums)
         motion[0] += change
         motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
@@ -338,9 +258,9 @@ def seek(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore
     change.  `scale` is one that matters.
     """
     modes, count = state[1].shape
-    factors, spans, sums = np.empty((3, modes)), np.empty((3, count)), np.empty(NUMBERS)
-    room = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes)
-    grown = _survey(law, state, dt, factors, spans) if dt > 0.0 else (0.0, 0.0)
+    factors, spans, sums = np.empty((FACTORS, modes)), np.empty((3, count)), np.empty(NUMBERS)
+    room = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    grown = _survey(law, state, dt, factors, spans, room[4]) if dt > 0.0 else (0.0, 0.0)
     change, low, high, stride = guess, -np.inf, np.inf, 0.0
     for turn in range(TRIALS):
         held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, room, False, sums)

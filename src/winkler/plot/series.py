@@ -131,9 +131,13 @@ def told(number: float, unit: str | None, digits: int = 4) -> str:
     --------
     >>> told(1.8662e-4, "m"), told(0.3, ""), told(2.1e11, "Pa")
     ('186.6 µm', '0.3', '210 GPa')
+    >>> told(math.inf, "ohm"), told(math.nan, "")
+    ('infinite', 'undefined')
     """
+    if not math.isfinite(number):
+        return "undefined" if math.isnan(number) else f"{'−' * (number < 0.0)}infinite"
     scale = scale_of(unit, number)
-    text = f"{number / scale.factor:.{digits}g}".replace("-", "−").replace("inf", "∞")
+    text = f"{number / scale.factor:.{digits}g}".replace("-", "−")
     if "e" in text:
         mantissa, exponent = text.split("e")
         power = str(int(exponent.replace("−", "-"))).translate(SUPERSCRIPT)

@@ -16,7 +16,8 @@ from winkler.numerics.contact_kernels import impact_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.contact_trace import PLANE, SPRINGS
 from winkler.problems.trust import steepness_note
@@ -92,7 +93,7 @@ class BallImpacts:
     count: int = 32
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "hertz_1882", "maw_barber_fawcett_1976")
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         sliding = np.asarray(self.sliding_velocity, dtype=float)
@@ -215,4 +216,5 @@ class BallImpactsSolution:
         share = wave_loss(modulus=medium.modulus, mass=problem.mass, size=size, velocity=problem.velocity)
         slope = float(np.max(np.sqrt(self.greatest_depth / size)))
         coupled = sticking_note(medium, float(np.min(problem.coefficient)))
-        return (*medium.notes, steepness_note(slope), wave_note(share), coupled, SPRINGS, PLANE)
+        balance = energy_note(np.ones(self.velocity.size), self.balance, 0.0)
+        return (*medium.notes, steepness_note(slope), balance, wave_note(share), coupled, SPRINGS, PLANE)

@@ -13,6 +13,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.content import refuse_size
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.contact_kernels import move_balls, turn_balls
@@ -221,7 +222,7 @@ class Contacts:
         Raises
         ------
         InvalidInput
-            If a shape does not agree, or a number is not finite.
+            If a shape does not agree, or a number is not finite, or beyond all physics.
         OutsideValidity
             If a contact is pressed deeper than its reach; the message names it.
         """
@@ -367,4 +368,5 @@ def _filled(word: str, given: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise InvalidInput(f"Contacts: {word} has the shape {numbers.shape}; give {shape}, or one number for all.")
     if not np.all(np.isfinite(numbers)):
         raise InvalidInput(f"Contacts: {word} holds what is no finite number; give finite ones in SI units.")
+    refuse_size("Contacts", word, numbers)
     return np.ascontiguousarray(np.broadcast_to(numbers, shape))

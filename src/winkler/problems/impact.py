@@ -23,8 +23,9 @@ from winkler.given import positive_fields
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
@@ -112,7 +113,7 @@ class Impact:
         "maw_barber_fawcett_1976",
         "lyashenko_popov_2015",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb):
@@ -353,7 +354,9 @@ class ImpactSolution:
         mu = problem.law.coefficient
         rubs = mu > 0.0 and problem.sliding_velocity != 0.0
         rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
-        notes = [*indentation_notes(bed, depth, radius, rubbing), wave_note(share), gravity_note(force)]
+        kept = self.kinetic_energy + self.energy + self.stored_energy
+        balance = energy_note(np.full(kept.size, kept[0]), kept, self.dissipation)
+        notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
         if rubs:
             notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
         return tuple(notes)

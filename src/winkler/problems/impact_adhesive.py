@@ -28,7 +28,8 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesive_cycle import AdhesiveCycle
 from winkler.problems.adhesive_edge import stored_energy
 from winkler.problems.adhesive_notes import adhesive_notes
-from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.cycle_states import AdhesiveJump
 from winkler.problems.gathering import rows
@@ -91,7 +92,7 @@ class AdhesiveImpact:
         "johnson_kendall_roberts_1971",
         "thornton_ning_1998",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.INERTIA}
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | BALANCED | {Assumption.INERTIA}
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
@@ -238,9 +239,11 @@ class AdhesiveImpactSolution:
         problem = self.problem
         modulus = float(problem.bed.normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=problem.bed.size, velocity=problem.velocity)
+        given = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
         verdict = "it stays, and swings on in contact without end in this theory" if self.captured else "it leaves"
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
+            energy_note(given, self.kinetic_energy + self.energy, self.dissipation),
             wave_note(share),
             gravity_note(self.force),
             Note(

@@ -30,7 +30,7 @@ NARROW = 1e-14
 
 
 class LossPiece(NamedTuple):
-    """Springs that slid, and what each has lost over its tangential stiffness: a polynomial of its gap.
+    """What each of some springs has lost or taken up, over its tangential stiffness: a polynomial of its gap.
 
     Parameters
     ----------
@@ -45,6 +45,10 @@ class LossPiece(NamedTuple):
     constant: float
     linear: float
     square: float
+
+
+Ends = tuple[float, float]
+"""What a straight line over the gap is at both ends of a piece."""
 
 
 class _Piece(NamedTuple):
@@ -116,9 +120,20 @@ class SlipMemory:
         SlipMemory
         tuple of LossPiece
         """
+        way = self._way(depth, change, bound, account=False)
+        return _remembered(way.after, way.pieces), tuple(way.losses)
+
+    def worked(
+        self, depth: float, change: float, bound: float
+    ) -> tuple[SlipMemory, tuple[LossPiece, ...], tuple[LossPiece, ...]]:
+        """Return as `moved`, and what the bodies have spent on the springs, which does not go by what these keep."""
+        way = self._way(depth, change, bound, account=True)
+        return _remembered(way.after, way.pieces), tuple(way.losses), tuple(way.works)
+
+    def _way(self, depth: float, change: float, bound: float, *, account: bool) -> _Way:
         if 0.0 < depth < TINY:
             depth = 0.0
-        way = _Way(self.depth, depth, change, bound)
+        way = _Way(self.depth, depth, change, bound, account)
         kept = max(min(self.depth, depth), 0.0)
         edges = self.edges.tolist()
         for start, stop, left, right in zip(edges, edges[1:], self.left.tolist(), self.right.tolist(), strict=False):
@@ -133,7 +148,7 @@ class SlipMemory:
         if depth > kept:
             # springs that come into contact on the way take part in what is left of it
             way.drag(kept, depth, (depth - kept) * change / way.rise, 0.0, came=True)
-        return _remembered(depth, way.pieces), tuple(way.losses)
+        return way
 
     @property
     def corners(self) -> tuple[Array, Array]:
@@ -148,9 +163,10 @@ class SlipMemory:
 class _Way:
     """A straight way in depth and shift, and what it does to the springs."""
 
-    def __init__(self, before: float, after: float, change: float, bound: float) -> None:
-        self.before, self.after, self.change, self.bound = before, after, change, bound
+    def __init__(self, before: float, after: float, change: float, bound: float, account: bool) -> None:
+        self.before, self.after, self.change, self.bound, self.account = before, after, change, bound, account
         self.rise = after - before
+        self.works: list[LossPiece] = []
         self.pieces: list[_Piece] = []
         self.losses: list[LossPiece] = []
 
@@ -158,6 +174,7 @@ class _Way:
         """Move springs of which those that tried to be displaced by more than their bound slide."""
         if math.isinf(self.bound):
             self.pieces.append(_Piece(start, stop, left, right, 0))
+            self._spend(start, stop, (left, right), (left, right) if came else None)
             return
         width, after, bound = stop - start, self.after, self.bound
         first, last = bound * (after - start), bound * (after - stop)
@@ -174,6 +191,7 @@ class _Way:
             trial, limit = 0.5 * (at_low + at_high), bound * (after - 0.5 * (low + high))
             if abs(trial) < limit * (1.0 - AT_BOUND):
                 self.pieces.append(_Piece(low, high, at_low, at_high, 0))
+                self._spend(low, high, (at_low, at_high), (at_low, at_high) if came else None)
                 continue
             side = 1 if trial > 0.0 else -1
             ends = bound * (after - low), bound * (after - high)
@@ -181,6 +199,9 @@ class _Way:
             slid = max(side * at_low - ends[0], 0.0), max(side * at_high - ends[1], 0.0)
             # the bound of a coming spring grows from zero
             self._lose(low, high, slid, (0.5 * ends[0], 0.5 * ends[1]) if came else self._mean(side, slid, ends))
+            self._spend(low, high, (at_low, at_high), (side * ends[0], side * ends[1]) if came else None)
+            if not came:
+                self._yield(low, high, side, slid)
 
     def leave(self, start: float, stop: float, left: float, right: float) -> None:
         """Let springs go: they slide back until nothing presses them, or fall back at once if nothing slides."""
@@ -189,6 +210,7 @@ class _Way:
         left, right = left + (start - self.before) * per, right + (stop - self.before) * per
         if math.isinf(self.bound):
             self._lose(start, stop, (left, right), (0.5 * left, 0.5 * right))
+            self._part(start, stop, left, right)
             return
         cuts = [(start, left), (stop, right)]
         if left * right < 0.0:
@@ -197,6 +219,8 @@ class _Way:
             side = 1 if at_low + at_high > 0.0 else -1
             slid = max(side * at_low, 0.0), max(side * at_high, 0.0)
             self._lose(low, high, slid, self._mean(side, slid, (0.0, 0.0)))
+            self._part(low, high, at_low, at_high)
+            self._yield(low, high, side, slid)
 
     def _mean(self, side: int, slid: tuple[float, float], ends: tuple[float, float]) -> tuple[float, float]:
         """Return the mean bound of springs that begin to slide on the way, from how far they slide and how they end."""
@@ -205,15 +229,46 @@ class _Way:
         share = 0.5 * self.bound * self.rise / closing if closing > 0.0 else 0.0
         return ends[0] - share * slid[0], ends[1] - share * slid[1]
 
+    def _spend(self, start: float, stop: float, trial: Ends, came: Ends | None) -> None:
+        """Note the work on springs that stick and end at `trial`; those that `came` to where they are began at rest."""
+        if came is not None:
+            self._work(start, stop, trial, (0.5 * came[0], 0.5 * came[1]))
+        else:
+            half = 0.5 * self.change
+            self._work(start, stop, (self.change, self.change), (trial[0] - half, trial[1] - half))
+
+    def _part(self, start: float, stop: float, left: float, right: float) -> None:
+        """Note the work on springs that stick until they part, where they are displaced by `left` to `right`."""
+        if self.account:
+            per = self.change / self.rise
+            way = (start - self.before) * per, (stop - self.before) * per
+            self._work(start, stop, way, (left - 0.5 * way[0], right - 0.5 * way[1]))
+
+    def _yield(self, start: float, stop: float, side: int, slid: Ends) -> None:
+        """Take away from the work what springs that slide at last do not resist any more."""
+        closing = side * self.change - self.bound * self.rise
+        if closing > 0.0:
+            share = -0.5 * side * self.change / closing
+            self._work(start, stop, slid, (share * slid[0], share * slid[1]))
+
+    def _work(self, start: float, stop: float, one: Ends, other: Ends) -> None:
+        """Note a work that is a product of two straight lines over the gap."""
+        if self.account and stop > start:
+            self.works.append(_product(start, stop, one, other))
+
     def _lose(self, start: float, stop: float, slid: tuple[float, float], mean: tuple[float, float]) -> None:
         """Note the loss of springs: sliding length times mean bound, both straight over the gap."""
         if not stop > start or (slid[0] == 0.0 and slid[1] == 0.0):
             return
-        if stop - start < TINY:  # a flat end may still be among them
-            self.losses.append(LossPiece(start, stop, slid[0] * mean[0], 0.0, 0.0))
-            return
-        one, two = (slid[0] - slid[1]) / (stop - start), (mean[0] - mean[1]) / (stop - start)
-        self.losses.append(LossPiece(start, stop, slid[1] * mean[1], one * mean[1] + two * slid[1], one * two))
+        self.losses.append(_product(start, stop, slid, mean))
+
+
+def _product(start: float, stop: float, first: Ends, second: Ends) -> LossPiece:
+    """Return the product of two straight lines between two gaps."""
+    if stop - start < TINY:  # a flat end may still be among them
+        return LossPiece(start, stop, first[0] * second[0], 0.0, 0.0)
+    one, two = (first[0] - first[1]) / (stop - start), (second[0] - second[1]) / (stop - start)
+    return LossPiece(start, stop, first[1] * second[1], one * second[1] + two * first[1], one * two)
 
 
 def _remembered(depth: float, pieces: list[_Piece]) -> SlipMemory:

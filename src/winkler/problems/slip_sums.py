@@ -99,7 +99,7 @@ class SlipSums:
         return 0.5 * total
 
     def lost(self, losses: Iterable[LossPiece]) -> float:
-        """Return what sliding has cost [J], over the ratio."""
+        """Return what sliding has cost, or what was spent [J], over the ratio."""
         total = 0.0
         for start, stop, constant, linear, square in losses:
             zeroth, first, second = self.ring(start, stop)

@@ -23,7 +23,8 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.gathering import rows
 from winkler.problems.indentation import Indentation, IndentationSolution
 from winkler.problems.spring_march import march
@@ -80,7 +81,7 @@ class Tangential:
     path: Path
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "cattaneo_1938", "mindlin_1949", "jaeger_1995")
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         if not isinstance(self.law, Coulomb | StaticKinetic | OwnLaw):
@@ -128,13 +129,13 @@ class Tangential:
             return
         ways = Ways(self.bed, self.law.coefficient, ratios[1], self.path, contact)
         points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
-        lost = 0.0
+        lost = work = 0.0
         for (time, depth, force, radius), end in zip(points, ways.arrivals(), strict=True):
-            lost += end.lost
+            lost, work = lost + end.lost, work + end.spent
             stored = ways.stored(end.memory)
             yield TangentialState(
-                self.bed, self.law, ratios[1], time, depth, force, radius, end.shift, end.shear_force, stored, lost,
-                end.memory,
+                self.bed, self.law, ratios[1], time, depth, force, radius, end.shift, end.shear_force, work, stored,
+                lost, end.memory,
             )  # fmt: skip
 
     def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
@@ -205,7 +206,8 @@ class TangentialSolution:
     @property
     def work(self) -> Array:
         """What the lateral motion has spent since the beginning [J], ``(steps,)``: stored or lost."""
-        return np.asarray(self.stored_energy + self.dissipation)
+        spent = [state.work for state in self.states if isinstance(state, TangentialState)]
+        return np.array(spent) if spent else np.asarray(self.stored_energy + self.dissipation)
 
     def at(self, index: int) -> TangentialState | SpringState:
         """Return the state at one point of the path.
@@ -225,9 +227,12 @@ class TangentialSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return friction_notes(
+        notes = friction_notes(
             self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
         )
+        if isinstance(self.states[-1], SpringState):
+            return notes
+        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
 
 
 def _three(contact: IndentationSolution) -> tuple[Array, Array, Array]:

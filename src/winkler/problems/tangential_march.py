@@ -46,14 +46,15 @@ class Arrival(NamedTuple):
         What the springs remember.
     shift, shear_force : float
         U [m], F_x [N].
-    lost : float
-        What the way has cost [J].
+    lost, spent : float
+        What the way has cost, and what the bodies have put in [J].
     """
 
     memory: SlipMemory
     shift: float
     shear_force: float
     lost: float
+    spent: float
 
 
 class Ways:
@@ -89,10 +90,10 @@ class Ways:
     def arrivals(self) -> Iterator[Arrival]:
         """Yield where every way ends, the first one pressed straight down and moved after."""
         memory, _ = SlipMemory.fresh().moved(self.depths[0], 0.0, self.beta)
-        here = self._leap(0, Arrival(memory, 0.0, 0.0, 0.0), self.depths[0], self.along[0])
+        here = self._leap(0, Arrival(memory, 0.0, 0.0, 0.0, 0.0), self.depths[0], self.along[0])
         yield here
         for index in range(1, len(self.depths)):
-            here = self._go(index, here._replace(lost=0.0))
+            here = self._go(index, here._replace(lost=0.0, spent=0.0))
             yield here
 
     def stored(self, memory: SlipMemory) -> float:
@@ -127,7 +128,8 @@ class Ways:
             if goal - done <= SHORTEST or self._alike(whole, two):
                 # the loss of pieces falls short with the square of their length: the two lead on to the bent way's
                 lost = max(two.lost + (two.lost - whole.lost) / 3.0, here.lost)
-                here, done = two._replace(lost=lost), goals.pop()
+                spent = two.spent + (two.spent - whole.spent) / 3.0
+                here, done = two._replace(lost=lost, spent=spent), goals.pop()
             else:
                 ends[middle] = place(middle)
                 goals.append(middle)
@@ -144,10 +146,11 @@ class Ways:
     def _leap(self, index: int, start: Arrival, depth: float, target: float) -> Arrival:
         """Go straight in depth and shift, to a shift or to a shear force."""
         change = target - start.shift if self.driven else self._change(index, start.memory, depth, target)
-        after, losses = start.memory.moved(depth, change, self.beta)
+        after, losses, works = start.memory.worked(depth, change, self.beta)
         shift = target if self.driven else start.shift + change
         lost = max(self.ratio * self.sums.lost(losses), 0.0)
-        return Arrival(after, shift, self.ratio * self.sums.shear(after), start.lost + lost)
+        spent = self.ratio * self.sums.lost(works)
+        return Arrival(after, shift, self.ratio * self.sums.shear(after), start.lost + lost, start.spent + spent)
 
     def _change(self, index: int, memory: SlipMemory, depth: float, target: float) -> float:
         """Return the shift that brings a shear force about; the smallest if all slides."""

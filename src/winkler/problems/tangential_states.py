@@ -52,8 +52,9 @@ class TangentialState:
         d [m], F_N [N], a [m].
     shift, shear_force : float
         u_x [m] and F_x [N].
-    stored_energy, dissipation : float
-        In the springs' displacement along the surface, and lost since the beginning [J].
+    work, stored_energy, dissipation : float
+        Spent by the lateral motion since the beginning, stored in the springs' displacement along the surface, and lost
+        since the beginning [J].
     memory : SlipMemory
         What the springs remember.
     """
@@ -67,6 +68,7 @@ class TangentialState:
     radius: float
     shift: float
     shear_force: float
+    work: float
     stored_energy: float
     dissipation: float
     memory: SlipMemory

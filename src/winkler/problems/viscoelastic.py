@@ -24,7 +24,8 @@ from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.declared import BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.gathering import rows
@@ -103,7 +104,7 @@ class ViscoelasticIndentation:
         "ting_1966",
         "argatov_popov_2016",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticIndentation", self.bed)
@@ -164,10 +165,10 @@ class ViscoelasticIndentation:
         for row, numbers in self._stretches(1):
             springs = row.springs
             stiffness = stiffness if stiffness.size else springs.density(row.bed)
-            time, depth, force, radius, stored, lost = numbers[0].tolist()
+            time, depth, force, radius, work, stored, lost = numbers[0].tolist()
             loads = stiffness * row.loads()
             yield ViscoelasticState(
-                self.bed, time, depth, force, radius, stored, lost, springs.position, loads, row.place
+                self.bed, time, depth, force, radius, work, stored, lost, springs.position, loads, row.place
             )
 
     def _stretches(self, length: int) -> Iterator[tuple[Row, Array]]:
@@ -192,14 +193,14 @@ class ViscoelasticIndentation:
             (sudden,) = np.nonzero((spans == 0.0) & (changes > 0.0) & (depths > 0.0))
         else:
             sudden = np.empty(0, dtype=int)
-        end, work = int(sudden[0]) if sudden.size else times.size, 0.0
+        end, work, lost = int(sudden[0]) if sudden.size else times.size, 0.0, 0.0
         for start in range(0, end, length):
             part = slice(start, min(start + length, end))
             done = row.march(changes[part], spans[part])
             refuse_rings("ViscoelasticIndentation", times[part], done.ring)
-            worked = np.cumsum(np.append(work, done.work))[1:]
-            work = float(worked[-1])
-            columns = (times[part], depths[part], done.force, done.radius, done.stored, worked - done.stored)
+            worked, wasted = (np.cumsum(np.append(*each))[1:] for each in ((work, done.work), (lost, done.lost)))
+            work, lost = float(worked[-1]), float(wasted[-1])
+            columns = (times[part], depths[part], done.force, done.radius, worked, done.stored, wasted)
             yield row, np.stack(columns, axis=1)
         if end < times.size:
             raise OutsideValidity(
@@ -222,8 +223,7 @@ class ViscoelasticIndentation:
                     "have pressed it; allow a smaller tolerance."
                 )
             refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
-            lost = driven.work - driven.stored
-            yield row, np.array([[time, row.depth, force, driven.radius, driven.stored, lost]])
+            yield row, np.array([[time, row.depth, force, driven.radius, driven.work, driven.stored, driven.lost]])
 
     def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
@@ -251,7 +251,7 @@ class _Driven:
         self.row, self.little, self.scale = row, little, scale
         # where the force of a step is told by its mean, and where by its end
         self.parts = (0.25, 0.75, 0.5) if row.series.viscosity > 0.0 else (0.5, 1.0, 1.0)
-        self.work, self.stored, self.radius, self.ring = 0.0, 0.0, 0.0, False
+        self.work, self.lost, self.stored, self.radius, self.ring = 0.0, 0.0, 0.0, 0.0, False
         self.rate, self.pace = 0.0, math.inf
 
     def _target(self, force: float) -> float:
@@ -264,6 +264,7 @@ class _Driven:
     def _go(self, change: float, dt: float) -> None:
         done = self.row.march(np.array([change]), np.array([dt]))
         self.work += float(done.work[0])
+        self.lost += float(done.lost[0])
         self.stored, self.radius, self.ring = float(done.stored[0]), float(done.radius[0]), bool(done.ring[0])
 
     def ramp(self, start: float, end: float, duration: float) -> None:
@@ -313,10 +314,12 @@ class ViscoelasticSolution:
         F_N [N], just before anything sudden that happens at this time next.
     radius : ndarray, (steps,)
         a [m], zero without contact.
+    work : ndarray, (steps,)
+        What was spent since the beginning, the integral of F dd [J].
     stored_energy : ndarray, (steps,)
         Of all springs, also of those that recover freely [J].
     dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J]: the work that was done less what is stored.
+        Energy lost since the beginning [J], summed up over the dashpots of all springs.
     """
 
     problem: ViscoelasticIndentation
@@ -324,6 +327,7 @@ class ViscoelasticSolution:
     depth: Array
     force: Array
     radius: Array
+    work: Array
     stored_energy: Array
     dissipation: Array
 
@@ -336,5 +340,6 @@ class ViscoelasticSolution:
             *bed.notes,
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *times,
+            energy_note(self.work, self.stored_energy, self.dissipation),
             *relaxing_yield(bed.medium),
         )

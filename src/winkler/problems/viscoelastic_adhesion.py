@@ -29,7 +29,8 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesive_edge import Machine, adhesive_edge
 from winkler.problems.adhesive_notes import adhesive_notes
-from winkler.problems.assumptions.declared import ADHESIVE, RELAXING
+from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.gathering import rows
 from winkler.problems.viscoelastic_adhesion_crack import Crack
 from winkler.problems.yield_statement import relaxing_yield
@@ -58,8 +59,11 @@ class ViscoelasticAdhesionState:
         How fast the edge recedes [m/s]; zero where it rests or closes, infinite where nothing holds it.
     lowest_force : float
         The lowest force since the beginning [N], negative if the bodies were pulled.
+    work, energy : float
+        What the machine has spent since the beginning, and energy of bodies, machine and surfaces, less what closing
+        has gained [J]; zero apart.
     dissipation : float
-        Energy lost since the beginning [J].
+        Energy lost since the beginning [J], in jumps and by opening.
     """
 
     time: float
@@ -69,6 +73,8 @@ class ViscoelasticAdhesionState:
     radius: float
     crack_speed: float
     lowest_force: float
+    work: float
+    energy: float
     dissipation: float
 
 
@@ -129,7 +135,7 @@ class ViscoelasticAdhesion:
         "johnson_kendall_roberts_1971",
         "ciavarella_2021",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | RELAXING
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | RELAXING | BALANCED
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
@@ -188,14 +194,17 @@ class ViscoelasticAdhesion:
         times, positions = self.path.time.tolist(), self.path.across.tolist()
         edge = adhesive_edge(self._relaxed, ShortRange(law.work), machine, max(positions))
         crack = Crack(edge, machine, law)
-        crack.close(positions[0])
+        crack.close(positions[0], positions[0])
         for i, (time, position) in enumerate(zip(times, positions, strict=True)):
             if i:
                 crack.follow(positions[i - 1], position, time - times[i - 1])
             depth, force, release = crack.at(crack.radius, position)
             crack.lowest = min(crack.lowest, force)
             speed = float(law.speed(release)) if release > (1.0 + RESTING) * law.work else 0.0
-            yield ViscoelasticAdhesionState(time, position, depth, force, crack.radius, speed, crack.lowest, crack.lost)
+            energy = crack.energy(crack.radius, position)
+            yield ViscoelasticAdhesionState(
+                time, position, depth, force, crack.radius, speed, crack.lowest, crack.work, energy, crack.lost
+            )
 
     def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
@@ -234,8 +243,11 @@ class ViscoelasticAdhesionSolution:
         How fast the edge recedes [m/s]; zero where it rests or closes.
     lowest_force : ndarray, (steps,)
         The lowest force since the beginning [N], also between the points; in the end the pull-off force.
+    work, energy : ndarray, (steps,)
+        What the machine has spent since the beginning, and energy of bodies, machine and surfaces, less what closing
+        has gained [J]; zero apart.
     dissipation : ndarray, (steps,)
-        Energy lost since the beginning [J].
+        Energy lost since the beginning [J], in jumps and by opening.
     """
 
     problem: ViscoelasticAdhesion
@@ -246,6 +258,8 @@ class ViscoelasticAdhesionSolution:
     radius: Array
     crack_speed: Array
     lowest_force: Array
+    work: Array
+    energy: Array
     dissipation: Array
 
     @property
@@ -254,7 +268,8 @@ class ViscoelasticAdhesionSolution:
         problem = self.problem
         law = ShortRange(problem.law.work)
         contact = adhesive_notes(problem._relaxed, law, self.depth, self.radius)
-        return (SEPARATED, *contact, *relaxing_yield(problem.bed.medium))
+        balance = energy_note(self.work, self.energy, self.dissipation)
+        return (SEPARATED, *contact, balance, *relaxing_yield(problem.bed.medium))
 
 
 SEPARATED = Note(

@@ -65,7 +65,8 @@ class Crack:
 
     def __init__(self, edge: AdhesiveEdge, machine: Machine, law: CrackLaw) -> None:
         self.edge, self.machine, self.law = edge, machine, law
-        self.radius, self.lost, self.lowest, self.pace, self.release = 0.0, 0.0, 0.0, math.inf, 0.0
+        self.radius, self.lowest, self.pace, self.release = 0.0, 0.0, math.inf, 0.0
+        self.work, self.lost = 0.0, 0.0
 
     def at(self, radius: float, position: float) -> tuple[float, float, float]:
         """Return depth [m], force [N] and energy release rate [J/m^2], the last one only where the edge is pulled."""
@@ -79,15 +80,16 @@ class Crack:
         release = float(bed.normal_stiffness(place)[0]) * stretched**2 / (2.0 * math.pi * radius)
         return depth, stiffness * depth - load, release
 
-    def _energy(self, radius: float, position: float) -> float:
+    def energy(self, radius: float, position: float) -> float:
         """Return what is stored in bodies and machine, less what closing has gained [J]."""
         if radius == 0.0:
             return 0.0
         depth, force, place = self.edge.state(np.array([radius]), np.array([position]))
         return float((self.edge.energy(depth, force, place) + self.edge.control.energy(depth, force))[0])
 
-    def close(self, position: float) -> None:
-        """Let the edge advance as far as it closes."""
+    def close(self, start: float, position: float) -> None:
+        """Let the machine move on and the edge advance as far as it closes: but for leaps all can be taken back."""
+        before, lost = self.energy(self.radius, start), self.lost
         end, leaps = self.edge.closing.rise(self.radius, np.array([position]))
         if float(end[0]) >= self.edge.closing.places[-1] and self.edge.bed.reach < self.edge.bed.rim:
             raise OutsideValidity(
@@ -95,21 +97,23 @@ class Crack:
                 f"profile ({self.edge.bed.reach:.6g} m), where nothing is known of it; turn back earlier."
             )
         for leap in leaps:
-            loss = self._energy(leap.start, leap.level) - self._energy(leap.end, leap.level)
-            if loss < -1e-10 * abs(self._energy(leap.end, leap.level)):
+            loss = self.energy(leap.start, leap.level) - self.energy(leap.end, leap.level)
+            if loss < -1e-10 * abs(self.energy(leap.end, leap.level)):
                 raise OutsideValidity(
                     f"ViscoelasticAdhesion: at the position {leap.level:.6g} m the edge would have to run uphill to "
                     f"{leap.end:.6g} m: a ring of the body touches there first, and the contact is no disc."
                 )
             self.lost += max(loss, 0.0)
         self.radius = float(end[0])
+        self.work += self.energy(self.radius, position) - before + self.lost - lost
 
     def follow(self, start: float, end: float, duration: float) -> None:
         """Let the machine move steadily from one position to another; at once, the edge has no time."""
         if duration > 0.0 and self.radius > 0.0:
             self._open(start, end, duration)
+            start = end
         if end > start or self.radius > 0.0:
-            self.close(end)
+            self.close(start, end)
 
     def _open(self, start: float, end: float, duration: float) -> None:
         """Let the edge recede, until the time is over or the bodies part."""
@@ -120,26 +124,35 @@ class Crack:
         yielding = 1.0 + float(bed.stiffness(place)[0]) * self.machine.compliance
         longest = PACE * yielding * stretch / abs(rate) if rate != 0.0 else math.inf
         fastest = AT_ONCE * first / min(longest, duration)
-        before, work, time, position = self._energy(first, start), 0.0, 0.0, start
+        time, position = 0.0, start
         pace = min(self.pace, longest, duration)
         seen = [(0.0, self.at(first, start)[1])]
+        release = self.at(first, start)[2]
         for _ in range(MOST):
+            at_once = self.radius
             self._run(position, fastest, GONE * first)
+            if self.radius < at_once:
+                self._drop(at_once, self.radius, position)
+                release = self.at(self.radius, position)[2]
             if time >= duration or self.radius <= GONE * first:
                 break
             left = duration - time
             dt = left if pace >= (1.0 - 1e-9) * left else pace
             done = self._halves(position, rate, dt)
-            error = abs(done[0].radius - done[1].radius) / (CLOSE * first) if done else math.inf
+            error = abs(done[0].radius - done[2].radius) / (CLOSE * first) if done else math.inf
             if done is None or error > 1.0:
                 pace = dt * max(0.2, 0.9 * error ** (-1.0 / 3.0))
                 if pace < NO_TIME * min(longest, duration):  # nothing holds it: it recedes a little at once
-                    self.radius *= 1.0 - 0.01 * PACE
+                    at_once, self.radius = self.radius, self.radius * (1.0 - 0.01 * PACE)
+                    self._drop(at_once, self.radius, position)
+                    release = self.at(self.radius, position)[2]
                     pace = dt
                 continue
-            one, two = done
+            one, half, two = done
             before_it, self.radius = self.radius, min(two.radius + (two.radius - one.radius) / 3.0, self.radius)
-            work += rate * (two.impulse + (two.impulse - one.impulse) / 3.0)
+            self.work += rate * (two.impulse + (two.impulse - one.impulse) / 3.0)
+            self.lost += _opened(before_it, half.radius, self.radius, release, half.release, two.release, self.law.work)
+            release = two.release
             time = duration if dt == left else time + dt
             position = end if dt == left else start + rate * time
             # how far machine and edge have come
@@ -150,9 +163,13 @@ class Crack:
         else:
             raise NotConverged(f"ViscoelasticAdhesion: the edge takes ever shorter steps near {position:.6g} m.")
         if self.radius <= GONE * first:
+            self._drop(self.radius, 0.0, position)
             self.radius = 0.0
         self.lowest = min(self.lowest, _least(*np.array(seen).T))
-        self.lost += max(work + before - self._energy(self.radius, position), 0.0)
+
+    def _drop(self, before: float, after: float, position: float) -> None:
+        """Note what an edge loses that runs on while the machine does not move."""
+        self.lost += max(self.energy(before, position) - self.energy(after, position), 0.0)
 
     def _run(self, position: float, most: float, least: float) -> None:
         """Let an edge that would be faster than `most` run at once to where it is not, or to the radius `least`."""
@@ -168,14 +185,14 @@ class Crack:
                     low, high = (low, middle) if fast(middle) else (middle, high)
             self.radius = low
 
-    def _halves(self, position: float, rate: float, dt: float) -> tuple[_Place, _Place] | None:
-        """Return where a step leads, made at once and in halves; nothing if it is too long."""
+    def _halves(self, position: float, rate: float, dt: float) -> tuple[_Place, _Place, _Place] | None:
+        """Return where a step leads, made at once, half of it, and in halves; nothing if it is too long."""
         one = self._step(self.radius, position, rate, dt)
         half = self._step(self.radius, position, rate, 0.5 * dt) if one else None
         two = self._step(half.radius, position + 0.5 * rate * dt, rate, 0.5 * dt) if half else None
         if not (one and half and two):
             return None
-        return one, two._replace(impulse=half.impulse + two.impulse)
+        return one, half, two._replace(impulse=half.impulse + two.impulse)
 
     def _step(self, radius: float, position: float, rate: float, dt: float) -> _Place | None:
         """Return where one step leads."""
@@ -229,6 +246,21 @@ class Crack:
             trial = low + (high - low) * f_low / (f_low - f_high)
         self.release = release
         return _Place(place, release, force, 0.0)
+
+
+def _opened(first: float, half: float, last: float, *releases: float) -> float:
+    """Return what opening loses on a way of two halves: what is released beyond the work of closing, over the area.
+
+    `releases` are the energy release rates at the three places, and the work of closing [J/m^2].
+    """
+    one, middle, two, work = (max(each, releases[3]) for each in releases)
+    whole, part = first**2 - last**2, first**2 - half**2
+    if not 0.0 < part < whole:
+        return 0.5 * math.pi * max(whole, 0.0) * (one + two - 2.0 * work)
+    # of the parabola through three places that need not be even
+    share = part / whole
+    weights = 0.5 - 1.0 / (6.0 * share), 1.0 / (6.0 * share * (1.0 - share)), 0.5 - 1.0 / (6.0 * (1.0 - share))
+    return math.pi * whole * max(sum(w * (g - work) for w, g in zip(weights, (one, middle, two), strict=True)), 0.0)
 
 
 def _least(way: Array, forces: Array) -> float:

@@ -20,13 +20,14 @@ from winkler.foundation.springs import Springs
 from winkler.given import positive_fields, whole_number
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
-from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.declared import BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.own_length import shape_length
 from winkler.problems.trust import contact_notes
-from winkler.problems.viscoelastic_march import Row, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic_march import Carried, Row, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.yield_statement import relaxing_yield
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -96,7 +97,7 @@ class ViscoelasticImpact:
         "lee_radok_1960",
         "ting_1966",
     )
-    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | {Assumption.INERTIA}
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticImpact", self.bed)
@@ -177,8 +178,8 @@ class _Flight:
 
     def __init__(self, row: Row, mass: float, velocity: float) -> None:
         self.row, self.mass = row, mass
-        self.time, self.velocity = 0.0, velocity
-        self.lines = [(0.0, 0.0, velocity, 0.0, 0.0)]
+        self.time, self.velocity, self.lost = 0.0, velocity, 0.0
+        self.lines = [(0.0, 0.0, velocity, 0.0, 0.0, 0.0, 0.0)]
 
     @property
     def deepest(self) -> float:
@@ -190,17 +191,20 @@ class _Flight:
         mean, held = self.row.struck(self.velocity, self.mass, dt)
         if self.velocity < 0.0 and held == 0:
             mean, dt = self._parting(dt)
-            self._arrive(mean, dt, 0.0, 0.0)
+            done = self.row.march(np.array([mean * dt]), np.array([dt]))
+            self._arrive(mean, dt, done._replace(force=np.zeros(1), radius=np.zeros(1)))
             return False
         done = self.row.march(np.array([mean * dt]), np.array([dt]))
-        self._arrive(mean, dt, float(done.force[0]), float(done.radius[0]))
+        self._arrive(mean, dt, done)
         refuse_rings("ViscoelasticImpact", np.array([self.time]), done.ring)
         return True
 
-    def _arrive(self, mean: float, dt: float, force: float, radius: float) -> None:
+    def _arrive(self, mean: float, dt: float, done: Carried) -> None:
         self.velocity, self.time = 2.0 * mean - self.velocity, self.time + dt
         depth = self.lines[-1][1] + mean * dt
-        self.lines.append((self.time, depth, self.velocity, force, radius))
+        self.lost += float(done.lost[0])
+        ends = float(done.force[0]), float(done.radius[0]), float(done.stored[0]), self.lost
+        self.lines.append((self.time, depth, self.velocity, *ends))
 
     def _parting(self, dt: float) -> tuple[float, float]:
         """Return the mean velocity in the step that ends when the last spring lets go, and its length."""
@@ -255,6 +259,10 @@ class ViscoelasticImpactSolution:
         F_N [N].
     radius : ndarray, (steps,)
         a [m].
+    stored_energy : ndarray, (steps,)
+        Of all springs, also of those that recover freely [J].
+    bulk_loss : ndarray, (steps,)
+        Energy lost in the bodies since first touch [J], summed up over the dashpots of all springs.
     """
 
     problem: ViscoelasticImpact
@@ -263,6 +271,13 @@ class ViscoelasticImpactSolution:
     velocity: Array
     force: Array
     radius: Array
+    stored_energy: Array
+    bulk_loss: Array
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """m v^2 / 2 [J], ``(steps,)``."""
+        return np.asarray(0.5 * self.problem.mass * self.velocity**2)
 
     @property
     def restitution(self) -> float:
@@ -277,7 +292,9 @@ class ViscoelasticImpactSolution:
     @property
     def dissipation(self) -> float:
         """Kinetic energy that the impact takes [J]; part of it leaves as the surface recovers."""
-        return 0.5 * self.problem.mass * self.problem.velocity**2 * (1.0 - self.restitution**2)
+        if self.restitution == 0.0:
+            return float(self.kinetic_energy[0])
+        return float(self.stored_energy[-1] + self.bulk_loss[-1])
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -290,10 +307,12 @@ class ViscoelasticImpactSolution:
         modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
         times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
+        spent = self.kinetic_energy[0] - self.kinetic_energy
         return (
             *bed.notes,
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *times,
+            energy_note(spent, self.stored_energy, self.bulk_loss),
             wave_note(share),
             *relaxing_yield(bed.medium),
         )

@@ -21,9 +21,10 @@ __all__ = ["Carried", "Row", "elastic_like", "refuse_rings", "relaxation_of"]
 
 
 class Carried(NamedTuple):
-    """What steps did, (steps,): work [J], and at their ends energy stored [J], radius [m], force [N], and rings."""
+    """What steps did, (steps,): work and loss [J], and at their ends energy stored [J], radius [m], force [N], ring."""
 
     work: Array
+    lost: Array
     stored: Array
     radius: Array
     force: Array
@@ -36,13 +37,13 @@ class Carried(NamedTuple):
         A dashpot loads a spring as soon as it is caught, so that the sum over the springs climbs in stairs; the part
         between the last one and the edge is added.
         """
-        force, _, work, _, _, stored, radius, held, ring = numbers.T
+        force, _, work, _, _, stored, radius, held, ring, lost = numbers.T
         climbing = (rates > 0.0) & (radius > 0.0)
         if row.series.viscosity > 0.0 and np.any(climbing):
             missing = row.bed.stiffness(radius[climbing]) - held[climbing]
             force = force.copy()
             force[climbing] += row.series.viscosity * rates[climbing] * missing
-        return cls(work, stored, radius, force, ring > 0.0)
+        return cls(work, lost, stored, radius, force, ring > 0.0)
 
 
 def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:

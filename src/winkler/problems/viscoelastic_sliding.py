@@ -23,6 +23,7 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Depth, Force
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.passing import pass_over
+from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.relaxation import Recovery
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import RELAXING
@@ -38,6 +39,8 @@ from winkler.values import value
 __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 
 DOUBLINGS = 200
+NODES = 8
+"""For what fades within an interval by no more than e: exact to rounding."""
 AGAIN = 1e-6
 """A spring behind the contact is touched again when the body is this part of the depth below it."""
 
@@ -223,7 +226,8 @@ class SlidingResistance:
         memory, loads, sums = np.zeros(series.moduli.size), np.empty(place.size), np.empty(3)
         pass_over(
             series.relaxed, series.viscosity * speed, series.moduli, series.times * speed, place, recess,
-            np.concatenate([after[::-1], -before]), np.concatenate([before[::-1], -after]), memory, loads, sums,
+            np.concatenate([after[::-1], -before]), np.concatenate([before[::-1], -after]), memory, loads,
+            gauss_legendre(NODES), sums,
         )  # fmt: skip
         force, work, let_go = sums.tolist()
         self._refuse_again(place, recess, memory, let_go, depth, speed)

@@ -30,8 +30,8 @@ class ViscoelasticState:
         d and a [m].
     force : float
         F_N [N].
-    stored_energy, dissipation : float
-        What all springs store, and what has been lost since the beginning [J].
+    work, stored_energy, dissipation : float
+        What was spent since the beginning, what all springs store, and what their dashpots have lost [J].
     position : ndarray, (n,)
         Places x of the springs [m].
     line_load : ndarray, (n,)
@@ -45,6 +45,7 @@ class ViscoelasticState:
     depth: float
     force: float
     radius: float
+    work: float
     stored_energy: float
     dissipation: float
     position: Array

@@ -26,8 +26,9 @@ from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.assumptions.declared import RELAXING, SHEARED
+from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
@@ -99,7 +100,7 @@ class ViscoelasticTangential:
     tolerance: float = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_willert_hess_2018", "mindlin_1949")
-    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
@@ -156,10 +157,11 @@ class ViscoelasticTangential:
             refuse_rings("ViscoelasticTangential", np.array([time]), np.array([row.turn.ring]))
             turn, springs = row.turn, row.row
             place = springs.springs.position
+            slack = row.bounds - np.abs(row.loads)
             yield ViscoelasticTangentialState(
                 time, springs.depth, turn.force, turn.radius, row.shift, turn.shear_force,
-                stick_radius(place, row.stuck, row.bounds - np.abs(row.loads), turn.radius), turn.stored, turn.friction,
-                turn.work - turn.stored, place, density * springs.loads(), density * row.loads, springs.place.copy(),
+                stick_radius(place, row.stuck, slack, turn.radius), turn.work, turn.stored, turn.friction, turn.bulk,
+                turn.friction + turn.bulk, place, density * springs.loads(), density * row.loads, springs.place.copy(),
                 row.displaced.copy(), row.stuck,
             )  # fmt: skip
 
@@ -253,10 +255,10 @@ class ViscoelasticTangentialSolution:
         u_x [m] and F_x [N]; what drags the upper body along, positive towards +x.
     stick_radius : ndarray, (steps,)
         Up to which all springs stick [m].
-    stored_energy : ndarray, (steps,)
-        In all springs, in both directions [J].
-    friction_loss, dissipation : ndarray, (steps,)
-        Lost since the beginning to friction, and to friction and in the bodies together [J].
+    work, stored_energy : ndarray, (steps,)
+        What the machine has spent since the beginning, and what all springs store, in both directions [J].
+    friction_loss, bulk_loss, dissipation : ndarray, (steps,)
+        Lost since the beginning to friction, in the dashpots of the bodies, and both together [J].
     states : tuple of ViscoelasticTangentialState
         The states themselves.
     """
@@ -269,8 +271,10 @@ class ViscoelasticTangentialSolution:
     shift: Array
     shear_force: Array
     stick_radius: Array
+    work: Array
     stored_energy: Array
     friction_loss: Array
+    bulk_loss: Array
     dissipation: Array
     states: tuple[ViscoelasticTangentialState, ...]
 
@@ -286,16 +290,6 @@ class ViscoelasticTangentialSolution:
         )
 
     @property
-    def bulk_loss(self) -> Array:
-        """Energy lost in the bodies since the beginning [J], ``(steps,)``."""
-        return np.asarray(self.dissipation - self.friction_loss)
-
-    @property
-    def work(self) -> Array:
-        """What the machine has spent since the beginning, in both directions [J], ``(steps,)``."""
-        return np.asarray(self.stored_energy + self.dissipation)
-
-    @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
@@ -307,6 +301,7 @@ class ViscoelasticTangentialSolution:
             coupled,
             *direction_notes(bed),
             *times,
+            energy_note(self.work, self.stored_energy, self.dissipation),
             *contact_notes(elastic_like(bed), self.depth, self.radius),
             *relaxing_yield(bed.medium),
         )

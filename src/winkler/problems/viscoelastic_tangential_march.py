@@ -11,6 +11,7 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.materials.elastic import Elastic
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.relaxation import Recovery
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, of_creep, of_relaxation
 from winkler.numerics.traction import drag
 from winkler.numerics.types import Array
@@ -67,18 +68,19 @@ class Scales(NamedTuple):
 
 
 class Turn(NamedTuple):
-    """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost to friction, all work [J], and a ring."""
+    """What a row bears and has spent: F [N], a [m], F_x [N], U [J], lost by friction, in bodies, work [J], a ring."""
 
     force: float
     radius: float
     shear_force: float
     stored: float
     friction: float
+    bulk: float
     work: float
     ring: bool
 
 
-STILL = Turn(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
+STILL = Turn(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
 
 
 class Dragged:
@@ -100,8 +102,10 @@ class Dragged:
         self.row, self.shear, self.coefficient = row, shear, coefficient
         self.by_depth, self.by_shift = by_depth, by_shift
         count = row.springs.gap.size
-        self.law = shear.relaxed, shear.viscosity, np.array(shear.moduli), np.array(shear.times)
-        self.displaced, self.memory = np.zeros(count), np.zeros((count, shear.moduli.size))
+        recovery = Recovery.of(shear)
+        self.law = recovery.law(shear)
+        self.displaced, self.memory = np.zeros(count), np.zeros((count, recovery.rates.size))
+        self.free = np.zeros(count, dtype=bool)
         self.loads, self.bounds, self.stuck = np.zeros(count), np.zeros(count), np.zeros(count, dtype=bool)
         self.shift, self.rate, self.slide, self.turn = 0.0, 0.0, 0.0, STILL
         self.pressing, self.shearing = 0.0, 0.0
@@ -111,6 +115,7 @@ class Dragged:
         twin = object.__new__(Dragged)
         twin.__dict__.update(self.__dict__)
         twin.row, twin.displaced, twin.memory = self.row.copy(), self.displaced.copy(), self.memory.copy()
+        twin.free = self.free.copy()
         return twin
 
     def _bounds(self) -> Array:
@@ -136,18 +141,19 @@ class Dragged:
             away = (row.springs.gap[caught] + place[caught] - depth) / change
             share[caught] = 1.0 - np.clip(away, 0.0, 1.0)
         moved = goal.along - self.shift if self.by_shift else self._way(new.bounds, share, dt, goal.along)
-        sums, new.loads, new.stuck = np.empty(5), np.empty(was.size), np.empty(was.size, dtype=bool)
+        sums, new.loads, new.stuck = np.empty(6), np.empty(was.size), np.empty(was.size, dtype=bool)
         drag(
-            self.law, row.row[1], self.bounds, new.bounds, share, dt, moved, new.displaced, new.memory, new.loads,
-            new.stuck, sums,
+            self.law, row.row[1], self.bounds, new.bounds, share, dt, moved, new.displaced, new.memory, new.free,
+            new.loads, new.stuck, sums,
         )  # fmt: skip
-        shear_force, lost, work, stored, _ = sums.tolist()
+        shear_force, lost, work, stored, _, bulk = sums.tolist()
         new.shift, new.slide = self.shift + moved, moved / dt if dt > 0.0 else self.slide
         new.pressing = self.pressing + float(done.work[0])
         new.shearing = self.shearing + work + lost
         new.turn = Turn(
             float(done.force[0]), float(done.radius[0]), shear_force, float(done.stored[0]) + stored,
-            self.turn.friction + lost, new.pressing + new.shearing, bool(done.ring[0]),
+            self.turn.friction + lost, self.turn.bulk + float(done.lost[0]) + bulk, new.pressing + new.shearing,
+            bool(done.ring[0]),
         )  # fmt: skip
         return new
 
@@ -161,12 +167,12 @@ class Dragged:
                 f"ViscoelasticTangential: friction bears {most:.6g} N, less than the shear force of {wanted:.6g} N "
                 "that is prescribed; the bodies slide away: press them harder, or prescribe a Shift."
             )
-        sums, loads, stuck = np.empty(5), np.empty(weights.size), np.empty(weights.size, dtype=bool)
+        sums, loads, stuck = np.empty(6), np.empty(weights.size), np.empty(weights.size, dtype=bool)
         low, high, moved, stride = -math.inf, math.inf, self.slide * dt, 0.0
         for turn in range(TRIALS):
             drag(
                 self.law, weights, self.bounds, bounds, share, dt, moved, self.displaced.copy(), self.memory.copy(),
-                loads, stuck, sums,
+                self.free.copy(), loads, stuck, sums,
             )  # fmt: skip
             short = wanted - float(sums[0])
             if abs(short) <= close:

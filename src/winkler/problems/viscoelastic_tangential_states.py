@@ -26,10 +26,10 @@ class ViscoelasticTangentialState:
         u_x [m] and F_x [N].
     stick_radius : float
         Up to which all springs stick [m]: a where all do, zero where that on the axis slides.
-    stored_energy : float
-        In all springs, in both directions [J].
-    friction_loss, dissipation : float
-        Lost since the beginning to friction, and to friction and in the bodies together [J].
+    work, stored_energy : float
+        What was spent since the beginning, and what all springs store, in both directions [J].
+    friction_loss, bulk_loss, dissipation : float
+        Lost since the beginning to friction, in the dashpots of the bodies, and both together [J].
     position : ndarray, (n,)
         Places x of the springs [m].
     line_load, shear_load : ndarray, (n,)
@@ -47,8 +47,10 @@ class ViscoelasticTangentialState:
     shift: float
     shear_force: float
     stick_radius: float
+    work: float
     stored_energy: float
     friction_loss: float
+    bulk_loss: float
     dissipation: float
     position: Array
     line_load: Array

@@ -29,23 +29,26 @@ from winkler.study.journal import Journal
 from winkler.study.lossless import packed, unpacked
 from winkler.study.recording import notes_of, plain_notes
 
-__all__ = ["Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
+__all__ = ["MISTAKE", "Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
 
 Piece = str | PlacedCurve | UnreadCurve
 """A file of many, or a curve of one file."""
 Results = tuple[Fitted | Refused, ...]
 """What came of the curves of a piece."""
 
+MISTAKE = 70
+"""What the command line returns for a mistake of winkler itself."""
 FITS = {cls.__name__: cls for cls in (Fit, ViscoelasticFit, CreepFit)}
 RESTORED = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
 
 
 def seen_from(study: FitStudy, path: str) -> str:
-    """Return a file as seen from the study."""
+    """Return a file as seen from the study; file systems hold names that no text can, which are written as escapes."""
     try:
-        return Path(path).relative_to(study.folder).as_posix()
+        seen = Path(path).relative_to(study.folder).as_posix()
     except ValueError:
-        return Path(path).as_posix()
+        seen = Path(path).as_posix()
+    return seen.encode("utf-8", "backslashreplace").decode()
 
 
 def fingerprint(study: FitStudy, piece: Piece) -> str:
@@ -63,9 +66,7 @@ def fingerprint(study: FitStudy, piece: Piece) -> str:
 
 def written_fits(mark: str, results: Results) -> str:
     """Return what came of a piece as one line of JSON; `mark` is its fingerprint."""
-    return json.dumps(
-        {"of": mark, "curves": [_written(result) for result in results]}, separators=(",", ":"), ensure_ascii=False
-    )
+    return json.dumps({"of": mark, "curves": [_written(result) for result in results]}, separators=(",", ":"))
 
 
 def results_of(study: FitStudy, line: dict[str, Any]) -> Results:
@@ -74,7 +75,7 @@ def results_of(study: FitStudy, line: dict[str, Any]) -> Results:
 
 
 def recalled_fits(study: FitStudy, todo: Sequence[Piece], journal: Journal) -> dict[int, Results]:
-    """Return what a journal knows of pieces, by their place among them.
+    """Return what a journal knows of pieces, by their place among them; an unexpected error may be gone the next time.
 
     Raises
     ------
@@ -85,7 +86,11 @@ def recalled_fits(study: FitStudy, todo: Sequence[Piece], journal: Journal) -> d
         return {}
     places = {mark: place for place, piece in enumerate(todo) if (mark := fingerprint(study, piece))}
     try:
-        return {places[line["of"]]: results_of(study, line) for line in journal.recalled() if line["of"] in places}
+        return {
+            places[line["of"]]: results_of(study, line)
+            for line in journal.recalled()
+            if line["of"] in places and all(curve.get("code") != MISTAKE for curve in line["curves"])
+        }
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidInput(
             f"journal: '{journal.path}' holds a line that does not fit the study ({error}); add --anew to begin again "

@@ -26,7 +26,7 @@ from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
 from winkler.study.canonical import how_fitted
 from winkler.study.correcting import corrected
 from winkler.study.fit_outcome import FitOutcome, Fitted, Refused
-from winkler.study.fit_recording import Piece, Results, fingerprint, recalled_fits, seen_from, written_fits
+from winkler.study.fit_recording import MISTAKE, Piece, Results, fingerprint, recalled_fits, seen_from, written_fits
 from winkler.study.fitting import FitStudy
 from winkler.study.journal import Journal
 from winkler.study.pool import checked_workers, completed
@@ -36,8 +36,6 @@ from winkler.validity import Assumption, Note, Standing
 
 __all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
 
-MISTAKE = 70
-"""What the command line returns for a mistake of winkler itself."""
 NOTHING: Mapping[int, Results] = MappingProxyType({})
 
 Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
@@ -185,6 +183,7 @@ def _fit_piece(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tup
 def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watch: Watch | None) -> Fitted | Refused:
     """Fit one curve; an error of reading or of the physics, or a mistake of ours, becomes a `Refused`."""
     own = one.name if isinstance(one, UnreadCurve) else one.curve.name
+    own = own.encode("utf-8", "backslashreplace").decode()
     file = where.rpartition("/")[2]
     name = where + own.removeprefix(file) if own.startswith(file) else own
     if isinstance(one, UnreadCurve):

@@ -24,6 +24,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.study.canonical import digest, how_fitted, plain
 from winkler.study.fitting import FitStudy
+from winkler.study.keeping import refuse_other_version
 from winkler.study.locking import lock
 from winkler.study.study import Study
 from winkler.study.varied import Axis
@@ -103,9 +104,11 @@ class Journal:
 
     def _refuse_other(self, head: Any) -> None:
         """Refuse the journal of another version of winkler, or of another question."""
-        told, mine = (one.get("version") if isinstance(one, dict) else None for one in (head, self._head))
-        if told != mine:
-            raise self._refused(f"was begun by another version of winkler ({told}; this is {mine})")
+        try:
+            refuse_other_version(f"journal: '{self.path}'", head.get("version") if isinstance(head, dict) else "")
+        except InvalidInput:
+            self._close()
+            raise
         if head != self._head:
             what = "curves" if "fit" in self._head else "points"
             raise self._refused(f"holds {what} of another study, or of another version of this one")

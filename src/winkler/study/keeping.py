@@ -8,21 +8,46 @@ from __future__ import annotations
 
 import contextlib
 import glob
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput
+from winkler.io.array_file import version_of
 from winkler.io.wear_states import read_wear, write_wear
 from winkler.problems.fretting_wear import FrettingWear
 from winkler.problems.sliding_wear import SlidingWear
 from winkler.study.canonical import digest_of
 from winkler.values import value
 
-__all__ = ["KEPT", "Keep"]
+__all__ = ["KEPT", "Keep", "refuse_other_version"]
 
 KEPT = (FrettingWear, SlidingWear)
 """Problems whose march goes on from a state."""
 ENDING = ".states.npz"
+
+
+def refuse_other_version(owner: str, made: object) -> None:
+    """Refuse what another version of winkler has kept of a run that was stopped.
+
+    Parameters
+    ----------
+    owner
+        What it is, as the sentence begins.
+    made
+        The version that it tells; nothing if it tells none.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    mine = version("winkler")
+    if made != mine:
+        told = f"version {made}" if made else "an unknown version"
+        raise InvalidInput(
+            f"{owner} was begun by {told} of winkler, and this is {mine}: their numbers may differ; add --anew to "
+            "begin again without it, or go on with that version."
+        )
 
 
 @value
@@ -50,14 +75,22 @@ class Keep:
         return Path(self.folder) / f".{self.stem}.{digest_of(problem)[:16]}{ENDING}"
 
     def reached(self, problem: Any) -> list[Any]:
-        """Return the states that an earlier run has reached; none if there was none, or its file is spoilt."""
+        """Return the states that an earlier run has reached; none if there was none, or its file is spoilt.
+
+        Raises
+        ------
+        InvalidInput
+            If another version of winkler has written them: its numbers may be others.
+        """
         path = self.path(problem)
         if not isinstance(problem, KEPT) or not path.exists():
             return []
         try:
-            return list(read_wear(problem.bed, path))
-        except InvalidInput:  # of another version: it begins anew
+            states = list(read_wear(problem.bed, path))
+        except InvalidInput:  # it begins anew
             return []
+        refuse_other_version(f"states: '{path}'", version_of(path))
+        return states
 
     def write(self, problem: Any, states: list[Any]) -> None:
         """Keep the states of a march so far, where it can go on from them."""

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import tomllib
+import unicodedata
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -114,6 +116,11 @@ def parsed(text: str, file: str) -> dict[str, Any]:
         raise InvalidInput(f"{_at(file)}tables or lists are nested too deep; a study needs about ten levels.") from None
     if _deep(raw):
         raise InvalidInput(f"{_at(file)}tables or lists are nested more than {DEEPEST} deep; write it more simply.")
+    if controlled := next(_controlled(raw), ""):
+        raise InvalidInput(
+            f"{_at(file)}the text {controlled!a:.60} holds a control character; leave it out, only line breaks and "
+            "tabs are allowed."
+        )
     if not raw:
         raise InvalidInput(
             f"{_at(file)}the study is empty; it needs at least [problem], see `winkler new indentation`."
@@ -132,6 +139,22 @@ def _deep(content: Any) -> bool:
             if isinstance(inner, dict | list)
         ]
     return bool(level)
+
+
+def _controlled(content: Any) -> Iterator[str]:
+    """Yield texts with control characters: no table, page or archive needs them, and some cannot hold them."""
+    if isinstance(content, str):
+        if not content.isprintable() and any(
+            unicodedata.category(one) == "Cc" and one not in "\t\n\r" for one in content
+        ):
+            yield content
+    elif isinstance(content, dict):
+        for name, inner in content.items():
+            yield from _controlled(name)
+            yield from _controlled(inner)
+    elif isinstance(content, list):
+        for inner in content:
+            yield from _controlled(inner)
 
 
 def _at(file: str) -> str:

@@ -11,10 +11,12 @@ from __future__ import annotations
 
 import _thread
 import contextlib
+import gc
 import signal
 import sys
 import threading
 import time
+import traceback
 from collections.abc import Iterator
 from types import FrameType
 from typing import Any, NoReturn
@@ -100,10 +102,11 @@ def listening() -> Iterator[Heard]:
     end, taken, before = Heard(), set[int](), sys.unraisablehook
 
     def lost(error: sys.UnraisableHookArgs) -> None:
-        if _state.signal and issubclass(error.exc_type, KeyboardInterrupt | SystemExit):
-            _thread.start_new_thread(_repeat, ())
-        else:
+        if not _state.signal:
             before(error)
+        elif issubclass(error.exc_type, KeyboardInterrupt | SystemExit):
+            _thread.start_new_thread(_repeat, ())
+        # else something that was half-made when the signal came cannot be taken down: it is gone all the same
 
     free: dict[int, Any] = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
     outermost = all(signal.getsignal(number) is not _hear for number in free)
@@ -116,6 +119,10 @@ def listening() -> Iterator[Heard]:
                 taken.add(number)
                 signal.signal(number, _hear)
         yield end
+    except BaseException as error:
+        if _state.signal:
+            _clear(error)
+        raise
     finally:
         with contextlib.suppress(KeyboardInterrupt, SystemExit), held():  # what comes now is in `end`
             for number in taken:
@@ -126,6 +133,14 @@ def listening() -> Iterator[Heard]:
         end.code, end.kept = _code(), _state.kept or "nothing was written"
         if outermost:
             _forget()
+
+
+def _clear(error: BaseException | None) -> None:
+    """Take down what the frames of an error hold, while what goes wrong at it is still heard here."""
+    while error is not None:
+        traceback.clear_frames(error.__traceback__)
+        error = error.__context__
+    gc.collect()
 
 
 def _forget() -> None:

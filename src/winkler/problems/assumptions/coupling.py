@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.coated import CoatedHalfSpace
 from winkler.media.halfspace import HalfSpace
@@ -68,8 +70,11 @@ def _elastic(body: ViscoelasticSolid | Solid, early: bool) -> Solid:
     """Return a body as it is right after a step, or after all time; one that flows is almost without stiffness."""
     if not isinstance(body, ViscoelasticSolid):
         return body
-    glassy = body.series.glassy
-    shear = glassy if early else max(body.series.relaxed, FLOWN * glassy)
+    series = body.series
+    if early and not math.isfinite(series.glassy):
+        return Rigid()  # a dashpot alongside
+    glassy = series.relaxed + float(np.sum(series.moduli)) or series.viscosity
+    shear = glassy if early else max(series.relaxed, FLOWN * glassy)
     return Elastic(2.0 * (1.0 + body.poisson) * shear, body.poisson)
 
 

@@ -10,7 +10,21 @@ from typing import Final
 
 from winkler.validity import Assumption
 
-__all__ = ["ADHESIVE", "CONDUCTING", "HEATED", "MAPPED", "PRESSED", "RELAXING", "ROLLING", "SHEARED", "WORN"]
+__all__ = [
+    "ADHESIVE",
+    "BALANCED",
+    "CONDUCTING",
+    "HEATED",
+    "MAPPED",
+    "PRESSED",
+    "RELAXING",
+    "ROLLING",
+    "SHEARED",
+    "WORN",
+]
+
+BALANCED: Final = frozenset((Assumption.ENERGY,))
+"""A march whose energies are checked against each other, beside all else that it assumes."""
 
 PRESSED: Final = frozenset(
     (

@@ -1,0 +1,50 @@
+"""Whether a march keeps account of energy: what is put in is stored or lost, each of the three summed up by itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.types import ArrayLike
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["energy_note", "missing_energy"]
+
+ROUNDING, LARGE = 1e-9, 1e-3
+"""Part of the greatest energy [-] up to which what is missing is rounding, and from which on energies are not known."""
+CHECK = "work, stored and lost energy are summed up independently of each other, and compared at every point"
+
+
+def missing_energy(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> float:
+    """Return what is missing at worst in work = stored + lost, over the greatest of these energies [-].
+
+    Parameters
+    ----------
+    work, stored, lost : array_like, (steps,)
+        Spent since the beginning, stored, and lost since the beginning [J].
+    """
+    three = [np.atleast_1d(np.asarray(each, dtype=float)) for each in (work, stored, lost)]
+    if not all(np.all(np.isfinite(each)) for each in three):
+        return float("inf")
+    scale = max(float(np.max(np.abs(each), initial=0.0)) for each in three)
+    missing = float(np.max(np.abs(three[0] - three[1] - three[2]), initial=0.0))
+    return missing / scale if scale > 0.0 else 0.0
+
+
+def energy_note(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> Note:
+    """Return whether the energies of a march add up; they are those of `missing_energy`."""
+    missing = missing_energy(work, stored, lost)
+    if missing <= ROUNDING:
+        standing = Standing.EXACT
+        verdict = "nothing but rounding"
+    elif missing <= LARGE:
+        standing = Standing.APPROXIMATE
+        verdict = "the error of the energies, below which a loss is not known"
+    else:
+        standing = Standing.OUTSIDE
+        verdict = "energy that comes from nowhere: do not use the energies of this answer"
+    return Note(
+        Assumption.ENERGY,
+        standing,
+        f"Work put in, energy stored and energy lost miss each other by {missing:.2g} of the greatest: {verdict}.",
+        CHECK,
+    )

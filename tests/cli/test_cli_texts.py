@@ -1,0 +1,182 @@
+"""What reaches a terminal: no control characters, characters that the stream can write, infinities in words."""
+
+from __future__ import annotations
+
+import ast
+import io
+import json
+import re
+import sys
+import unicodedata
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import winkler.cli
+from winkler.cli import main, terminal
+from winkler.cli.saying import plain_json, safe, say
+from winkler.study.outcome import Column
+from winkler.vocabulary import word
+
+SPHERE = """title = "{title}"
+
+[problem]
+kind = "constriction"
+load = {{ kind = "force", force = ["0 N", "1 N"] }}
+
+[problem.bed]
+kind = "foundation"
+profile = {{ kind = "paraboloid", curvature_radius = "10 mm" }}
+medium = {{ kind = "half_space", first = {{ kind = "elastic", young = "210 GPa", poisson = 0.3 }} }}
+
+[problem.conductors]
+kind = "electrical_conductors"
+first = {{ kind = "electrical_conductor", resistivity = "15.9 nohm m" }}
+second = {{ kind = "electrical_conductor", resistivity = "15.9 nohm m" }}
+
+[output]
+figures = []
+report = {report}
+"""
+FIT = """title = "Gel"
+
+[problem]
+kind = "indentation"
+
+[problem.bed]
+kind = "foundation"
+profile = { kind = "paraboloid", curvature_radius = "5 um" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "1 kPa", poisson = 0.5 } }
+
+[fit]
+curve = "gel"
+part = "approach"
+
+[fit.free]
+"problem.bed.medium.first.young" = true
+
+[output]
+figures = []
+report = false
+"""
+HARMFUL = ("\x1b[31m", "\x07", "\x9b31m", "\x7f", "\r", "\u202e", "\u2066", "\u2028", "\udc80")
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "c.toml").write_text(SPHERE.format(title="5 µm", report="false"), encoding="utf-8")
+    return tmp_path
+
+
+def harmless(text: str) -> bool:
+    return not any(letter in "\u202e\u2066\u2028" or unicodedata.category(letter) in ("Cc", "Cs")
+                   for letter in text.replace("\n", ""))  # fmt: skip
+
+
+@pytest.mark.parametrize("harmful", HARMFUL)
+def test_control_characters_are_shown_as_escapes(harmful, capsys):
+    told = safe(f"a{harmful}b µ\n\t")
+    assert harmless(told.replace("\t", ""))
+    assert told.encode("utf-8").decode("unicode_escape", "ignore").startswith(f"a{harmful}b")
+    say(f"a{harmful}b", error=True)
+    assert harmless(capsys.readouterr().err)
+
+
+def test_texts_of_a_study_with_control_characters_are_refused(here, capsys):
+    for place in ('title = "a\\u001b]0;x\\u0007"', 'title = "\\u0000"', '"\\u009b" = 1'):
+        (here / "x.toml").write_text(f"{place}\n", encoding="utf-8")
+        assert main(["run", "x.toml"]) == 2
+        told = capsys.readouterr().err
+        assert "holds a control character; leave it out, only line breaks and tabs are allowed." in told
+        assert harmless(told)
+
+
+def test_a_title_that_turns_the_line_around_is_kept_in_files_alone(here, capsys):
+    (here / "c.toml").write_text(SPHERE.format(title="a\\u202eb", report="false"), encoding="utf-8")
+    assert main(["run", "c.toml"]) == 0
+    assert capsys.readouterr().out.startswith("a\\u202eb\n")
+    assert "a\u202eb" in (here / "results" / "c" / "study.toml").read_text(encoding="utf-8")
+    assert main(["run", "c.toml", "--json", "--overwrite"]) == 0
+    told = capsys.readouterr().out
+    assert harmless(told)
+    assert json.loads(told)["title"] == "a\u202eb"
+
+
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="file names are texts there")
+def test_names_of_files_reach_tables_as_escapes(here, capsys):
+    (here / "gel").mkdir()
+    rows = "".join(f"{10 * i - 500}, {max(10 * i - 500, 0) ** 1.5:.3f}\n" for i in range(100))
+    for name in (b"a\x1b[2J.csv", b"b\xff.csv"):
+        Path("gel", name.decode("utf-8", "surrogateescape")).write_text("depth [nm], force [pN]\n" + rows)
+    (here / "gel.toml").write_text(FIT, encoding="utf-8")
+    assert main(["fit", "gel.toml"]) == 0
+    told = capsys.readouterr().out
+    assert "gel/a\\x1b[2J.csv" in told
+    assert harmless(told)
+    assert main(["fit", "gel.toml", "--json", "--overwrite"]) == 0
+    assert json.loads(capsys.readouterr().out)["columns"][0]["values"] == ["gel/a\x1b[2J.csv", "gel/b\\udcff.csv"]
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+def test_a_stream_that_knows_few_characters_does_not_raise(encoding, here, monkeypatch):
+    streams = []
+    for name in ("stdout", "stderr"):
+        stream = io.TextIOWrapper(io.BytesIO(), encoding=encoding, errors="strict")
+        monkeypatch.setattr(sys, name, stream)
+        streams.append(stream)
+    assert main(["run", "c.toml"]) == 0
+    assert main(["show", "constriction"]) == 0
+    assert main(["run", "µ☃.toml"]) == 2
+    for stream in streams:
+        stream.flush()
+    out, err = (stream.buffer.getvalue().decode(encoding) for stream in streams)
+    assert out.splitlines()[0] == ("5 um" if encoding == "ascii" else "5 µm")
+    assert "?.toml" in err
+
+
+def test_what_is_infinite_is_told_in_words(here, capsys):
+    """The resistance without contact: in the table, in JSON, and on the page."""
+    (here / "c.toml").write_text(SPHERE.format(title="5 µm", report="true"), encoding="utf-8")
+    assert main(["run", "c.toml"]) == 0
+    told = capsys.readouterr().out
+    assert " infinite " in told
+    assert " inf " not in told
+    page = (here / "results" / "c" / "report.html").read_text(encoding="utf-8")
+    assert "infinite" in page
+    assert ">∞" not in page
+    assert main(["run", "c.toml", "--json", "--overwrite"]) == 0
+    answers = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)["answers"]
+    resistance = next(one["values"] for one in answers if one["name"] == "resistance")
+    assert resistance[0] == "infinite"
+    assert resistance[1] > 0.0
+
+
+def test_what_is_undefined_is_told_apart_from_what_has_no_answer(here, capsys):
+    """As the restitution along the surface of bodies that do not move along it, and a point that is refused."""
+    column = Column(
+        "lateral_restitution", word("ImpactSolution", "lateral_restitution"), np.array([0.5, np.nan, np.nan])
+    )
+    assert terminal._shown(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
+    text = (here / "c.toml").read_text(encoding="utf-8").replace('["0 N", "1 N"]', '"1 N"')
+    (here / "c.toml").write_text(f'{text}\n[sweep]\n"problem.load.force" = ["1 N", "-1 N"]\n', encoding="utf-8")
+    assert main(["run", "c.toml"]) == 4
+    told = capsys.readouterr().out
+    assert "undefined" not in told
+    assert re.search(r"\n +-1 +-", told)
+
+
+def test_json_knows_no_bare_infinity():
+    content = {"a": (float("inf"), -float("inf"), float("nan"), 1.5, "x", True, None), "b": [{"c": 2}]}
+    told = json.dumps(plain_json(content), allow_nan=False)
+    assert json.loads(told) == {"a": ["infinite", "-infinite", None, 1.5, "x", True, None], "b": [{"c": 2}]}
+
+
+def test_everything_is_said_in_one_place():
+    """No command prints by itself."""
+    for path in Path(winkler.cli.__file__).parent.glob("*.py"):
+        calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)]
+        names = {node.func.id for node in calls if isinstance(node.func, ast.Name)}
+        assert "print" not in names or path.name == "saying.py", path.name
+        assert "Console" not in names or path.name == "terminal.py", path.name
