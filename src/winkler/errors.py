@@ -6,9 +6,11 @@
     |-- InvalidInput      (also a ValueError)   what was given cannot be used
     |-- OutsideValidity   (also a ValueError)   the input is sound, the theory does not reach it
     |-- NotConverged      (also an ArithmeticError)   a solver gave up; it never returns half an answer
+    |-- Mistake           (also a RuntimeError)   winkler itself is wrong; only points of a sweep are caught so
     `-- Interrupted       the reader stopped a batch; what was done is kept
 
-Each message says what was given, what is allowed, and what to do.  `suggest` finds the nearest known word.
+Each message says what was given, what is allowed, and what to do.  `suggest` finds the nearest known word, `mistake_in`
+says what an unexpected error is.
 """
 
 from __future__ import annotations
@@ -16,7 +18,19 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-__all__ = ["Interrupted", "InvalidInput", "NotConverged", "OutsideValidity", "WinklerError", "suggest"]
+__all__ = [
+    "Interrupted",
+    "InvalidInput",
+    "Mistake",
+    "NotConverged",
+    "OutsideValidity",
+    "WinklerError",
+    "mistake_in",
+    "suggest",
+]
+
+LONGEST = 300
+"""Longer texts of unexpected errors are cut."""
 
 
 class WinklerError(Exception):
@@ -43,10 +57,35 @@ class OutsideValidity(WinklerError, ValueError):
     exit_code = 4
 
 
+class Mistake(WinklerError, RuntimeError):
+    """Points of a sweep met an error that winkler does not raise on purpose: winkler is wrong, not what was given."""
+
+    exit_code = 70
+
+
 class Interrupted(WinklerError):
     """A batch was stopped by its reader; what had been done is kept."""
 
     exit_code = 130
+
+
+def mistake_in(error: BaseException) -> str:
+    r"""Return one clause that says of an unexpected error that winkler made it: what it is, and where it was raised.
+
+    Examples
+    --------
+    >>> mistake_in(ValueError("f(a) and f(b) must\n have different signs"))
+    'winkler made a mistake (ValueError: f(a) and f(b) must have different signs)'
+    """
+    text = " ".join(str(error).split())
+    text = text if len(text) <= LONGEST else f"{text[:LONGEST]}..."
+    place, frame = "", error.__traceback__
+    while frame is not None:
+        module = str(frame.tb_frame.f_globals.get("__name__", ""))
+        if module.startswith("winkler."):
+            place = f" at {module}:{frame.tb_lineno}"
+        frame = frame.tb_next
+    return f"winkler made a mistake ({type(error).__name__}: {text}{place})"
 
 
 def suggest(word: str, known: Iterable[str]) -> str:

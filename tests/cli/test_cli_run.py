@@ -215,8 +215,10 @@ def test_a_run_that_is_stopped_leaves_what_was_there(error, before, here, monkey
         assert (code, told) == (130, "winkler: interrupted; nothing was written.\n")
     else:
         assert code == 70
-        assert told == (
-            "winkler: winkler made a mistake (RuntimeError: broken); run again with --traceback and report it.\n"
+        assert re.fullmatch(
+            r"winkler: winkler made a mistake \(RuntimeError: broken at winkler\.study\.writing:\d+\); run again with "
+            r"--traceback and report it\.\n",
+            told,
         )
     assert {name: (here / name).read_bytes() for name in names(here)} == kept
     assert (here / "results").exists() is before

@@ -8,8 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.errors import NotConverged
-from winkler.numerics.roots import invert
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.numerics.roots import between, invert
 
 
 @pytest.mark.parametrize("power", [0.3, 1.0, 2.0, 3.7, 20.0])
@@ -101,3 +101,34 @@ def test_a_target_that_is_never_met():
             upper=math.inf,
             guess=1.0,
         )
+
+
+def test_one_root_in_a_bracket():
+    assert between(lambda x: x**3 - 2.0, 0.0, 2.0) == pytest.approx(2.0 ** (1.0 / 3.0), rel=1e-15)
+    assert between(lambda x: x - 1e-200, 0.0, 1.0) == pytest.approx(1e-200, rel=1e-12)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_root_that_rounding_pushes_out_of_its_bracket_is_its_end(sign):
+    """exp(log(2)) is no longer 2: what vanishes at the lower end does not change its sign above it."""
+    bottom, top = math.log(2.0), math.log(3.0)
+    low = 1e-16 + math.exp(bottom)
+    assert math.exp(between(lambda y: sign * (math.exp(y) - low + 4e-16), bottom, top)) == pytest.approx(2.0, rel=1e-15)
+    assert between(lambda x: sign * (x - 1.0 + 1e-12), 1.0, 5.0) == 1.0
+    assert between(lambda x: sign * (x - 5.0 - 1e-12), 1.0, 5.0) == 5.0
+    assert between(lambda x: sign, 1.0, 1.0 + 1e-12) == 1.0
+
+
+def test_a_bracket_without_a_root_is_an_error_of_the_house():
+    with pytest.raises(
+        NotConverged, match=r"No root lies between 1 and 2 \(f\(a\) and f\(b\) must have different signs\)"
+    ):
+        between(lambda x: x, 1.0, 2.0)
+    with pytest.raises(NotConverged, match="No root lies between"):
+        between(lambda x: math.nan, 1.0, 2.0)
+
+    def refused(x):
+        raise OutsideValidity("beyond what is known.")
+
+    with pytest.raises(OutsideValidity, match="beyond what is known"):
+        between(refused, 1.0, 2.0)

@@ -114,6 +114,17 @@ def test_force_and_depth_are_two_sides_of_one_answer():
     assert SlidingResistance(bed(RUBBER), Force(1e-3), v[None, :]).solve().depth.shape == (1, 13)
 
 
+def test_a_depth_that_rounding_hides():
+    """Warm rubber at low speed is pressed by Hertz's depth, which the search begins at: no sign changes above it."""
+    prony = Prony(1e6, [1e6, 2e6, 4e6], [0.1, 0.01, 0.001])
+    law = wk.WilliamsLandelFerry(298.15, first_constant=8.86, second_constant=32.83546322857449)
+    rubber = bed(wk.AtTemperature(prony, law, 333.15), wk.Paraboloid(5e-3))
+    rolling = SlidingResistance(rubber, Force(1.0), np.geomspace(1e-6, 10.0, 29), count=300).solve()
+    np.testing.assert_allclose(rolling.force, 1.0, rtol=1e-12)
+    hertz = (9.0 / (16.0 * 5e-3 * 4e6**2)) ** (1.0 / 3.0)
+    np.testing.assert_allclose(rolling.depth[:9], hertz, rtol=1e-8)
+
+
 def test_the_friction_of_rubber_has_one_peak():
     v = np.logspace(-5, 5, 41)
     rubber = SlidingResistance(bed(StandardSolid(0.05, 0.45, 1.0)), Force(1e-3), v).solve()

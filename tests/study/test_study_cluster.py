@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import builtins
+import contextlib
+import math
+import types
+import typing
 import warnings
+from concurrent.futures import CancelledError
+from pathlib import Path
 
+import numpy as np
 import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.errors import InvalidInput
+from winkler.cli.run import run as cli_run
+from winkler.errors import InvalidInput, NotConverged
 from winkler.study import cluster
 from winkler.study.cluster import Cluster
 from winkler.study.designs import Sobol
+from winkler.study.journal import Journal
+from winkler.study.outcome import Recalled
 from winkler.study.run import run
 from winkler.study.study import Axis, Study
+from winkler.study.sweep import journaled
 from winkler.study.varied import Range
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
@@ -66,6 +77,73 @@ def test_a_worker_of_another_version_is_refused(address, monkeypatch):
     monkeypatch.setattr(cluster, "version", lambda _: "99.0")
     with pytest.raises(InvalidInput, match=r"has winkler .*, here is 99\.0; install this version there"):
         run(STUDY, workers=Cluster(address))
+
+
+FORCES = Axis("problem.load.force", tuple(np.linspace(1.0, 2.0, 100).tolist()))
+ONE_BY_ONE = Study("x", wk.Indentation(BED, wk.Force(1.0)), sweep=(FORCES,))
+
+
+@contextlib.contextmanager
+def inside(**how):
+    """Give a cluster that lives in threads of this process."""
+    distributed = pytest.importorskip("distributed")
+    few = {"n_workers": 1, "threads_per_worker": 1, "processes": False, "dashboard_address": None, "silence_logs": 50}
+    with distributed.LocalCluster(**(few | how)) as local:
+        yield local
+
+
+@pytest.mark.slow
+def test_a_cluster_whose_last_worker_died_is_given_up_and_goes_on_with_another(tmp_path):
+    path = tmp_path / "x.journal"
+    with inside() as local:
+        cluster = Cluster(local.scheduler_address, patience=0.2)
+        with Journal(path, ONE_BY_ONE) as journal:
+            points = journaled(ONE_BY_ONE, journal, workers=cluster)
+            next(points)
+            local.sync(local.workers[0].close)
+            with pytest.raises(NotConverged) as told:
+                list(points)
+        kept = journal.count
+        assert 0 < kept < 100
+        assert str(told.value) == (
+            f"cluster: '{cluster.address}' has had no worker for 0.2 s; start some with "
+            f"`dask worker {cluster.address}` and run again. {kept} of 100 points are kept in '{path}', "
+            "and the same run goes on from there."
+        )
+        local.scale(2)
+        local.sync(local._correct_state)
+        outcome = run(ONE_BY_ONE, workers=cluster, journal=path)
+    assert sum(isinstance(point, Recalled) for point in outcome.points) == kept
+    assert [point.found for point in outcome.points] == [point.found for point in run(ONE_BY_ONE).points]
+
+
+@pytest.mark.slow
+def test_what_dask_raises_becomes_a_sentence(monkeypatch):
+    distributed = pytest.importorskip("distributed")
+    deadly = distributed.KilledWorker("_answered-1", types.SimpleNamespace(address="tcp://host:9"), 3)
+    raised = iter((deadly, CancelledError(), OSError("in <TCP>: Stream is closed")))
+    said = ("died whenever they solved certain points", *2 * ("is gone; start it and its workers, and run again",))
+
+    def broken(*_, **__):
+        raise next(raised)
+
+    with inside() as local:
+        monkeypatch.setattr("distributed.wait", broken)
+        for sentence in said:
+            with pytest.raises(NotConverged, match=sentence):
+                run(ONE_BY_ONE, workers=Cluster(local.scheduler_address))
+
+
+def test_how_long_a_cluster_may_be_without_a_worker_is_told():
+    assert Cluster("tcp://host:8786").patience == 60.0
+    option = typing.get_type_hints(cli_run, include_extras=True)["cluster"].__metadata__[0]
+    assert "given up after 60 s without a worker" in option.help
+    for page in ("sweeps.md", "command-line.md"):
+        text = (Path(__file__).parents[2] / "docs" / page).read_text(encoding="utf-8")
+        assert "60 s without" in " ".join(text.split())
+    for wrong in (0.0, -1.0, math.inf, math.nan):
+        with pytest.raises(InvalidInput, match="it must be a positive time in s"):
+            Cluster("tcp://host:8786", patience=wrong)
 
 
 @pytest.mark.slow

@@ -60,7 +60,7 @@ def _command(words: list[str]) -> int:
 
 def _told(error: Exception, heard: stopping.Heard) -> int:
     """Say what went wrong in one sentence, and return the exit code."""
-    from winkler.errors import Interrupted, WinklerError
+    from winkler.errors import Interrupted, WinklerError, mistake_in
 
     if (heard.code and not isinstance(error, Interrupted)) or type(error).__name__ == "Abort":
         return _stopped(heard)  # a library made an error of its own of it
@@ -72,8 +72,7 @@ def _told(error: Exception, heard: stopping.Heard) -> int:
         path = context.command_path if context is not None else "winkler"
         _say(f"{str(error.format_message()).rstrip('.')}; `{path} --help` tells what is known.")
         return int(error.exit_code)
-    text = " ".join(str(error).split())
-    _say(f"winkler made a mistake ({type(error).__name__}: {text}); run again with --traceback and report it.")
+    _say(f"{mistake_in(error)}; run again with --traceback and report it.")
     return MISTAKE
 
 

@@ -13,6 +13,7 @@ from winkler.cli.options import AsJson, Output, Overwrite, Quiet
 from winkler.cli.saying import safe, say, say_json
 
 if TYPE_CHECKING:
+    from winkler.errors import WinklerError
     from winkler.study.outcome import Outcome
 
 __all__ = ["may_overwrite", "run"]
@@ -31,7 +32,11 @@ def run(
         ),
     ] = None,
     cluster: Annotated[
-        str, typer.Option("--cluster", help="Address of a dask scheduler whose workers solve a sweep.")
+        str,
+        typer.Option(
+            "--cluster",
+            help="Address of a dask scheduler whose workers solve a sweep; given up after 60 s without a worker.",
+        ),
     ] = "",
     anew: Annotated[bool, typer.Option("--anew", help="Forget what a sweep that was stopped has solved.")] = False,
     quiet: Quiet = False,
@@ -41,19 +46,19 @@ def run(
 
     The results are written whole or not at all. A sweep, or a march through wear, that was stopped goes on where it
     was if the same study is run again. Exit code 1 if an expectation is missed; if points of a sweep have no answer,
-    the code of the first one.
+    the code of the first one, or 70 if winkler itself made a mistake at one of them.
 
     Example: winkler run examples/studies/hertz.toml --output results/ball
     """
     from winkler.cli import terminal
-    from winkler.errors import Interrupted, InvalidInput, WinklerError
+    from winkler.errors import Interrupted, InvalidInput, Mistake, WinklerError
     from winkler.study.cluster import Cluster
     from winkler.study.journal import Journal
     from winkler.study.keeping import Keep
     from winkler.study.pool import Machine
     from winkler.study.reading import read_study
     from winkler.study.reserving import reserved
-    from winkler.study.run import gather
+    from winkler.study.run import gather, named
     from winkler.study.stopping import held
     from winkler.study.sweep import journaled, solve_points
     from winkler.study.writing import holds_results, placed, write_outcome
@@ -86,7 +91,7 @@ def run(
                         outcome = gather(asked, watched, started=started, source=study.name)
                         write_outcome(outcome, partial)
                     except WinklerError as error:
-                        raise type(error)(f"{study.name}: {error}") from None
+                        raise named(error, study.name) from None
             except KeyboardInterrupt:
                 if not journal.count:
                     raise
@@ -105,6 +110,8 @@ def run(
             say(f"{before} of {many} points were known from the run before.")
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are kept in {folder}.")
+    if code == Mistake.exit_code:
+        raise _mistake(study.name, outcome, folder)
     return code
 
 
@@ -125,12 +132,28 @@ def may_overwrite(folder: Path) -> bool:
 
 
 def _code(outcome: Outcome) -> int:
+    from winkler.study.run import first_failure
+
     if outcome.failed:
-        return outcome.failed[0].code
+        return first_failure(outcome.failed).code
     stopped = [point.code for point in outcome.solved if point.code]
     if stopped:
         return stopped[-1]
     return 0 if all(verdict.passed for verdict in outcome.verdicts) else MISSED
+
+
+def _mistake(name: str, outcome: Outcome, folder: Path) -> WinklerError:
+    """Return what is raised when the results are written and winkler is at fault for points without an answer."""
+    from winkler.errors import Mistake
+    from winkler.study.run import first_failure, raised
+
+    count = sum(point.code == Mistake.exit_code for point in outcome.failed)
+    first = first_failure(outcome.failed)
+    return raised(
+        first,
+        f"{name}: at {count} of {len(outcome.points)} points winkler is at fault, not the study; what the others "
+        f"answer is in {folder}. The first: {first.reason}",
+    )
 
 
 def _print(outcome: Outcome, folder: Path) -> None:

@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.numerics.roots import between
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
 from winkler.values import value
@@ -193,8 +194,6 @@ def area_at(tip: Tip, height: float) -> float:
 
 def _radius(profile: Profile, height: float) -> float:
     """Return the radius of a profile's cross-section at a height [m]."""
-    from scipy.optimize import brentq
-
     end = min(profile.reach, profile.rim)
 
     def high(radius: float) -> float:
@@ -211,7 +210,7 @@ def _radius(profile: Profile, height: float) -> float:
             f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is known up to a radius of "
             f"{end:.3g} m."
         )
-    return float(brentq(high, low, far, xtol=1e-300, rtol=1e-14))
+    return between(high, low, far, relative=1e-14)
 
 
 def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:

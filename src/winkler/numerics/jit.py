@@ -2,6 +2,7 @@
 
 A kernel is written as ordinary Python and decorated with `compiled`.  numba is imported at the first call of a kernel,
 never when winkler is imported.  In a browser (emscripten), where there is no numba, the same source runs as it is.
+What is compiled is kept for the next process, where there is a place for it: see `winkler.caches`.
 
 A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
 function alone, is told what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
@@ -12,14 +13,19 @@ Kernels let other threads run.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
+import os
 import sys
 import types
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Generic, ParamSpec, TypeVar
 
 import numpy as np
+
+from winkler.caches import with_kernels
 
 __all__ = ["Kernel", "compiled"]
 
@@ -73,10 +79,13 @@ class Kernel(Generic[P, R]):
         if INTERPRETED:
             # compiled arithmetic does not complain either: what comes of it is never chosen
             return np.errstate(divide="ignore", invalid="ignore", over="ignore")(self.function)
-        import numba
-
         source = self.function
         assert isinstance(source, types.FunctionType)
+        cached = with_kernels(Path(source.__code__.co_filename))
+        import numba
+
+        if "NUMBA_CACHE_DIR" in os.environ:  # numba may have been imported before there was a place
+            numba.config.CACHE_DIR = os.environ["NUMBA_CACHE_DIR"]  # type: ignore[attr-defined]
         known: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
@@ -87,7 +96,10 @@ class Kernel(Generic[P, R]):
             cells = (*cells, types.CellType(self.content))
         copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells or None)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
-        machine: Callable[P, R] = numba.njit(cache=True, nogil=True, fastmath=set(FREEDOMS), error_model="numpy")(copy)
+        machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FREEDOMS), error_model="numpy")(copy)
+        if cached:
+            with contextlib.suppress(RuntimeError):  # it finds no place after all: nothing is kept
+                machine.enable_caching()  # type: ignore[attr-defined]
         return machine
 
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:

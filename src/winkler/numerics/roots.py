@@ -1,4 +1,4 @@
-"""Inversion of rising functions, for many targets at once, roots in brackets, and where to begin."""
+"""Inversion of rising functions, for many targets at once, roots in brackets, one or many, and where to begin."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.errors import NotConverged
+from winkler.errors import NotConverged, WinklerError
 from winkler.numerics.types import Array
 
-__all__ = ["bracketed", "invert", "rough_root"]
+__all__ = ["between", "bracketed", "invert", "rough_root"]
 
 ITERATIONS = 200
 CLOSE = 3e-9
@@ -22,6 +22,8 @@ SLOW = 0.25
 FARTHEST = 100.0
 """Octaves from one: as far as any length is."""
 TRIES = 50
+ROUNDING = 1e-9
+"""Of the scale of a function: an end of a bracket where it is not larger is the root, whatever its sign is there."""
 
 
 def invert(
@@ -145,6 +147,42 @@ def bracketed(function: Callable[[Array, Array], Array], low: Array, high: Array
         least = np.minimum(4e-16 * np.abs(a) / np.abs(b - a), 0.5)
         share = np.clip(np.where(smooth, inverse, 0.5), least, 1.0 - least)
     return result
+
+
+def between(
+    function: Callable[[float], float], low: float, high: float, *, relative: float = 8.9e-16, absolute: float = 1e-300
+) -> float:
+    """Return a root between two places where a function has different signs.
+
+    What is known to change its sign may not do so in floating-point numbers if the root is an end, or if nothing but
+    rounding lies between the ends; then the end nearer to zero is the root.
+
+    Parameters
+    ----------
+    function
+        Takes a place, returns a value.
+    low, high
+        Ends of the bracket.
+    relative, absolute
+        Largest errors of the root.
+
+    Raises
+    ------
+    NotConverged
+        If the signs are the same, and not by rounding; or if the root is not found.
+    """
+    from scipy.optimize import brentq
+
+    try:
+        return float(brentq(function, low, high, xtol=absolute, rtol=relative, maxiter=1000))
+    except WinklerError:
+        raise
+    except (RuntimeError, ValueError) as error:
+        left, right = function(low), function(high)
+        least, most = sorted((abs(left), abs(right)))
+        if least <= ROUNDING * most or high - low <= ROUNDING * max(abs(low), abs(high)):
+            return low if abs(left) == least else high
+        raise NotConverged(f"No root lies between {low:.9g} and {high:.9g} ({error}).") from error
 
 
 def rough_root(value: Callable[[Array], Array], asked: float) -> float:

@@ -1,5 +1,10 @@
 """Figures: ``draw(anything)`` returns a matplotlib figure."""
 
+# ruff: noqa: E402
+from winkler.caches import with_fonts
+
+with_fonts()
+
 # sheets that tell draw() themselves what they draw
 from winkler.plot import (  # noqa: F401
     conduction,

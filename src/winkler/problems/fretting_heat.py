@@ -25,7 +25,7 @@ from winkler.media.conductors import HeatConductors
 from winkler.numerics.line_source import LineSource, projected
 from winkler.numerics.turned_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.assumptions.declared import HEATED, SHEARED
+from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.damping import positive_frequency
 from winkler.problems.heating_input import thick_bodies
@@ -90,7 +90,7 @@ class FrettingHeat:
     conductors: HeatConductors
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
-    assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY}
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY} | BALANCED
     needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:

@@ -24,7 +24,7 @@ from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.chebyshev import Panels, fit_panels
-from winkler.numerics.roots import invert, rough_root
+from winkler.numerics.roots import between, invert, rough_root
 from winkler.numerics.types import Array, Curve
 from winkler.problems.closure import at_depth, at_end, flat_radius
 from winkler.problems.indentation import Indentation
@@ -194,8 +194,6 @@ def deepest(bed: Bed, energy: float) -> float:
     OutsideValidity
         If the profile ends before.
     """
-    from scipy.optimize import brentq
-
     end = _limit(bed)
 
     def excess(depth: float) -> float:
@@ -211,7 +209,7 @@ def deepest(bed: Bed, energy: float) -> float:
         low /= STRIDE
     while high < end and excess(high) < 0.0:  # with small steps: what is pressed far too deep may be no disc
         high = min(STRIDE * high, end)
-    return float(brentq(excess, low, high, xtol=1e-300, rtol=1e-14))
+    return between(excess, low, high, relative=1e-14)
 
 
 HALVINGS, FAR = 60, 1e3

@@ -6,6 +6,7 @@ there it is laid on panels, and the motion :math:`m\ddot d=-F(d)` is integrated 
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple
@@ -17,6 +18,7 @@ from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.marching import Marched, Stop, march
+from winkler.numerics.roots import between
 from winkler.numerics.turning import Leap, Slopes
 from winkler.numerics.types import Array
 from winkler.problems.adhesive_edge import AdhesiveEdge, Machine, adhesive_edge
@@ -141,8 +143,6 @@ def _gained(piece: Panels) -> float:
 
 def _first_passage(forces: list[Panels], energy: float) -> float:
     """Return the first depth at which the work of the forces reaches an energy."""
-    from scipy.optimize import brentq
-
     done = 0.0
     for piece in forces:
         work = piece.integral
@@ -154,7 +154,7 @@ def _first_passage(forces: list[Panels], energy: float) -> float:
             return float(depths[0])
         if beyond.size:
             low, high = depths[beyond[0] - 1], depths[beyond[0]]
-            return float(brentq(_missing, low, high, args=(work, energy - done), xtol=1e-300, rtol=1e-15))
+            return between(functools.partial(_missing, work=work, energy=energy - done), low, high)
         done += _gained(piece)
     raise NotConverged(f"AdhesiveImpact: no depth was found that stops {energy:.6g} J.")
 

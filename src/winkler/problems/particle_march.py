@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.problems.particle_springs import LIMIT, RIM, Material, ParticleSprings, root
+from winkler.numerics.roots import between
+from winkler.problems.particle_springs import LIMIT, RIM, Material, ParticleSprings
 
 __all__ = ["March", "Squeezed"]
 
@@ -149,7 +150,7 @@ class March(NamedTuple):
                 )
             if force <= material.force(roof):
                 return roof
-            return root(lambda depth: material.force(depth) - force, roof, deepest)
+            return between(lambda depth: material.force(depth) - force, roof, deepest)
         if force < springs.edge_force(angle, self.opening):
             least = springs.critical(self.opening, 1.5)
             if angle <= least or force < springs.edge_force(least, self.opening):

@@ -17,14 +17,14 @@ when it is let go.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.materials.elastic import Elastic
+from winkler.numerics.roots import between
 
-__all__ = ["LIMIT", "RIM", "Material", "ParticleSprings", "material_of", "root"]
+__all__ = ["LIMIT", "RIM", "Material", "ParticleSprings", "material_of"]
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 RIM = 0.5 * math.pi
@@ -95,7 +95,7 @@ class ParticleSprings(NamedTuple):
         if work == 0.0:
             return 0.0
         number = 2.0 * factor * math.sqrt(2.0 * math.pi * self.half_width * work / self.modulus) / self.height
-        return root(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, RIM)
+        return between(lambda angle: math.sin(angle) ** 1.5 - number * math.cos(angle), 0.0, RIM)
 
     def edge(self, felt: float, work: float) -> float:
         """Return the angle of the stable edge; zero if there is none."""
@@ -106,7 +106,7 @@ class ParticleSprings(NamedTuple):
             return 0.0
         if felt >= self.balanced(RIM, work):
             return RIM
-        return root(lambda angle: self.balanced(angle, work) - felt, least, RIM)
+        return between(lambda angle: self.balanced(angle, work) - felt, least, RIM)
 
     def edge_force(self, angle: float, work: float) -> float:
         """Return the force while the edge is just held [N]."""
@@ -119,7 +119,7 @@ class ParticleSprings(NamedTuple):
             return RIM
         if force <= self.edge_force(least, work):
             return least
-        return root(lambda angle: self.edge_force(angle, work) - force, least, RIM)
+        return between(lambda angle: self.edge_force(angle, work) - force, least, RIM)
 
 
 class Material(NamedTuple):
@@ -191,11 +191,4 @@ def material_of(radius: float, solid: Elastic) -> Material:
 
     if math.isinf(solid.strength) or excess(LIMIT * radius) <= 0.0:
         return material
-    return material._replace(yield_depth=root(excess, 0.0, LIMIT * radius))
-
-
-def root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return the root between two places of different sign, to rounding."""
-    from scipy.optimize import brentq
-
-    return float(brentq(function, low, high, xtol=1e-300, rtol=4.0 * np.finfo(float).eps))
+    return material._replace(yield_depth=between(excess, 0.0, LIMIT * radius))

@@ -25,6 +25,7 @@ from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.passing import pass_over
 from winkler.numerics.quadrature import gauss_legendre
 from winkler.numerics.relaxation import Recovery
+from winkler.numerics.roots import between
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
@@ -168,8 +169,6 @@ class SlidingResistance:
         """Return what the springs have met at the depth that is prescribed, or that gives the force."""
         if isinstance(self.normal, Depth):
             return self._passed(float(self.normal.depth), speed)
-        from scipy.optimize import brentq
-
         wanted = float(self.normal.force)
         elastic = elastic_like(self.bed)
         series = relaxation_of("", self.bed)
@@ -198,11 +197,7 @@ class SlidingResistance:
             def missing(logarithm: float) -> float:
                 return self._passed(math.exp(logarithm), speed).force / wanted - 1.0
 
-            bottom, top = math.log(low), math.log(high)
-            if missing(bottom) >= 0.0:  # by the rounding of the logarithm alone
-                depth = low
-            elif missing(top) > 0.0:
-                depth = math.exp(brentq(missing, bottom, top, xtol=1e-15, rtol=8.9e-16))
+            depth = math.exp(between(missing, math.log(low), math.log(high), absolute=1e-15))
         return self._passed(depth, speed)
 
     def _passed(self, depth: float, speed: float) -> _Passed:

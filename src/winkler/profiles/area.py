@@ -19,7 +19,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.octaves import Octaves
-from winkler.numerics.roots import invert
+from winkler.numerics.roots import between, invert
 from winkler.numerics.settling import settled
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
@@ -309,7 +309,5 @@ def _summit(profile: AreaFunction) -> float:
     (shrinking,) = np.nonzero(growth <= 0.0)
     if not shrinking.size:
         return math.inf
-    from scipy.optimize import brentq
-
     low, high = heights[shrinking[0] - 1], heights[shrinking[0]]
-    return float(brentq(lambda h: profile._derivatives(np.array([h]))[1][0], low, high, xtol=1e-300, rtol=8.9e-16))
+    return between(lambda h: float(profile._derivatives(np.array([h]))[1][0]), float(low), float(high))

@@ -1,23 +1,30 @@
 """A cluster of many machines, through dask.distributed: the points of a sweep are solved by its workers.
 
 It needs the extra ``cluster`` (``pip install winkler[cluster]``) here, and the same version of winkler on the workers.
+A worker that dies costs nothing: its points are solved by the others, or by those that come.  When none is left, and
+none comes for a while, the sweep is given up; dask would wait for ever.
 """
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
-from concurrent.futures import Executor
+import functools
+import math
+import time
+from collections.abc import Callable, Collection, Iterator
+from concurrent.futures import CancelledError
 from importlib.metadata import version
-from typing import Any
+from typing import Any, NamedTuple
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, NotConverged
 from winkler.values import value
 
-__all__ = ["Cluster", "connected"]
+__all__ = ["Cluster", "Connection", "connected"]
 
 PATIENCE = 10.0
 """How long a scheduler is waited for [s]."""
+BEAT = 1.0
+"""How long answers are waited for before the workers are counted [s], at most."""
 
 
 @value
@@ -28,28 +35,53 @@ class Cluster:
     ----------
     address
         As ``tcp://host:8786``; what ``dask scheduler`` says when it starts, or ``client.scheduler.address``.
+    patience : float, optional
+        How long it may be without any worker before a sweep is given up [s].
     """
 
     address: str
+    patience: float = 60.0
 
     def __post_init__(self) -> None:
         if not isinstance(self.address, str) or not self.address.strip():
             raise InvalidInput(
                 f"cluster: the address is {self.address!r}; give that of a scheduler, such as 'tcp://host:8786'."
             )
+        if not 0.0 < self.patience < math.inf:
+            raise InvalidInput(f"cluster: patience is {self.patience!r}; it must be a positive time in s.")
+
+
+class Connection(NamedTuple):
+    """What a cluster is worked with.
+
+    Parameters
+    ----------
+    submit
+        Sends work.
+    threads
+        How many the workers have.
+    ready
+        Waits until there are answers to some of what was sent, and returns these with them.
+    """
+
+    submit: Callable[..., Any]
+    threads: int
+    ready: Callable[[Collection[Any]], list[tuple[Any, Any]]]
 
 
 @contextlib.contextmanager
-def connected(cluster: Cluster) -> Iterator[tuple[Executor, int]]:
-    """Give what sends work to the cluster, and how many threads its workers have.
+def connected(cluster: Cluster) -> Iterator[Connection]:
+    """Connect to a cluster.
 
     Raises
     ------
     InvalidInput
         If dask.distributed is missing, nobody answers at the address, or the workers are of no use.
+    NotConverged
+        If all workers or the scheduler die on the way.
     """
     try:
-        from distributed import Client
+        from distributed import Client, KilledWorker
     except ImportError:
         raise InvalidInput(
             "cluster: this needs dask.distributed; install it with `pip install winkler[cluster]`."
@@ -68,11 +100,39 @@ def connected(cluster: Cluster) -> Iterator[tuple[Executor, int]]:
                 f"cluster: '{cluster.address}' has no workers; start some with `dask worker {cluster.address}`."
             )
         _same_version(client)
-        executor = client.get_executor(pure=False)
         try:
-            yield executor, threads
-        finally:
-            executor.shutdown(wait=False)  # what is still under way is given up
+            submit = functools.partial(client.submit, pure=False)
+            yield Connection(submit, threads, functools.partial(_ready, client, cluster))
+        except KilledWorker as error:
+            raise NotConverged(
+                f"cluster: workers of '{cluster.address}' died whenever they solved certain points (out of memory, or "
+                f"stopped from outside: {' '.join(str(error).split())[:200]}); give them more memory and run again."
+            ) from None
+        except (CancelledError, OSError):
+            raise NotConverged(
+                f"cluster: the scheduler at '{cluster.address}' is gone; start it and its workers, and run again."
+            ) from None
+
+
+def _ready(client: Any, cluster: Cluster, waiting: Collection[Any]) -> list[tuple[Any, Any]]:
+    """Return what has an answer, and the answers; give up when the cluster has been without a worker for too long."""
+    from distributed import wait
+
+    beat, alone = min(BEAT, 0.25 * cluster.patience), math.inf
+    while True:
+        found = []
+        with contextlib.suppress(TimeoutError), client.as_current():
+            for future in wait(list(waiting), beat, return_when="FIRST_COMPLETED").done:
+                found.append((future, future.result(beat)))  # no answer any more, if its worker died with it
+        if found:
+            return found
+        now = time.monotonic()
+        alone = math.inf if client.nthreads() else min(alone, now)
+        if now - alone >= cluster.patience:
+            raise NotConverged(
+                f"cluster: '{cluster.address}' has had no worker for {cluster.patience:g} s; start some with "
+                f"`dask worker {cluster.address}` and run again."
+            )
 
 
 def _same_version(client: Any) -> None:

@@ -29,7 +29,7 @@ from winkler.study.locking import lock
 from winkler.study.study import Study
 from winkler.study.varied import Axis
 
-__all__ = ["Journal"]
+__all__ = ["Journal", "settled"]
 
 ENDING = ".journal"
 
@@ -48,7 +48,7 @@ class Journal:
     def __init__(self, path: Path, study: Study | FitStudy) -> None:
         self.path = path
         self.count = 0
-        """Number of lines that are kept."""
+        """Number of lines that are kept, without those of points that are tried again: see `settled`."""
         self._head = _head(study)
         self._file = -1
         self._known = 0
@@ -96,7 +96,7 @@ class Journal:
                     self._refuse_other(content)
                 good += len(line)
                 self._known = number
-        self.count = self._known
+                self.count += number > 0 and settled(content)
         os.ftruncate(self._file, good)
         os.lseek(self._file, 0, os.SEEK_END)
         if not good:
@@ -113,13 +113,13 @@ class Journal:
             what = "curves" if "fit" in self._head else "points"
             raise self._refused(f"holds {what} of another study, or of another version of this one")
 
-    def write(self, text: str) -> None:
-        """Append what came of one point, or of one file or curve."""
+    def write(self, text: str, *, final: bool = True) -> None:
+        """Append what came of one point, or of one file or curve; a point that is not `final` is tried again later."""
         if self._file < 0:
             self._open(os.O_RDWR | os.O_CREAT | os.O_EXCL)
             self._write(json.dumps(self._head))
         self._write(text)
-        self.count += 1
+        self.count += final
 
     def remove(self) -> None:
         """Remove the journal; nothing happens if there is none.
@@ -171,6 +171,11 @@ class Journal:
         return InvalidInput(
             f"journal: '{self.path}' {why}; add --anew to begin again without it, or give another folder with --output."
         )
+
+
+def settled(content: dict[str, Any]) -> bool:
+    """Return whether a line tells what came of a point for good: an unexpected error may be gone the next time."""
+    return "traceback" not in content
 
 
 def _content(line: bytes) -> Any:

@@ -86,7 +86,10 @@ class Failed:
     reason
         The sentence of the error.
     code
-        What the command line returns for it: 2 input, 3 not converged, 4 outside validity.
+        What the command line returns for it: 2 input, 3 not converged, 4 outside validity, 70 a mistake of winkler.
+    traceback
+        Where an error came from that winkler does not raise on purpose: a mistake of its own, or too little memory.
+        Such a point is tried again when a sweep that was stopped goes on; empty for all others.
     """
 
     index: tuple[int, ...]
@@ -94,6 +97,7 @@ class Failed:
     problem: Any
     reason: str
     code: int
+    traceback: str = ""
 
 
 @value

@@ -12,7 +12,7 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import resource_tracker
@@ -97,34 +97,41 @@ def completed(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluste
     InvalidInput
         If a worker of another pool asks, or the cluster cannot be used.
     NotConverged
-        If a worker ends before its time.
+        If a worker ends before its time, or the last one of a cluster and no other comes.
     """
     if isinstance(workers, Cluster):
-        with connected(workers) as (executor, count):
-            yield from _shared(answer, todo, executor.submit, count)
+        with connected(workers) as cluster:
+            yield from _shared(answer, todo, cluster.submit, cluster.threads, cluster.ready)
         return
     with _processes(min(workers, len(todo))) as submit:
-        yield from _shared(answer, todo, submit, workers)
+        yield from _shared(answer, todo, submit, workers, _ready)
 
 
 def _shared(
-    answer: Callable[[T], R], todo: Sequence[T], submit: Callable[..., Future[Any]], workers: int
+    answer: Callable[[T], R],
+    todo: Sequence[T],
+    submit: Callable[..., Any],
+    workers: int,
+    ready: Callable[[Collection[Any]], list[tuple[Any, Any]]],
 ) -> Iterator[tuple[int, R]]:
-    waiting: dict[Future[Any], int] = {}
+    """Share items out; `ready` waits for answers to what was submitted."""
+    waiting: dict[Any, int] = {}
     sent, size = 0, 1
     while sent < len(todo) or waiting:
         while sent < len(todo) and len(waiting) < AHEAD * workers:
             batch = list(todo[sent : sent + size])
             waiting[submit(_answered, answer, batch)] = sent
             sent += len(batch)
-        ready, _ = wait(waiting, return_when=FIRST_COMPLETED)
-        for future in ready:
+        for future, (found, seconds) in ready(waiting):
             first = waiting.pop(future)
-            found, seconds = future.result()
             yield from enumerate(found, first)
             # what is left is shared out in ever smaller batches, so that all workers end together
             fair = max(1, (len(todo) - sent) // (2 * AHEAD * workers))
             size = max(1, min(LARGEST, fair, round(SPELL * len(found) / max(seconds, 1e-9)), 8 * size))
+
+
+def _ready(waiting: Collection[Future[Any]]) -> list[tuple[Future[Any], Any]]:
+    return [(future, future.result()) for future in wait(waiting, return_when=FIRST_COMPLETED).done]
 
 
 def _answered(answer: Callable[[T], R], batch: list[T]) -> tuple[list[R], float]:

@@ -9,7 +9,7 @@ import typing
 from collections.abc import Iterable
 from typing import Any
 
-from winkler.errors import InvalidInput, WinklerError
+from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, SurfaceFields
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.problems.torsion_fields import TwistedFields
@@ -62,6 +62,8 @@ def written(point: Recalled | Failed) -> str:
     """Return a point as one line of JSON; index, settings and problem follow from the study."""
     if isinstance(point, Failed):
         content: dict[str, Any] = {"at": point.index, "reason": point.reason, "code": point.code}
+        if point.traceback:
+            content["traceback"] = point.traceback
     else:
         content = {
             "at": point.index,
@@ -113,10 +115,10 @@ def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...
     index, settings = task.index, task.settings
     try:
         problem = task.problem
-    except WinklerError:  # which is why it failed
+    except Exception:  # which is why it failed
         problem = task.base
     if "reason" in content:
-        return Failed(index, settings, problem, content["reason"], content["code"])
+        return Failed(index, settings, problem, content["reason"], content["code"], content.get("traceback", ""))
     verdicts = [
         Verdict(index, dataclasses.replace(asked, expected=_unpacked(expected)), _unpacked(got), _unpacked(deviation))
         for asked, (expected, got, deviation) in zip(expect, content.get("verdicts", []), strict=True)

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from importlib.metadata import version
 from pathlib import Path
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 from winkler.study.canonical import digest
 from winkler.study.journal import Journal
 from winkler.study.judging import judge
@@ -19,9 +19,9 @@ from winkler.study.pool import Workers
 from winkler.study.study import Study
 from winkler.study.sweep import journaled, solve_points
 
-__all__ = ["ERRORS", "gather", "provenance", "run"]
+__all__ = ["ERRORS", "first_failure", "gather", "provenance", "raised", "run"]
 
-ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity)}
+ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity, Mistake)}
 
 
 def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outcome:
@@ -46,8 +46,8 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
 
     Raises
     ------
-    InvalidInput, NotConverged, OutsideValidity
-        If no point of the study has an answer: the reason of the first.
+    InvalidInput, NotConverged, OutsideValidity, Mistake
+        If no point of the study has an answer: the reason of the first, or of the first mistake of winkler's own.
     """
     started = time.perf_counter()
     if journal:
@@ -81,12 +81,34 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
     judged.sort(key=lambda pair: pair[0].index)
     found = tuple(point for point, _ in judged)
     if all(isinstance(point, Failed) for point in found):
-        first = next(point for point in found if isinstance(point, Failed))
+        first = first_failure(point for point in found if isinstance(point, Failed))
         many = f"none of the {len(found)} points of the sweep has an answer; the first: " if len(found) > 1 else ""
-        raise ERRORS.get(first.code, NotConverged)(many + first.reason)
+        raise raised(first, many + first.reason)
     verdicts = tuple(verdict for _, verdicts in judged for verdict in verdicts)
     made = provenance(digest(study), time.perf_counter() - started, source)
     return Outcome(study, found, verdicts, made)
+
+
+def first_failure(failed: Iterable[Failed]) -> Failed:
+    """Return the point that stands for all that failed: the first mistake of winkler's own, else the first."""
+    each = list(failed)
+    return next((point for point in each if point.code == Mistake.exit_code), each[0])
+
+
+def named(error: WinklerError, name: str) -> WinklerError:
+    """Return an error that says which file it is of, and still shows where it came from."""
+    again = type(error)(f"{name}: {error}")
+    for note in getattr(error, "__notes__", ()):
+        again.add_note(note)
+    return again
+
+
+def raised(point: Failed, sentence: str) -> WinklerError:
+    """Return the error that a point stands for; a mistake shows where it came from."""
+    error = ERRORS.get(point.code, NotConverged)(sentence)
+    if point.traceback:
+        error.add_note(point.traceback)
+    return error
 
 
 def provenance(question: str, seconds: float, source: str) -> Provenance:

@@ -152,7 +152,7 @@ class _Bench:
         self.view, self.outcome = NOTHING, None
 
     def replies(self, asked: Any) -> Iterator[Any]:
-        from winkler.errors import WinklerError
+        from winkler.errors import WinklerError, mistake_in
 
         try:
             match asked:
@@ -167,8 +167,7 @@ class _Bench:
         except WinklerError as error:
             yield Wrong(tuple(self._plain(line) for line in str(error).splitlines()))
         except Exception as error:
-            told = " ".join(str(error).split())
-            yield Wrong((f"winkler made a mistake ({type(error).__name__}: {told}); report it with this study.",))
+            yield Wrong((f"{mistake_in(error)}; report it with this study.",))
 
     def _plain(self, sentence: str) -> str:
         """Return a sentence without the folder of the page, and without its file named twice."""
