@@ -6,52 +6,16 @@ import zipfile
 
 import numpy as np
 import pytest
+from fuzz_readers import BED, READERS, TABLES
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import winkler as wk
 from winkler.errors import WinklerError
-from winkler.io.wear_states import read_wear, write_wear
+from winkler.io.wear_states import write_wear
 
 QUICK = settings(max_examples=25, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
-LONG = settings(max_examples=1500, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 
-BED = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
-R = np.linspace(0.0, 1e-3, 12)
-T = np.geomspace(1e-3, 10.0, 12)
-
-
-def rows(header: str, *columns) -> str:
-    return header + "\n" + "\n".join(",".join(f"{number:.9g}" for number in row) for row in zip(*columns, strict=True))
-
-
-READERS = {
-    "profile": (wk.read_profile, rows("radius [um],height [nm]", R * 1e6, 0.5e9 * R**2 / 10e-3)),
-    "profile across": (
-        lambda path: wk.read_profile(path, peak=True),
-        rows("x [um],height [nm]", (R - 0.5e-3) * 1e6, -0.5e9 * (R - 0.5e-3) ** 2 / 10e-3),
-    ),
-    "curve": (wk.read_curve, rows("depth [um],force [mN]", R * 1e3, (R * 1e3) ** 1.5)),
-    "bed": (
-        wk.read_bed,
-        rows("radius [mm],stiffness [MN/m],depth [um]", R[1:] * 1e3, 230e9 * R[1:] * 1e-6, R[1:] ** 2 * 1e8),
-    ),
-    "grading": (
-        lambda path: wk.read_grading(path, poisson=0.3),
-        rows("depth [mm],young [GPa]", R * 1e3, 380.0 - 1e5 * R),
-    ),
-    "path": (wk.read_path, rows("time [s],force [N],shift [um]", T, 10.0 + 0.0 * T, np.sin(T))),
-    "relaxation": (wk.read_relaxation, rows("time [s],shear modulus [MPa]", T, 1.0 + 1.0 / (1.0 + T))),
-    "creep": (wk.read_creep, rows("time [s],shear compliance [1/MPa]", T, 1.0 + T / (1.0 + T))),
-    "dynamic": (
-        wk.read_dynamic,
-        rows(
-            "angular frequency [rad/s],storage modulus [MPa],loss modulus [MPa]", T, 1.0 + T / (1.0 + T), 0.1 + 0.0 * T
-        ),
-    ),
-    "contacts": (wk.read_contacts, ""),
-    "wear": (lambda path: read_wear(BED, path), ""),
-}
 CELLS = st.one_of(
     st.floats().map(repr),
     st.sampled_from(
@@ -99,29 +63,17 @@ def told(read, path, content: bytes) -> None:
         assert "Traceback" not in sentence
 
 
-TEXTS = [name for name, (_, text) in READERS.items() if text]
-
-
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", TABLES)
 def test_the_table_itself_is_read(name, tmp_path):
     read, text = READERS[name]
     (tmp_path / "table.csv").write_text(text)
     read(tmp_path / "table.csv")
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize("name", TABLES)
 @QUICK
 @given(data=st.data())
 def test_a_spoilt_table(name, data, tmp_path_factory):
-    read, text = READERS[name]
-    told(read, tmp_path_factory.getbasetemp() / "table.csv", data.draw(spoilt(text)))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", TEXTS)
-@LONG
-@given(data=st.data())
-def test_many_spoilt_tables(name, data, tmp_path_factory):
     read, text = READERS[name]
     told(read, tmp_path_factory.getbasetemp() / "table.csv", data.draw(spoilt(text)))
 

@@ -17,7 +17,6 @@ from winkler.study.reading import parse_study, read_study, study_text
 from winkler.study.template import whole_text
 
 QUICK = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
-LONG = settings(max_examples=3000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 
 EXAMPLES = {name: tomllib.loads(whole_text(name)) for name in kinds()}
 
@@ -125,13 +124,6 @@ def written(table) -> str:
 @QUICK
 @given(spoilt())
 def test_a_spoilt_study(table):
-    answered(written(table))
-
-
-@pytest.mark.slow
-@LONG
-@given(spoilt())
-def test_many_spoilt_studies(table):
     answered(written(table))
 
 

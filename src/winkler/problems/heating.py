@@ -20,7 +20,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
@@ -42,6 +42,9 @@ from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
+
+FASTEST = 1e8
+"""Peclet number above which rounding is felt in means over the contact."""
 
 
 @value
@@ -136,7 +139,8 @@ class FrictionHeating:
         Raises
         ------
         OutsideValidity
-            If the load is refused by `Indentation`, or the pressure is not known in the medium.
+            If the load is refused by `Indentation`, the pressure is not known in the medium, or a Peclet number is
+            above 1e8.
         NotConverged
             If the profile is too rough.
         """
@@ -144,15 +148,21 @@ class FrictionHeating:
         speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
         shape = np.broadcast_shapes(np.shape(contact.radius), *(each.shape for each in speeds))
         rates = [np.broadcast_to(each, shape) for each in speeds]
+        peclets = [
+            0.5 * np.abs(rate) * contact.radius / body.diffusivity
+            for rate, body in zip(rates, self._bodies, strict=True)
+        ]
+        fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
+        if fastest > FASTEST:
+            raise OutsideValidity(
+                f"FrictionHeating: a Peclet number V a / (2 kappa) is {fastest:.3g}; temperatures of moving bodies are "
+                f"computed up to {FASTEST:g}: check speeds and diffusivities."
+            )
         which, sources = loads_over(contact, shape), heat_sources(contact)
         table = np.zeros((5, *shape))
         for place in np.ndindex(shape):
             table[(slice(None), *place)] = _shares(self, sources[which[place]], *(float(rate[place]) for rate in rates))
         heat = self.law.coefficient * np.broadcast_to(contact.force, shape) * np.abs(rates[0] - rates[1])
-        peclets = [
-            0.5 * np.abs(rate) * contact.radius / body.diffusivity
-            for rate, body in zip(rates, self._bodies, strict=True)
-        ]
         columns = [heat, table[0], *peclets, *(table[1:] * heat)]
         return FrictionHeatingSolution(self, contact, *(float(each) if shape == () else each for each in columns))
 

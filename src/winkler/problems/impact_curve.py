@@ -212,6 +212,10 @@ def deepest(bed: Bed, energy: float) -> float:
     return between(excess, low, high, relative=1e-14)
 
 
+HALVINGS, FAR = 60, 1e3
+"""How often, and above which multiple of an energy, a depth is looked for again."""
+
+
 def rough_depth(bed: Bed, energy: float) -> float:
     """Return a depth [m] of the order of that at which a bed has stored an energy [J]."""
     end = min(bed.reach, bed.rim)
@@ -221,9 +225,15 @@ def rough_depth(bed: Bed, energy: float) -> float:
         return np.asarray(0.4 * (bed.stiffness(radius) * gap - bed.gap_load(radius)) * gap)
 
     radius = np.array([1e-6 * end if math.isfinite(end) else BEGINNING * rough_root(stored, energy)])
+    low = np.zeros(1)
     while radius[0] < end and float(stored(radius)[0]) < energy:
-        radius = np.minimum(2.0 * radius, end)
-    depth = float(bed.gap(0.999 * radius)[0])
+        low, radius = radius, np.minimum(2.0 * radius, end)
+    for _ in range(HALVINGS):  # beside a flat part, where it begins to rise, twice as wide may be very much deeper
+        if float(stored(radius)[0]) <= FAR * energy:
+            break
+        middle = 0.5 * (low + radius)
+        low, radius = (low, middle) if float(stored(middle)[0]) >= energy else (middle, radius)
+    depth = float(bed.gap(radius if float(bed.gap(0.999 * radius)[0]) == 0.0 else 0.999 * radius)[0])
     if radius[0] == bed.rim:
         depth += math.sqrt(2.0 * energy / float(bed.stiffness(radius)[0]))
     return depth

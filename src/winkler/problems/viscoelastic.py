@@ -28,7 +28,7 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.assumptions.times import times_notes
+from winkler.problems.assumptions.times import path_notes
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.gathering import rows
 from winkler.problems.trust import contact_notes
@@ -336,7 +336,7 @@ class ViscoelasticSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
         bed = self.problem.bed
-        times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
+        times = path_notes(bed, self.time)
         return (
             *bed.notes,
             *contact_notes(elastic_like(bed), self.depth, self.radius),

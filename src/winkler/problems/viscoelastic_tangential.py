@@ -29,7 +29,7 @@ from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.assumptions.times import times_notes
+from winkler.problems.assumptions.times import path_notes
 from winkler.problems.closure import at_depth
 from winkler.problems.gathering import rows
 from winkler.problems.trust import contact_notes
@@ -293,7 +293,7 @@ class ViscoelasticTangentialSolution:
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         bed = self.problem.bed
-        times = times_notes(bed, float(np.min(np.diff(self.time))), float(np.ptp(self.time)))
+        times = path_notes(bed, self.time)
         coupled = sticking_note(bed.medium, self.problem.law.coefficient)
         return (
             *bed.notes,

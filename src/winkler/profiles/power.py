@@ -101,7 +101,7 @@ class PowerLaw(Shape):
     @property
     def stretch(self) -> float:
         """kappa_n = g/f at equal radius [-]."""
-        n = self.exponent
+        n = max(self.exponent, 1e-300)  # below it one all the same, but gamma functions overflow
         return 0.5 * math.sqrt(math.pi) * n * math.exp(math.lgamma(0.5 * n) - math.lgamma(0.5 * (n + 1.0)))
 
     def _power(self, factor: float, r: Array, exponent: float) -> Array:

@@ -7,6 +7,7 @@ stands for the key.
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 from collections.abc import Callable
 from typing import Any, NoReturn
@@ -131,7 +132,9 @@ def settle(form: BaseModel, *, cls: type, keys: tuple[str, ...]) -> BaseModel:
         try:
             setattr(form, key, number(getattr(form, key), settled(unit, cls, dict(form))))
         except PydanticCustomError as error:
-            wrong((error.context or {})["sentence"], key)
+            sentence = str((error.context or {})["sentence"])
+            unnamed = f"{WHERE} has a unit that follows from other keys, and {sentence}; check them."
+            wrong(sentence if WHERE in sentence else unnamed, key)
     return form
 
 
@@ -145,7 +148,7 @@ def number(raw: Any, unit: str | None) -> Any:
     if isinstance(raw, bool) or not isinstance(raw, str | int | float):
         what = f'a quantity, such as "{sample(unit)}"' if unit else "a number, such as 0.3"
         wrong(f"{WHERE} is {str(raw).lower()}; give {what}.")
-    if isinstance(raw, int | float) and not np.isfinite(raw):
+    if isinstance(raw, float) and not math.isfinite(raw):
         wrong(f"{WHERE} is {raw!r}; give a finite number.")
     try:
         return quantity(raw, unit or "", what=WHERE)

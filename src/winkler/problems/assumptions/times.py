@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from winkler.foundation.bed import Bed
 from winkler.media.relaxing import RelaxingMedium
+from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["times_notes"]
+__all__ = ["path_notes", "times_notes"]
 
 SERIES = "sum of exponentials over a span of time"
 
@@ -38,3 +41,9 @@ def times_notes(bed: Bed, shortest: float, longest: float) -> tuple[Note, ...]:
         standing = Standing.ASYMPTOTIC
         verdict = f"the times asked for, {shortest:.3g} s to {longest:.3g} s, are within"
     return (Note(Assumption.KNOWN_TIMES, standing, f"{span}; {verdict}.", SERIES),)
+
+
+def path_notes(bed: Bed, times: Array) -> tuple[Note, ...]:
+    """Return the same of a path through moments [s]; nothing of one that ends where it begins."""
+    steps = np.diff(times)
+    return times_notes(bed, float(np.min(steps)), float(np.ptp(times))) if steps.size else ()

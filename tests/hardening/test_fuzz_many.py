@@ -1,0 +1,114 @@
+"""Some 1e5 hostile cases, other ones every day: an answer of which the laws hold, or one sentence; never a hang.
+
+A failure names its seed and the files of its cases; see `fuzz_cases` and the page on contributing.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import fuzz_studies
+import fuzz_texts
+import fuzz_words
+import pytest
+from fuzz_cases import Case, judged
+from fuzz_readers import READERS, SUFFIXES, TABLES
+from fuzz_trials import tried, written
+
+from winkler.study.template import whole_text
+
+BASES = ("indentation", "tangential", "coated_half_space", "formula", "sum")
+UNITS = ("m", "Pa", "rad", "", "N/m", "J/m^2", "K", "m^-0.5")
+
+
+def spoilt_text(rng) -> Case:
+    return Case("text", written(fuzz_studies.spoilt(rng)))
+
+
+@functools.cache
+def base(name: str) -> bytes:
+    return whole_text(name).encode()
+
+
+def spoilt_bytes(rng) -> Case:
+    return Case.of_bytes("bytes", fuzz_texts.spoilt_bytes(rng, base(rng.choice(BASES))))
+
+
+def any_text(rng) -> Case:
+    return Case("text", fuzz_words.text(rng, 200))
+
+
+def any_formula(rng) -> Case:
+    return Case("formula", fuzz_texts.formula(rng))
+
+
+def any_quantity(rng) -> Case:
+    return Case("quantity", f"{rng.choice(UNITS)}\n{fuzz_texts.quantity(rng)}")
+
+
+def spoilt_table(rng) -> Case:
+    name = rng.choice(list(TABLES))
+    return Case.of_bytes(f"file .csv {name}", fuzz_texts.spoilt_table(rng, TABLES[name]))
+
+
+def any_file(rng) -> Case:
+    name, suffix = rng.choice(list(READERS)), rng.choice(SUFFIXES)
+    start = rng.choice(fuzz_texts.BINARY)
+    return Case.of_bytes(f"file {suffix or '-'} {name}", start + rng.randbytes(rng.choice((0, 8, 64, 300))))
+
+
+MADE = {
+    "spoilt studies": (spoilt_text, 9_000),
+    "more spoilt studies": (spoilt_text, 9_000),
+    "spoilt bytes of studies": (spoilt_bytes, 6_000),
+    "any text as a study": (any_text, 16_000),
+    "formulas": (any_formula, 12_000),
+    "quantities": (any_quantity, 32_000),
+    "spoilt tables": (spoilt_table, 9_000),
+    "any bytes as a file": (any_file, 6_000),
+}
+SOLVED = {
+    "pressed": (
+        *("indentation", "yield_onset", "elliptic_indentation", "nearly_round_indentation", "limiting_profile"),
+        *("relaxation_damper", "friction_damping", "bimodal_damping", "fretting_wear", "sliding_wear"),
+    ),
+    "sticky": (
+        *("adhesive_indentation", "pull_off", "equilibrium", "adhesive_shear", "adhesive_cycle", "adhesive_impact"),
+        *("elastic_plastic_particle", "impact", "viscoelastic_adhesion"),
+    ),
+    "relaxing and rolling": (
+        *("viscoelastic_indentation", "creep_test", "relaxation_test", "harmonic_indentation", "sliding_resistance"),
+        *("viscoelastic_tangential", "viscoelastic_impact", "tangential", "torsion", "rolling", "rolling_start"),
+        *("simplified_rolling", "oscillating_rolling", "elastomer_friction"),
+    ),
+    "warm and rough": (
+        *("constriction", "thermal_constriction", "joule_heating", "spot_cluster", "conductance_bounds"),
+        *("friction_heating", "transient_heating", "fretting_heat", "surface_contact", "surface_conduction"),
+        *("reduction", "rough_contact", "rough_indentation"),
+    ),
+}
+"""Groups of problems that are solved; each takes about as long as the others."""
+FEW = {"viscoelastic_adhesion": 6, "impact": 30, "sliding_wear": 30, "adhesive_impact": 40, "viscoelastic_impact": 40}
+"""Cases of problems that take long; of others there are `EACH`."""
+EACH = 60
+
+
+def test_every_problem_is_in_a_group():
+    assert sorted(name for group in SOLVED.values() for name in group) == sorted(fuzz_studies.PROBLEMS)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MADE)
+def test_many_cases(name, tmp_path):
+    make, count = MADE[name]
+    judged(name, count, make, tried, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("group", SOLVED)
+def test_many_studies_are_solved(group, tmp_path):
+    def made(problem, rng) -> Case:
+        return Case("solve", written(fuzz_studies.solvable(rng, problem)))
+
+    for problem in SOLVED[group]:
+        judged(problem, FEW.get(problem, EACH), functools.partial(made, problem), tried, tmp_path)
