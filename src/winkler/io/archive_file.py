@@ -27,7 +27,7 @@ DENSEST = 1_000_000
 """Of members that are packed in more bytes, the true size is found by unpacking them piece by piece."""
 PIECE = 2**20
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
-"""How members may be packed; with other methods, `zipfile` unpacks what it has read at once, whatever size is stated."""
+"""How members may be packed; `zipfile` unpacks those of other methods at once, whatever size they state."""
 
 
 def is_archive(path: Path) -> bool:
