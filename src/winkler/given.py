@@ -6,7 +6,7 @@ import math
 
 from winkler.errors import InvalidInput
 
-__all__ = ["not_negative", "poisson_ratio", "positive", "positive_fields", "whole_number"]
+__all__ = ["affordable", "not_negative", "poisson_ratio", "positive", "positive_fields", "whole_number"]
 
 
 def _within(given: object, least: float) -> bool:
@@ -46,6 +46,17 @@ def positive_fields(owner: object, **units: str) -> None:
     """
     for word, unit in units.items():
         positive(type(owner).__name__, word, getattr(owner, word), unit)
+
+
+def affordable(owner: str, what: str, count: int, most: int) -> None:
+    """Refuse more of something than are computed with.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if count > most:
+        raise InvalidInput(f"{owner}: {count} {what} are too many; give at most {most}.")
 
 
 def not_negative(owner: str, word: str, given: object, unit: str) -> None:

@@ -11,6 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import PATH_POINTS
 from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
 from winkler.numerics.swings import sine, swings
 from winkler.numerics.types import Array
@@ -261,6 +263,7 @@ class Follow:
             raise InvalidInput(f"Follow: the path is {type(self.path).__name__}; give a Path or a Program.")
         if isinstance(self.cycles, bool) or not isinstance(self.cycles, int) or self.cycles < 1:
             raise InvalidInput(f"Follow: cycles is {self.cycles!r}; give a whole number, at least 1.")
+        affordable("Follow", "points", self.cycles * self.path.time.size, PATH_POINTS)
 
     def rows(self, across: float, along: Array) -> Rows:
         """Return its points; where the present one is its first, that is not told twice."""
@@ -309,6 +312,7 @@ def _check_loads(owner: str, normal: object, lateral: object) -> None:
 def _check_numbers(owner: str, *, count: int = 1, duration: float = 0.0, frequency: float = 1.0) -> None:
     if isinstance(count, bool) or not isinstance(count, int) or count < 1:
         raise InvalidInput(f"{owner}: count is {count!r}; give a whole number of points, at least 1.")
+    affordable(owner, "points", count, PATH_POINTS)
     if not isinstance(duration, int | float) or not 0.0 <= duration < math.inf:
         raise InvalidInput(f"{owner}: duration is {duration!r}; give zero or a positive, finite number in s.")
     if not isinstance(frequency, int | float) or not 0.0 < frequency < math.inf:

@@ -7,6 +7,8 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import PATH_POINTS
 from winkler.loading import Depth, Lateral, Normal, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
@@ -55,6 +57,7 @@ class Program(Path):
             rows = step.rows(across, along)
             if parts and rows.seconds[0] == 0.0 and rows.across[0] == across and np.all(rows.along[0] == along):
                 rows = Rows(*(part[1:] for part in rows))  # where an oscillation begins, one is already
+            affordable("Program", "points", rows.seconds.size + sum(part.seconds.size for part in parts), PATH_POINTS)
             if rows.seconds.size:
                 parts.append(rows._replace(seconds=time + rows.seconds))
                 time, across, along = float(parts[-1].seconds[-1]), float(rows.across[-1]), rows.along[-1]

@@ -11,11 +11,14 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from winkler.errors import InvalidInput, suggest
+from winkler.limits import UNIT_LETTERS
 
 __all__ = ["COMMON", "POWERS", "Unit", "Unreadable", "unit_of"]
 
 STEEPEST = 12
 """Largest exponent of a unit."""
+LONGEST = 1000
+"""Most binary digits of the factor of a unit, above and below its line."""
 
 TOKEN = re.compile(
     r"\s*(?:(?P<name>[A-Za-z][A-Za-z_]*)|(?P<power>(?<=[A-Za-z])-?\d+|(?:\^|\*\*)\s*\(?\s*-?\d+(?:\.\d+|/[1-9]\d*)?\s*\)?)|"
@@ -91,12 +94,19 @@ def _named(name: str) -> Unit:
     return Unit(factor, dimension, offset)
 
 
+def _refuse_long(factor: Fraction, exponent: Fraction = Fraction(1)) -> None:
+    """Refuse a power of a factor that no floating-point number could be multiplied by."""
+    if exponent * max(factor.numerator.bit_length(), factor.denominator.bit_length()) > LONGEST:
+        raise Unreadable("its size cannot be computed with")
+
+
 def _power(unit: Unit, exponent: Fraction) -> Unit:
     if abs(exponent) > STEEPEST:
         raise Unreadable(f"the exponent {float(exponent):g} of a unit is too large")
     if unit.offset:
         raise Unreadable(ZERO_INSIDE)
     whole = exponent.denominator == 1
+    _refuse_long(unit.factor, abs(exponent))
     factor = unit.factor ** int(exponent) if whole else Fraction(float(unit.factor) ** float(exponent))
     return Unit(factor, tuple((base, power * exponent) for base, power in unit.dimension if power * exponent))
 
@@ -107,6 +117,7 @@ def _product(left: Unit, right: Unit) -> Unit:
     powers = dict(left.dimension)
     for base, power in right.dimension:
         powers[base] = powers.get(base, Fraction(0)) + power
+    _refuse_long(left.factor * right.factor)
     return Unit(left.factor * right.factor, tuple(sorted((base, power) for base, power in powers.items() if power)))
 
 
@@ -166,6 +177,8 @@ def unit_of(text: str) -> Unit:
     Unreadable
         With the reason, as the end of a sentence.
     """
+    if len(text) > UNIT_LETTERS:
+        raise Unreadable(f"it has {len(text)} characters, and a unit at most {UNIT_LETTERS}")
     text = text.translate(POWERS)
     for pattern, plain in SPELLINGS:
         text = pattern.sub(plain, text)

@@ -121,8 +121,8 @@ def _read(text: str, what: str) -> tuple[Fraction, Unit, str]:
     size = abs(float(match[1]))
     if size == math.inf or (size == 0.0 and re.match(r"[^eE]*[1-9]", match[1])):
         raise InvalidInput(f"{what}: the number in '{text}' is too {'large' if size else 'small'} to be computed with.")
-    try:
-        return Fraction(match[1]), unit_of(match[2]), match[2]
+    try:  # a power of ten behind a zero may be of any size
+        return Fraction(match[1] if size else 0), unit_of(match[2]), match[2]
     except Unreadable as reason:
         raise InvalidInput(f"{what}: '{text}' cannot be read: {reason}.") from None
 
@@ -207,7 +207,7 @@ def scale(unit_from: str, unit_to: str, *, what: str = "unit") -> float:
     try:
         before, after = unit_of(unit_from), unit_of(unit_to)
     except Unreadable as reason:
-        raise InvalidInput(f"{what}: '{unit_from}' cannot be read: {reason}.") from None
+        raise InvalidInput(f"{what}: '{unit_from[:LONGEST]}' cannot be read: {reason}.") from None
     if before.dimension != after.dimension:
         near = _fitting(unit_from, unit_to)
         raise InvalidInput(
@@ -217,7 +217,13 @@ def scale(unit_from: str, unit_to: str, *, what: str = "unit") -> float:
         raise InvalidInput(
             f"{what}: '{unit_from}' has a zero of its own, so that no factor leads to '{unit_to}'; write K."
         )
-    return float(before.factor / after.factor)
+    try:
+        factor = float(before.factor / after.factor)
+    except OverflowError:
+        factor = math.inf
+    if not 0.0 < factor < math.inf:
+        raise InvalidInput(f"{what}: '{unit_from}' is too {'large' if factor else 'small'} to be computed with.")
+    return factor
 
 
 def format_quantity(number: float, unit: str) -> str:

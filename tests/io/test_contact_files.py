@@ -51,7 +51,7 @@ def test_a_save_that_fails_leaves_the_old_file(contacts, tmp_path, monkeypatch):
 
 
 def test_files_that_hold_no_contacts(contacts, tmp_path):
-    with pytest.raises(wk.InvalidInput, match="no contacts can be read"):
+    with pytest.raises(wk.InvalidInput, match=r"missing\.npz: there is no such file"):
         read_contacts(tmp_path / "missing.npz")
     (tmp_path / "text.npz").write_text("depth")
     with pytest.raises(wk.InvalidInput, match="no contacts can be read"):

@@ -185,11 +185,11 @@ def test_an_array_that_does_not_fit_the_memory(file, monkeypatch):
     def none_left(*_, **__):
         raise MemoryError("Unable to allocate 74.5 GiB for an array with shape (100000, 100000)")
 
-    monkeypatch.setattr(np, "load", none_left)
+    monkeypatch.setattr(np.lib.format, "read_array", none_left)
     with pytest.raises(InvalidInput) as caught:
-        read_topography(file(b"", "map.npy"), unit="nm", lengths=SIZES)
+        read_topography(file(saved(HEIGHTS), "map.npy"), unit="nm", lengths=SIZES)
     assert str(caught.value) == (
-        "map.npy: the map does not fit the memory of this machine (Unable to allocate 74.5 GiB for an array with shape "
+        "map.npy: it does not fit the memory of this machine (Unable to allocate 74.5 GiB for an array with shape "
         "(100000, 100000)); save a part of it."
     )
 

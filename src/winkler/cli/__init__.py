@@ -17,7 +17,9 @@ from winkler.study import stopping
 
 __all__ = ["main"]
 
-MISTAKE = 70
+UNUSABLE, MISTAKE = 2, 70
+LONGEST = 200
+"""Letters of a path in a sentence."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -72,6 +74,9 @@ def _told(error: Exception, heard: stopping.Heard) -> int:
         path = context.command_path if context is not None else "winkler"
         _say(f"{str(error.format_message()).rstrip('.')}; `{path} --help` tells what is known.")
         return int(error.exit_code)
+    if isinstance(error, OSError) and isinstance(error.filename, str):
+        _say(f"'{error.filename[-LONGEST:]}' cannot be used ({(error.strerror or '').lower()}); give another path.")
+        return UNUSABLE
     _say(f"{mistake_in(error)}; run again with --traceback and report it.")
     return MISTAKE
 

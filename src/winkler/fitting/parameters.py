@@ -16,6 +16,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, suggest
 from winkler.laws.adhesion import ShortRange
+from winkler.limits import KEY_LETTERS
 from winkler.vocabulary import word
 
 __all__ = ["changed", "each", "found", "unit_of"]
@@ -25,6 +26,8 @@ STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
 
 def _steps(path: str) -> list[str | int]:
     steps: list[str | int] = []
+    if len(path) > KEY_LETTERS:
+        raise InvalidInput(f"free: '{path[:40]}...' has {len(path)} letters; give at most {KEY_LETTERS}.")
     place = 0
     while place < len(path):
         match = STEP.match(path, place)

@@ -18,6 +18,8 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.footprint import DISC, Footprint, Unknown
 from winkler.foundation.force_curve import FEWEST, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
+from winkler.given import affordable
+from winkler.limits import MEASURED_PLACES
 from winkler.numerics import abel
 from winkler.numerics.power_splines import PowerSplines
 from winkler.numerics.types import Array, ArrayLike
@@ -76,6 +78,7 @@ class MeasuredBed:
                 object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word), dtype=float)))
             except (TypeError, ValueError):
                 raise InvalidInput(f"MeasuredBed: {word} are not numbers; give an array.") from None
+        affordable("MeasuredBed", "rows", np.size(self.radii), MEASURED_PLACES)
         columns = {"radii": self.radii, "stiffnesses": self.stiffnesses, "depths": self.depths}
         shapes = {np.shape(numbers) for numbers in columns.values()}
         if len(shapes) > 1 or np.ndim(self.radii) != 1 or np.size(self.radii) < FEWEST:

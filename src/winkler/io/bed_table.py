@@ -10,6 +10,7 @@ import os
 
 from winkler.errors import InvalidInput
 from winkler.foundation.measured import MeasuredBed
+from winkler.io.foreign import reader
 from winkler.io.table import Column, names_columns, read_table
 
 __all__ = ["read_bed"]
@@ -20,6 +21,7 @@ RADIUS = Column("contact radius", ("radius", "a", "contact radius"), "m", "um")
 STIFFNESS = Column("stiffness", ("stiffness", "k", "s"), "N/m")
 
 
+@reader("a measured bed")
 def read_bed(path: str | os.PathLike[str], *, modulus: float = 0.0, mindlin_ratio: float = 0.0) -> MeasuredBed:
     """Read a measured bed from a table: depth and force, or contact radius, stiffness and depth.
 

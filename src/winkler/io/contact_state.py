@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import os
-import zipfile
 from pathlib import Path
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.io.array_file import write_arrays
+from winkler.io.array_file import read_arrays, write_arrays
+from winkler.io.foreign import reader
 from winkler.problems.contacts import Contacts
 
 __all__ = ["read_contacts", "write_contacts"]
@@ -43,6 +43,7 @@ def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
     return path
 
 
+@reader("contacts")
 def read_contacts(path: str | os.PathLike[str]) -> Contacts:
     """Return contacts as they were saved.
 
@@ -60,13 +61,13 @@ def read_contacts(path: str | os.PathLike[str]) -> Contacts:
     InvalidInput
         If the file is missing, broken, or of another kind.
     """
-    try:
-        with np.load(path, allow_pickle=False) as stored:
-            found = {word: stored[word] for word in ("format", *WORDS)}
-    except (OSError, ValueError, KeyError, EOFError, TypeError, zipfile.BadZipFile) as error:
-        raise InvalidInput(
-            f"{path}: no contacts can be read from it ({error}); give a file of write_contacts."
-        ) from None
+    found = read_arrays(
+        path,
+        ("format", *WORDS),
+        needed=("format", *WORDS),
+        wrong="no contacts can be read from it",
+        remedy="give a file of write_contacts",
+    )
     if str(found.pop("format")) != FORMAT:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
     spoilt = [word for word, content in found.items() if content.dtype.kind != "f" or not np.isfinite(content).all()]

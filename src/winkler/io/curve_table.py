@@ -16,7 +16,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curve import ForceCurve
 from winkler.io.segments import directions
-from winkler.io.table import ABOVE, Column, names_columns, read_table
+from winkler.io.table import Column, names_columns, read_table
+from winkler.io.text_file import head_of
 from winkler.units import comma_hint
 
 __all__ = ["is_curve_table", "read_curve_table"]
@@ -28,7 +29,7 @@ DEFLECTION = Column("deflection", ("deflection", "cantilever"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection"), "V")
 TIME = Column("time", ("time", "t"), "s")
 SEGMENT = Column("segment", ("segment",), "")
-CANTILEVER = re.compile(r"^\s*(?:k|spring constant)\s*[\[(]N/m[\])]\s*[:=]?\s*([0-9.,eE+-]+)\s*$", re.MULTILINE)
+CANTILEVER = re.compile(r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+")
 
 
 def is_curve_table(path: str | os.PathLike[str]) -> bool:
@@ -136,9 +137,15 @@ def _stiffness(path: str | os.PathLike[str], given: float | None) -> float | Non
 
 def _stated_cantilever(path: str | os.PathLike[str]) -> float | None:
     """Return the spring constant [N/m] that stands above the table, if one does."""
-    with Path(path).open(encoding="latin-1") as file:
-        head = "".join(line for line, _ in zip(file, range(ABOVE), strict=False))
-    found = CANTILEVER.search(head)
-    if found and "," in found[1]:
+    found = next((match for line in head_of(path, "a table") if (match := CANTILEVER.fullmatch(line))), None)
+    if found is None:
+        return None
+    if "," in found[1]:
         raise InvalidInput(f"{path}: the spring constant '{found[1]}' has {comma_hint(found[1])}.")
-    return float(found[1]) if found else None
+    try:
+        stated = float(found[1])
+    except ValueError:
+        stated = math.nan
+    if not 0.0 < stated < math.inf:
+        raise InvalidInput(f"{path}: the spring constant '{found[1]}' is no positive number; correct it in the file.")
+    return stated

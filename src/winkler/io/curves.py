@@ -6,6 +6,7 @@ its sign.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 from collections.abc import Iterator
@@ -16,12 +17,17 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curve import ForceCurve
+from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.curve_table import is_curve_table, read_curve_table
+from winkler.io.foreign import quiet, sentence_of
 from winkler.io.segments import directions
+from winkler.io.text_file import existing, refuse_large
+from winkler.limits import FILE_BYTES
 from winkler.values import value
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
+HDF5 = ".h5"
 HEIGHTS = ("height (measured)", "height (piezo)")
 
 
@@ -84,6 +90,8 @@ def read_curve(
     found = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity))
     if len(found) > 1:
         raise InvalidInput(f"{path}: the file holds {len(found)} curves; take read_curves(path), it yields them all.")
+    if not found:
+        raise InvalidInput(f"{path}: the file holds no curve; give another one.")
     return found[0].curve
 
 
@@ -97,8 +105,6 @@ def read_curves(
     InvalidInput
         As `read_curve`; of a curve within a map the message names its number.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise InvalidInput(f"{path!r} is no path of a file; give one such as 'curve.csv'.")
     for found in _each(path, spring_constant, sensitivity):
         if isinstance(found, UnreadCurve):
             raise InvalidInput(found.reason)
@@ -118,17 +124,18 @@ def try_curves(
 def _each(
     path: str | os.PathLike[str], spring_constant: float | None, sensitivity: float | None
 ) -> Iterator[PlacedCurve | UnreadCurve]:
-    if _is_text(Path(path)) and is_curve_table(path):
-        curve = read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
-        yield PlacedCurve(curve, np.nan, np.nan)
-        return
-    yield from _by_afmformats(Path(path), spring_constant, sensitivity)
+    with sentence_of(path, "a force curve cannot be read from it", "check the file, or save it anew"):
+        file = existing(path, "a force curve")
+        refuse_large(file, FILE_BYTES)
+        if _is_text(file) and is_curve_table(file):
+            curve = read_curve_table(file, spring_constant=spring_constant, sensitivity=sensitivity)
+            yield PlacedCurve(curve, np.nan, np.nan)
+            return
+        yield from _by_afmformats(file, spring_constant, sensitivity)
 
 
 def _is_text(path: Path) -> bool:
-    """Return whether the file may be a table: it is text, or absent, and then the reader of tables says so."""
-    if not path.is_file():
-        return True
+    """Return whether the file may be a table: it is text."""
     with path.open("rb") as file:
         start = file.read(4096)
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
@@ -157,29 +164,63 @@ def _by_afmformats(
             f"{path}: files that end in '{path.suffix}' are not known; tables and "
             f"{', '.join(afmformats.formats.supported_extensions)} are read."
         )
-    chatter = logging.getLogger("afmformats")
-    level = chatter.level
-    chatter.setLevel(logging.CRITICAL)  # it prints a traceback of every reader that it tries in vain
-    try:
-        group = afmformats.load_data(path, meta_override=known)
-    except MissingMetaDataError:
-        raise InvalidInput(
-            f"{path}: the file does not tell how a deflection becomes a force; give spring_constant in N/m and "
-            "sensitivity in m/V."
-        ) from None
-    except (AFMFileFormatError, ValueError, KeyError, IndexError, OSError, UnicodeDecodeError) as error:
-        if _is_text(path):
-            read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
-        hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else ""
-        raise InvalidInput(f"{path}: afmformats cannot read this file ({type(error).__name__}){hint}.") from None
-    finally:
-        chatter.setLevel(level)
+    with _silent():
+        try:
+            _refuse_large_contents(path)
+            group = afmformats.load_data(path, meta_override=known)
+        except MissingMetaDataError:
+            raise InvalidInput(
+                f"{path}: the file does not tell how a deflection becomes a force; give spring_constant in N/m and "
+                "sensitivity in m/V."
+            ) from None
+        except (InvalidInput, MemoryError):
+            raise
+        except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise all sorts
+            if _is_text(path):
+                read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
+            hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else ""
+            raise InvalidInput(f"{path}: afmformats cannot read this file ({type(error).__name__}){hint}.") from None
     for number, data in enumerate(group):
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
-            yield _translated(data, name, str(path), known)
+            remedy = "save it anew, or as a table"
+            with _silent(), sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)):
+                placed = _translated(data, name, str(path), known)
         except InvalidInput as error:
             yield UnreadCurve(name, str(error))
+        else:
+            yield placed
+
+
+@contextlib.contextmanager
+def _silent() -> Iterator[None]:
+    """Keep back what afmformats tells: it prints a traceback of every reader that it tries in vain, and warns."""
+    chatter = logging.getLogger("afmformats")
+    level = chatter.level
+    chatter.setLevel(logging.CRITICAL)
+    try:
+        with quiet():
+            yield
+    finally:
+        chatter.setLevel(level)
+
+
+def _refuse_large_contents(path: Path) -> None:
+    """Refuse a file that unpacks to more than can be read."""
+    remedy = "save a part of the map, or single curves"
+    if is_archive(path):
+        refuse_large_archive(path, remedy)
+    elif path.suffix.lower() == HDF5:
+        import h5py  # with afmformats
+
+        sizes: list[int] = []
+        with h5py.File(path, "r") as file:
+            file.visititems(lambda _, item: sizes.append(item.nbytes) if isinstance(item, h5py.Dataset) else None)
+        if sum(sizes) > FILE_BYTES:
+            raise InvalidInput(
+                f"{path}: its arrays have {sum(sizes) / 1e6:.0f} MB, at most {FILE_BYTES / 1e6:.0f} MB are read; "
+                f"{remedy}."
+            )
 
 
 def _translated(data: Any, name: str, shown: str, known: dict[str, float]) -> PlacedCurve:

@@ -8,6 +8,7 @@ import os
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.table import Column, names_columns, read_table
 from winkler.materials.depth_grading import TabulatedGrading
 
@@ -18,6 +19,7 @@ YOUNG = Column("Young's modulus", ("young", "e", "modulus"), "Pa", "GPa")
 POISSON = Column("Poisson's ratio", ("poisson", "nu"), "")
 
 
+@reader("a grading")
 def read_grading(path: str | os.PathLike[str], *, poisson: float = math.nan) -> TabulatedGrading:
     """Read a grading from a table with the columns depth (z), young (E, modulus) and, if measured, poisson (nu).
 

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
+import math
 import re
-import zipfile
+from array import array
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.array_file import read_arrays
 from winkler.io.text_file import lines_of
+from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.units import comma_hint, comma_readings, quantity
 
-__all__ = ["FoundMap", "array_map", "text_map"]
+__all__ = ["FoundMap", "array_map", "refuse_many", "text_map"]
 
 FEWEST = 4
 """Rows and columns of a map; less is a scan, or a list of points."""
 MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null"})
-HEADER = re.compile(r"#\s*(Width|Height|Value units)\s*:\s*(.+?)\s*$")
+HEADER = re.compile(r"#\s*+(Width|Height|Value units)\s*+:(.*)")
 """What Gwyddion writes above a matrix."""
 
 
@@ -53,35 +56,20 @@ def text_map(path: Path) -> FoundMap:
         If the file is none; the message names the line.
     """
     lines = lines_of(path, "a matrix of heights")
-    told = {match[1]: match[2] for line in lines if (match := HEADER.match(line))}
+    told = {match[1]: match[2].strip() for line in lines if (match := HEADER.match(line)) and match[2].strip()}
     numbered = [
         (n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(("#", "%"))
     ]
     if not numbered:
         raise InvalidInput(f"{path}: there are no heights; give a matrix, one row in a line.")
     separator = next((mark for mark in ("\t", ";", ",") if mark in numbered[0][1].strip()), None)
-    cut = [(number, line.strip("\r\n ").split(separator)) for number, line in numbered]
-    usual = min(len(cells) for _, cells in cut)
-    ends = separator is not None and all(not cells[-1].strip() for _, cells in cut)
-    rows: list[list[float]] = []
-    for number, cells in cut:
-        if ends or (separator is not None and len(cells) == usual + 1 and not cells[-1].strip()):
-            cells.pop()  # some programs end a line with a separator
-        if rows and len(cells) != len(rows[0]):
-            raise InvalidInput(
-                f"{path}, line {number}: there are {len(cells)} heights, and {len(rows[0])} above; give rows of equal "
-                "length."
-            )
-        try:
-            rows.append([float(cell) for cell in cells])
-        except ValueError:
-            rows.append([_height(cell.strip(" \t\"'"), f"{path}, line {number}") for cell in cells])
-    if len(rows) < FEWEST or len(rows[0]) < FEWEST:
+    heights = _rows(path, numbered, separator)
+    if min(heights.shape) < FEWEST:
+        rows, columns = heights.shape
         raise InvalidInput(
-            f"{path}: a matrix of {len(rows)} x {len(rows[0])} numbers is no map, but a scan or a list of points; give "
+            f"{path}: a matrix of {rows} x {columns} numbers is no map, but a scan or a list of points; give "
             f"at least {FEWEST} x {FEWEST} heights."
         )
-    heights = np.array(rows)
     if np.isnan(heights[0, 0]) and all(_counts(line) for line in (heights[0, 1:], heights[1:, 0])):
         raise InvalidInput(
             f"{path}: the first row and the first column count 0, 1, 2 and so on; these are no heights, delete both."
@@ -92,6 +80,46 @@ def text_map(path: Path) -> FoundMap:
             if word in told:
                 lengths[axis] = quantity(told[word], unit, what=f"{path}, '# {word}'")
     return FoundMap(heights, lengths, unit)
+
+
+def _rows(path: Path, numbered: list[tuple[int, str]], separator: str | None) -> Array:
+    """Return the numbers of all lines, of equally many cells each."""
+    usual, total, ends = MOST_NUMBERS, 0, separator is not None
+    for _, line in numbered:
+        cells = line.strip("\r\n ").split(separator)
+        usual, total, ends = min(usual, len(cells)), total + len(cells), ends and not cells[-1].strip()
+        refuse_many(total, path)
+    numbers, wide = array("d"), 0
+    for number, line in numbered:
+        cells = line.strip("\r\n ").split(separator)
+        if ends or (separator is not None and len(cells) == usual + 1 and not cells[-1].strip()):
+            cells.pop()  # some programs end a line with a separator
+        wide = wide or len(cells)
+        if len(cells) != wide:
+            raise InvalidInput(
+                f"{path}, line {number}: there are {len(cells)} heights, and {wide} above; give rows of equal length."
+            )
+        try:
+            numbers.extend([float(cell) for cell in cells])
+        except ValueError:
+            where = f"{path}, line {number}"
+            numbers.extend([_height(cell.strip(" \t\"'"), where) for cell in cells])
+    return np.frombuffer(numbers).reshape(len(numbered), wide)
+
+
+def refuse_many(count: int, path: Path) -> None:
+    """Refuse a map of more heights than are read.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if count > MOST_NUMBERS:
+        side = math.isqrt(MOST_NUMBERS)
+        raise InvalidInput(
+            f"{path}: there are {count} heights or more; at most {MOST_NUMBERS} are read, {side} x {side}: save a "
+            "part of the map."
+        )
 
 
 def _counts(line: Array) -> bool:
@@ -118,35 +146,29 @@ def array_map(path: Path) -> FoundMap:
     InvalidInput
         If the file is none, or holds no map.
     """
-    try:
-        loaded = np.load(path, allow_pickle=False)
-        if isinstance(loaded, np.ndarray):
-            return FoundMap(_numbers(loaded, "heights", path), np.full(2, np.nan), "")
-        with loaded as arrays:
-            if "heights" not in arrays:
-                raise InvalidInput(
-                    f"{path}: it holds {', '.join(arrays.files) or 'nothing'}; the array of heights must be called "
-                    "'heights'."
-                )
-            heights = _numbers(arrays["heights"], "heights", path)
-            lengths = _numbers(arrays["lengths"], "lengths", path) if "lengths" in arrays else np.full(2, np.nan)
-            unit = str(arrays["unit"]) if "unit" in arrays else ""
-            periodic = bool(np.any(arrays["periodic"])) if "periodic" in arrays else False
-    except InvalidInput:
-        raise
-    except MemoryError as error:  # numpy's own words tell how much is needed
-        raise InvalidInput(
-            f"{path}: the map does not fit the memory of this machine ({error}); save a part of it."
-        ) from None
-    except (ValueError, OSError, EOFError, zipfile.BadZipFile, KeyError) as error:
-        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise InvalidInput(f"{path}: this is no file of numpy's arrays ({reason}); write it by numpy.save.") from None
+    found = read_arrays(
+        path,
+        ("heights", "lengths", "unit", "periodic"),
+        needed=("heights",),
+        missing="the array of heights must be called 'heights'",
+        wrong="this is no file of numpy's arrays",
+        remedy="write it by numpy.save",
+    )
+    if "" in found:
+        return FoundMap(_numbers(found[""], "heights", path), np.full(2, np.nan), "")
+    heights = _numbers(found["heights"], "heights", path)
+    lengths = _numbers(found.get("lengths", np.full(2, np.nan)), "lengths", path)
+    unit, periodic = found.get("unit", np.array("")), found.get("periodic", np.array(False))
+    if unit.size != 1 or unit.dtype.kind != "U":
+        raise InvalidInput(f"{path}: 'unit' is of the type {unit.dtype} and the shape {unit.shape}; write one text.")
+    if periodic.size > 2 or periodic.dtype.kind not in "biu":
+        raise InvalidInput(f"{path}: 'periodic' is of the type {periodic.dtype}; write True or False.")
     if lengths.shape != (2,):
         raise InvalidInput(f"{path}: 'lengths' have the shape {lengths.shape}; write both lengths of the map.")
-    return FoundMap(heights, lengths, unit, periodic)
+    return FoundMap(heights, lengths, str(unit.item()), bool(np.any(periodic)))
 
 
-def _numbers(array: Array, word: str, path: Path) -> Array:
-    if array.dtype.kind not in "fiu":
-        raise InvalidInput(f"{path}: '{word}' are of the type {array.dtype}; write real numbers.")
-    return array.astype(float)
+def _numbers(found: Array, word: str, path: Path) -> Array:
+    if found.dtype.kind not in "fiu":
+        raise InvalidInput(f"{path}: '{word}' are of the type {found.dtype}; write real numbers.")
+    return found.astype(float, copy=False)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-import warnings
+import math
 from pathlib import Path
 
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.io.height_matrix import FoundMap
+from winkler.io.archive_file import is_archive, refuse_large_archive
+from winkler.io.foreign import quiet, sentence_of
+from winkler.io.height_matrix import FoundMap, refuse_many
+from winkler.io.text_file import refuse_large
+from winkler.limits import FILE_BYTES
 from winkler.numerics.types import Array
 
 __all__ = ["instrument_map"]
@@ -36,36 +40,30 @@ def instrument_map(path: Path, channel: str) -> FoundMap:
             f"{path}: files of instruments are read by SurfaceTopography; install it by "
             'pip install "winkler[topography]".'
         ) from None
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            reader = open_topography(str(path))
-            # other signals than heights have a pair of units, or none
-            maps = [
-                found
-                for found in reader.channels
-                if found.dim == 2 and found.is_height_channel is not False and isinstance(found.unit, str | None)
-            ]
-            names = [str(found.name) for found in maps]
-            if not maps:
-                raise InvalidInput(f"{path}: it holds no height map, but {_held(reader.channels)}; give another file.")
-            if channel and channel not in names:
-                raise InvalidInput(
-                    f"{path}: there is no height channel {channel!r}{suggest(channel, names)}; give one of "
-                    f"{', '.join(names)}."
-                )
-            found = maps[names.index(channel) if channel else 0].topography()
-            heights: Array = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan)
-            sizes = [np.nan if size is None else float(size) for size in found.physical_sizes or (None, None)]
-        except InvalidInput:
-            raise
-        except MemoryError as error:  # numpy's own words tell how much is needed
+    refuse_large(path, FILE_BYTES)
+    with quiet(), sentence_of(path, "SurfaceTopography cannot read this file", "save it as an NPY file or as a text"):
+        if is_archive(path):
+            refuse_large_archive(path, "save the map as an NPY file")
+        reader = open_topography(str(path))
+        # other signals than heights have a pair of units, or none
+        maps = [
+            found
+            for found in reader.channels
+            if found.dim == 2 and found.is_height_channel is not False and isinstance(found.unit, str | None)
+        ]
+        names = [str(found.name) for found in maps]
+        if not maps:
+            raise InvalidInput(f"{path}: it holds no height map, but {_held(reader.channels)}; give another file.")
+        if channel and channel not in names:
             raise InvalidInput(
-                f"{path}: the map does not fit the memory of this machine ({error}); save a part of it."
-            ) from None
-        except Exception as error:  # the readers of forty formats raise all sorts
-            reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-            raise InvalidInput(f"{path}: SurfaceTopography cannot read this file ({reason[:200]}).") from None
+                f"{path}: there is no height channel {channel!r}{suggest(channel, names)}; give one of "
+                f"{', '.join(names)}."
+            )
+        chosen = maps[names.index(channel) if channel else 0]
+        refuse_many(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
+        found = chosen.topography()
+        heights: Array = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan)
+        sizes = [np.nan if size is None else float(size) for size in found.physical_sizes or (None, None)]
     return FoundMap(heights, np.array(sizes), str(found.unit or ""), bool(found.is_periodic))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.table import Column, names_columns, read_table
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
 from winkler.path import Path
@@ -29,6 +30,7 @@ SECOND: dict[type, Column] = {
 """The second direction in the plane, beside the first."""
 
 
+@reader("a path")
 def read_path(path: str | os.PathLike[str]) -> Path:
     """Read a path from a table with the columns time (t), depth (d) or force, and what moves the bodies sideways.
 

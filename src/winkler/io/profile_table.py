@@ -13,6 +13,7 @@ import warnings
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.table import Column, read_table
 from winkler.numerics.types import Array
 from winkler.profiles.measured import Measured
@@ -25,6 +26,7 @@ RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")
 HEIGHT = Column("height", ("height", "h", "z", "f"), "m", "nm")
 
 
+@reader("a profile")
 def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measured:
     """Read a measured profile from a table with the columns radius (r, x) and height (h, z, f).
 

@@ -13,6 +13,7 @@ from typing import TypeVar
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.table import Column, Table, names_columns, read_table
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
 
@@ -33,6 +34,7 @@ STRETCHED = Column("storage modulus in tension", ("tensile_storage", "e'", "tens
 LOST = Column("loss modulus in tension", ("tensile_loss", "e''", 'e"', "tensile loss modulus"), "Pa", "MPa")
 
 
+@reader("a relaxation")
 def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> RelaxationData:
     """Read a measured relaxation from a table with the columns time (t) and shear (g), or young (e).
 
@@ -57,6 +59,7 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Re
     return _made(RelaxationData, table, (time, modulus / (_stretch(poisson) if stretched else 1.0)), poisson)
 
 
+@reader("a creep")
 def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepData:
     """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
 
@@ -81,6 +84,7 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepDa
     return _made(CreepData, table, (time, compliance * (_stretch(poisson) if stretched else 1.0)), poisson)
 
 
+@reader("storage and loss")
 def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> DynamicData:
     """Read measured storage and loss from a table over frequency (f) or angular_frequency (omega).
 

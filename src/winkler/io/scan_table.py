@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.table import Column, names_columns, read_table
 from winkler.profiles.line_scan import LineScan
 
@@ -25,6 +26,7 @@ def is_scan(path: str | os.PathLike[str]) -> bool:
     return names_columns(path, (PLACE, HEIGHT))
 
 
+@reader("a scan")
 def read_scan(path: str | os.PathLike[str]) -> LineScan:
     """Read a scan along a line from a table with the columns place (x, lateral, ...) and height (z, raw, ...).
 

@@ -8,6 +8,7 @@ import os
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.scan_table import is_scan, read_scan
 from winkler.io.table import Column, Table, names_columns, read_table
 from winkler.profiles.line_scan import spectrum_of_lines
@@ -26,6 +27,7 @@ OF_LINES = Column(DENSITY.word, DENSITY.names, "m^3", "um^3")
 PER = ("wave number", "frequency")
 
 
+@reader("a spectrum")
 def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectrum:
     r"""Read the measured power spectrum of an isotropic surface, or of scans along lines on it, from a table.
 

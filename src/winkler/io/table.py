@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 import os
-import re
 from array import array
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -22,25 +21,16 @@ import numpy as np
 
 from winkler.content import LARGEST
 from winkler.errors import InvalidInput
-from winkler.io.text_file import lines_of
+from winkler.io.table_cells import cells_of, is_number, like_number, named, number_in
+from winkler.io.text_file import head_of, headed, lines_of
 from winkler.numerics.types import Array
-from winkler.units import comma_hint, comma_readings, scale
+from winkler.units import scale
 from winkler.values import value
 
 __all__ = ["Column", "Table", "names_columns", "read_table"]
 
-ABOVE = 500
-"""Most lines above the numbers."""
 SEPARATORS = ("\t", ";", ",", None)
 COMMENT = "#% \t"
-MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
-NAME_AND_UNIT = (
-    r"(.+?)\s*[\[(]([^\])]*)[\])]",
-    r"(.+?)\s*/\s*(.+)",
-    r"(.+?)\s+in\s+(\S+)",
-    r"(.+)_([^_]+)",
-    r"(\S+)\s+(\S+)",
-)
 
 
 @value
@@ -118,15 +108,16 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         If the file cannot be read; the message names the line.
     """
     shown = str(path)
-    lines = _lines(path, columns)
-    header = _header(lines, columns, shown)
+    lines = lines_of(path, _needs(columns))
+    head = headed(lines, shown)
+    header = _header(head, columns, shown)
     separator = _separator(lines, header)
     numbers, places, absent = array("d"), array("d"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
             continue
-        cells = _cells(line, separator)
+        cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
         if len(cells) != len(header.cells):
@@ -138,7 +129,9 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
                 raise ValueError("float() reads 1_000")
             row = [float(cells[place]) for place in header.places]
         except ValueError:
-            row = [_number(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places]
+            row = [
+                number_in(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places
+            ]
         if not all(map(math.isfinite, row)):
             absent.append(index + 1)
         numbers.extend(row)
@@ -174,10 +167,11 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
     InvalidInput
         If the file cannot be read.
     """
-    lines = _lines(path, columns)[:ABOVE]
-    texts = [line.lstrip(COMMENT).rstrip() for line in lines if _may_name(line.lower(), columns)]
-    rows = [_cells(text, separator) for text in texts if text for separator in SEPARATORS]
-    return any(all(any(_named(cell, column)[0] for cell in cells) for column in columns) for cells in rows)
+    texts = [
+        line.lstrip(COMMENT).rstrip() for line in head_of(path, _needs(columns)) if _may_name(line.lower(), columns)
+    ]
+    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS]
+    return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -189,55 +183,17 @@ def _example(columns: Sequence[Column]) -> str:
     return ", ".join(column.example for column in columns)
 
 
-def _lines(given: str | os.PathLike[str], columns: Sequence[Column]) -> list[str]:
-    return lines_of(given, f"a header such as '{_example(columns)}', and numbers below")
-
-
-def _cells(line: str, separator: str | None) -> list[str]:
-    if separator is not None:
-        return [cell.strip(" \t\"'") for cell in line.split(separator)]
-    # a unit in brackets belongs to the name before it
-    return re.findall(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?", line) if "[" in line or "(" in line else line.split()
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return "_" not in cell
-
-
-def _like_number(cell: str) -> bool:
-    return _is_number(cell) or any(map(_is_number, comma_readings(cell)))
-
-
-def _number(cell: str, where: str, column: str) -> float:
-    if _is_number(cell):
-        return float(cell)
-    if cell.lower() in MISSING:
-        return float("nan")
-    if _like_number(cell):
-        raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
-    raise InvalidInput(f"{where}: '{cell[:40]}' in the column '{column}' is not a number.")
-
-
-def _named(cell: str, column: Column) -> tuple[bool, str]:
-    """Return whether a cell of the header names the column, and the unit behind the name if there is one."""
-    for pattern in NAME_AND_UNIT:
-        match = re.fullmatch(pattern, cell)
-        if match and match[1].lower() in column.names:
-            return True, match[2].strip(" -")
-    return cell.lower() in column.names, ""
+def _needs(columns: Sequence[Column]) -> str:
+    return f"a header such as '{_example(columns)}', and numbers below"
 
 
 def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
     """Return the first line in which every column is named."""
-    for index, line in enumerate(lines[:ABOVE]):
+    for index, line in enumerate(lines):
         text = line.lstrip(COMMENT).rstrip()
         for separator in SEPARATORS if text else ():
-            cells = _cells(text, separator)
-            found = [[p for p, cell in enumerate(cells) if _named(cell, column)[0]] for column in columns]
+            cells = cells_of(text, separator)
+            found = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
             if not all(found):
                 continue
             found = [
@@ -250,7 +206,9 @@ def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Hea
                     raise InvalidInput(
                         f"{shown}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
                     )
-            units = tuple(_named(cells[places[0]], column)[1] for column, places in zip(columns, found, strict=True))
+            units = tuple(
+                named(cells[places[0]], column.names)[1] for column, places in zip(columns, found, strict=True)
+            )
             header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in found), units)
             return _with_units(header, lines, columns, shown)
     raise InvalidInput(f"{shown}: {_without_header(lines, columns)}.")
@@ -261,7 +219,7 @@ def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[in
     fitting = []
     for place in places:
         try:
-            scale(_named(cells[place], column)[1], column.unit)
+            scale(named(cells[place], column.names)[1], column.unit)
         except InvalidInput:
             continue
         fitting.append(place)
@@ -275,9 +233,9 @@ def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column]
     given = zip(header.places, header.units, needs, strict=True)
     bare = [header.cells[place] for place, unit, need in given if need and not unit]
     if bare:
-        below = _cells(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
+        below = cells_of(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
         wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
-        missing = [need and (not unit or _like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
+        missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
         if not wanted or any(missing):
             listed = " and ".join(f"'{name}'" for name in bare)
             example = _example(columns)
@@ -294,18 +252,18 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
     """Return why no header was found."""
     example = _example(columns)
     above: list[str] = []
-    for index, line in enumerate(lines[:ABOVE]):
+    for index, line in enumerate(lines):
         text = line.lstrip(COMMENT).rstrip()
-        splits = [_cells(text, separator) for separator in SEPARATORS]
+        splits = [cells_of(text, separator) for separator in SEPARATORS]
         if text == line.strip() and any(
-            any(cells) and all(_like_number(cell) for cell in cells if cell) for cells in splits
+            any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
         ):
             if not above:
                 return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
             break
         if text:
             above = next((cells for cells in splits if len(cells) > 1), [text])
-    missing = [column for column in columns if not any(_named(cell, column)[0] for cell in above)]
+    missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
     wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
     listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
     return f"the header has no {wanted}, there are {listed}; name the columns, as in '{example}'"
@@ -315,7 +273,7 @@ def _separator(lines: Sequence[str], header: _Header) -> str | None:
     """Return what separates the cells of the numbers: as in the header, or otherwise if the first row says so."""
     first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
     for separator in (header.separator, *SEPARATORS):
-        cells = _cells(first.partition("#")[0], separator)
-        if len(cells) == len(header.cells) and all(_is_number(cells[place]) for place in header.places):
+        cells = cells_of(first.partition("#")[0], separator)
+        if len(cells) == len(header.cells) and all(is_number(cells[place]) for place in header.places):
             return separator
     return header.separator

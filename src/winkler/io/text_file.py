@@ -1,17 +1,22 @@
-"""Text files: whether they are there, and what is written in them, or one sentence that says why not."""
+"""Files that are given: whether they are there, what is written in them, or one sentence that says why not.
+
+Devices, pipes and sockets are refused, since some of them never end; nothing is read beyond the sizes of
+`winkler.limits`.
+"""
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from pathlib import Path
 
 from winkler.errors import InvalidInput, suggest
+from winkler.io.foreign import shown
+from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
-__all__ = ["existing", "lines_of"]
+__all__ = ["content_of", "existing", "head_of", "headed", "lines_of", "refuse_large"]
 
-LARGEST = 200_000_000
-"""Most bytes of a text."""
 SPREADSHEET = "this is a spreadsheet or an archive; save the table as text (CSV)"
 SIGNATURES = (
     (b"\xff\xfe", "the file is written in UTF-16; save it as UTF-8"),
@@ -19,6 +24,8 @@ SIGNATURES = (
     (b"PK\x03\x04", SPREADSHEET),
     (b"\xd0\xcf\x11", SPREADSHEET),
 )
+NEIGHBOURS = 1000
+"""Among so many files of a folder a similar name is looked for."""
 
 
 def existing(given: str | os.PathLike[str], what: str) -> Path:
@@ -36,19 +43,62 @@ def existing(given: str | os.PathLike[str], what: str) -> Path:
     InvalidInput
         If it is none.
     """
-    if not isinstance(given, str | os.PathLike):
+    if not isinstance(given, str | os.PathLike) or not isinstance(os.fspath(given), str):
         raise InvalidInput(f"{given!r} is no path of a file; give one such as 'tip.csv'.")
     path = Path(given)
     try:
         if path.is_dir():
-            raise InvalidInput(f"{path}: this is a folder; give a file in it.")
+            raise InvalidInput(f"{shown(path)}: this is a folder; give a file in it.")
         if not path.exists():
-            raise InvalidInput(f"{path}: {_not_there(path)}; give the path of {what}.")
+            raise InvalidInput(f"{shown(path)}: {_not_there(path)}; give the path of {what}.")
         if not path.is_file():
-            raise InvalidInput(f"{path}: this is not a file with contents; give the path of {what}.")
+            raise InvalidInput(f"{shown(path)}: this is not a file with contents; give the path of {what}.")
     except OSError as error:
-        raise InvalidInput(f"{path}: the file cannot be read ({error.strerror}).") from None
+        raise InvalidInput(f"{shown(path)}: the file cannot be read ({error.strerror}).") from None
     return path
+
+
+def content_of(path: Path, most: int, *, start: int | None = None) -> bytes:
+    """Return the bytes of a file that is there.
+
+    Parameters
+    ----------
+    path : path
+        As `existing` returns it.
+    most : int
+        Bytes; a file with more is refused, whatever size it states.
+    start : int, optional
+        Only so many bytes from the beginning.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or is too large.
+    """
+    refuse_large(path, most)
+    try:
+        with path.open("rb") as file:
+            content = file.read(start if start is not None else most + 1)
+    except OSError as error:
+        raise InvalidInput(f"{shown(path)}: the file cannot be read ({error.strerror}); check it.") from None
+    if len(content) > most:  # it states less, as files of the system do
+        raise InvalidInput(f"{shown(path)}: its contents are too much; at most {most / 1e6:.0f} MB are read.")
+    return content
+
+
+def refuse_large(path: Path, most: int) -> None:
+    """Refuse a file of more than so many bytes.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    try:
+        size = path.stat().st_size
+    except OSError as error:
+        raise InvalidInput(f"{shown(path)}: the file cannot be read ({error.strerror}); check it.") from None
+    if size > most:
+        raise InvalidInput(f"{shown(path)}: {size / 1e6:.0f} MB are too much; at most {most / 1e6:.0f} MB are read.")
 
 
 def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
@@ -64,33 +114,75 @@ def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
     Raises
     ------
     InvalidInput
-        If it cannot be read, or is no text.
+        If it cannot be read, is no text, or is too large.
     """
     path = existing(given, "a text file")
-    try:
-        size = path.stat().st_size
-        if size > LARGEST:
-            raise InvalidInput(f"{path}: {size / 1e6:.0f} MB are too much; at most {LARGEST / 1e6:.0f} MB are read.")
-        content = path.read_bytes()
-    except OSError as error:
-        raise InvalidInput(f"{path}: the file cannot be read ({error.strerror}).") from None
+    content = content_of(path, TEXT_BYTES)
+    count = content.count(b"\n") + content.count(b"\r")
+    if count > TEXT_LINES and count - content.count(b"\r\n") > TEXT_LINES:
+        raise InvalidInput(f"{shown(path)}: the file has more than {TEXT_LINES} lines; thin it out.")
+    return _decoded(path, content, needs)
+
+
+def head_of(given: str | os.PathLike[str], needs: str) -> list[str]:
+    """Return the lines among which the header of a table stands; parameters as for `lines_of`.
+
+    Raises
+    ------
+    InvalidInput
+        As `lines_of`; also if a line is too long for a header.
+    """
+    path = existing(given, "a text file")
+    content = content_of(path, TEXT_BYTES, start=HEADER_LETTERS)
+    if len(content) == HEADER_LETTERS:  # cut somewhere, perhaps within a letter
+        content = content[: max(content.rfind(b"\n"), content.rfind(b"\r")) + 1] or content
+    return headed(_decoded(path, content, needs), shown(path))
+
+
+def headed(lines: list[str], where: str) -> list[str]:
+    """Return those of all lines of a text among which the header of a table stands.
+
+    Raises
+    ------
+    InvalidInput
+        If one of them is too long for a header.
+    """
+    head: list[str] = []
+    size = 0
+    for number, line in enumerate(lines[:HEADER_LINES], 1):
+        size += len(line) + 1
+        if len(line) > LINE_LETTERS and line.lstrip()[:1] in ("#", "%"):
+            line = ""
+        if len(line) > LINE_LETTERS:
+            raise InvalidInput(
+                f"{where}, line {number}: the line has {len(line)} characters, and a table at most {LINE_LETTERS}; "
+                "give one row of numbers in a line."
+            )
+        if size > HEADER_LETTERS:
+            break
+        head.append(line)
+    return head
+
+
+def _decoded(path: Path, content: bytes, needs: str) -> list[str]:
+    """Return the lines of a text; every line by itself, so that no second copy of all is needed."""
     for start, what in SIGNATURES:
         if content.startswith(start):
-            raise InvalidInput(f"{path}: {what}.")
+            raise InvalidInput(f"{shown(path)}: {what}.")
     if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
-        raise InvalidInput(f"{path}: the file is not a text; save the table as text (CSV) in UTF-8.")
+        raise InvalidInput(f"{shown(path)}: the file is not a text; save the table as text (CSV) in UTF-8.")
+    raw = content.removeprefix(b"\xef\xbb\xbf").splitlines()
     try:
-        text = content.decode("utf-8-sig")
+        lines = [line.decode("utf-8") for line in raw]
     except UnicodeDecodeError:
-        text = content.decode("latin-1")
-    if not text.strip():
-        raise InvalidInput(f"{path}: the file is empty; it needs {needs}.")
-    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+        lines = [line.decode("latin-1") for line in raw]
+    if not any(line.strip() for line in lines):
+        raise InvalidInput(f"{shown(path)}: the file is empty; it needs {needs}.")
+    return lines
 
 
 def _not_there(path: Path) -> str:
     if not path.parent.is_dir():
-        return f"there is no folder '{path.parent}'"
-    return (
-        f"there is no such file in '{path.parent}'{suggest(path.name, [item.name for item in path.parent.iterdir()])}"
-    )
+        return f"there is no folder '{shown(path.parent)}'"
+    near = [item.name for item in itertools.islice(path.parent.iterdir(), NEIGHBOURS)]
+    return f"there is no such file in '{shown(path.parent)}'{suggest(path.name, near)}"

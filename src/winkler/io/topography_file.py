@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
 from winkler.io.height_matrix import FoundMap, array_map, text_map
 from winkler.io.instrument_map import instrument_map
-from winkler.io.text_file import existing
+from winkler.io.text_file import content_of, existing
+from winkler.limits import TEXT_BYTES
 from winkler.profiles.topography import Topography
 from winkler.units import scale
 
@@ -20,9 +22,12 @@ ARRAYS = {".npy", ".npz"}
 TEXTS = {".csv", ".txt", ".asc", ".dat", ".tsv"}
 IMPOSSIBLE = 1e4
 """Root mean square height over the size of a pixel: only mistaken units reach it."""
+TRIED = 400_000
+"""Lines of a text that every reader of SurfaceTopography is tried on; some take 20 us for a line."""
 UNKNOWN = (float("nan"), float("nan"))
 
 
+@reader("a height map")
 def read_topography(
     path: str | os.PathLike[str],
     *,
@@ -104,6 +109,8 @@ def read_topography(
 
 def _other_text(file: Path, reason: InvalidInput) -> FoundMap:
     """Return the map of a text that is no matrix: some instruments write texts too; else say why it is no matrix."""
+    if content_of(file, TEXT_BYTES).count(b"\n") > TRIED:
+        raise reason
     try:
         return instrument_map(file, "")
     except InvalidInput:

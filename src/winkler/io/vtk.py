@@ -21,6 +21,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields
 from winkler.foundation.sheared_fields import BodyFields
+from winkler.given import affordable
+from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.constriction_fields import CurrentFields, HeatFields
 
@@ -82,6 +84,8 @@ def write_vtk(
         raise InvalidInput(f"{target}: the ending is {target.suffix!r}; give .vtk.")
     if isinstance(around, bool) or not isinstance(around, int) or not (around == MERIDIAN or 3 <= around <= 10_000):
         raise InvalidInput(f"write_vtk: around is {around!r}; give 1 for a half-plane, or 3 to 10000 planes.")
+    if isinstance(fields, SubsurfaceFields | CurrentFields | HeatFields):
+        affordable("write_vtk", "places", (around + 1) * np.broadcast(fields.r, fields.z).size, MOST_NUMBERS // 16)
     match fields:
         case SubsurfaceFields():
             grid = _turned(_stressed(fields), around)

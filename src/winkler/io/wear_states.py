@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import os
-import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -13,12 +12,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
-from winkler.io.array_file import write_arrays
+from winkler.io.array_file import read_arrays, write_arrays
+from winkler.io.foreign import reader
 from winkler.problems.wear_states import FrettingState, WearState
 
 __all__ = ["read_wear", "write_wear"]
 
 FORMAT = "winkler wear 1"
+NONE = np.array("")
 KINDS: dict[str, type[WearState]] = {"sliding": WearState, "fretting": FrettingState}
 
 
@@ -28,11 +29,11 @@ def _words(kind: type[WearState]) -> tuple[str, ...]:
 
 def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
     """Return how many states there are, if all rows agree on it."""
-    count, nodes = (*rows["radii"].shape, 0, 0)[:2]
+    count, nodes = (*rows.get("radii", NONE).shape, 0, 0)[:2]
     for field in dataclasses.fields(kind):
         if field.name == "bed":
             continue
-        row, wanted = rows[field.name], (count, nodes) if field.type == "Array" else (count,)
+        row, wanted = rows.get(field.name, NONE), (count, nodes) if field.type == "Array" else (count,)
         if row.dtype.kind != "f" or row.shape != wanted or np.isnan(row).any():
             raise InvalidInput(
                 f"{path}: no wear can be read from it ({field.name} is not numbers of the shape {wanted}); give a file "
@@ -69,6 +70,7 @@ def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Pat
     return path
 
 
+@reader("wear")
 def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState, ...]:
     """Return states of wear as they were kept.
 
@@ -89,18 +91,23 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
     InvalidInput
         If the file is missing, broken, or of another kind.
     """
-    try:
-        with np.load(path, allow_pickle=False) as stored:
-            said, kind = str(stored["format"]), KINDS[str(stored["kind"])]
-            rows = {word: stored[word] for word in _words(kind)}
-    except (OSError, ValueError, KeyError, EOFError, TypeError, zipfile.BadZipFile) as error:
-        raise InvalidInput(f"{path}: no wear can be read from it ({error}); give a file of write_wear.") from None
-    if said != FORMAT:
+    wanted = {word for kind in KINDS.values() for word in _words(kind)}
+    rows: dict[str, Any] = read_arrays(
+        path,
+        ("format", "kind", *sorted(wanted)),
+        needed=("format", "kind"),
+        wrong="no wear can be read from it",
+        remedy="give a file of write_wear",
+    )
+    said, told = str(rows.pop("format", "")), str(rows.pop("kind", ""))
+    if said != FORMAT or told not in KINDS:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
+    kind = KINDS[told]
     count = _count(kind, rows, path)
 
     def state(i: int) -> WearState:
-        content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows.items()}
+        rows_of = {word: rows[word] for word in _words(kind)}
+        content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows_of.items()}
         return kind(bed, **content)
 
     return tuple(state(i) for i in range(count))

@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged
 from winkler.given import not_negative, poisson_ratio
+from winkler.limits import SLOWEST
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
@@ -236,6 +237,11 @@ def _check(solid: PowerLawSolid | FractionalZener, *positive: str) -> None:
             raise InvalidInput(f"{owner}: {word} is {number!r}; it must be positive.")
     if not solid.exponent < 1.0:
         raise InvalidInput(f"{owner}: exponent is {solid.exponent!r}; it must lie between 0 and 1, both excluded.")
+    if solid.exponent < SLOWEST:
+        raise InvalidInput(
+            f"{owner}: exponent is {solid.exponent!r}; give at least {SLOWEST:g}: with a smaller one the modulus falls "
+            "by less than 0.03 % in a decade of time, take Elastic."
+        )
     if not solid.shortest < solid.longest:
         raise InvalidInput(f"{owner}: the span from {solid.shortest:g} to {solid.longest:g} s is empty; exchange them.")
     if not 1e-10 <= solid.tolerance <= 0.1:

@@ -13,7 +13,8 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import poisson_ratio
+from winkler.given import affordable, poisson_ratio
+from winkler.limits import MEASURED_TIMES
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
@@ -194,6 +195,7 @@ def _check(data: RelaxationData | CreepData | DynamicData, first: str, *others: 
         numbers.flags.writeable = False
         object.__setattr__(data, word, numbers)
     rising = getattr(data, first)
+    affordable(owner, "measured numbers", rising.size, MEASURED_TIMES)
     if np.any(np.diff(rising) <= 0.0):
         raise InvalidInput(f"{owner}: {first} does not rise; sort the rows, and average what is given twice.")
     for word in others:

@@ -12,7 +12,8 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import not_negative, poisson_ratio, positive
+from winkler.given import affordable, not_negative, poisson_ratio, positive
+from winkler.limits import MOST_NUMBERS, TERMS
 from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
@@ -263,5 +264,6 @@ def _positive_row(owner: str, word: str, given: ArrayLike, unit: str, flat: bool
     if not (np.all(np.isfinite(numbers)) and np.all(numbers > 0.0)) or (flat and numbers.ndim != 1):
         what = "a row of positive" if flat else "positive"
         raise InvalidInput(f"{owner}: {word} is {given!r}; give {what}, finite numbers in {unit}.")
+    affordable(owner, word, numbers.size, TERMS if flat else MOST_NUMBERS)
     numbers.flags.writeable = False
     return numbers

@@ -10,13 +10,13 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
 
 __all__ = ["sine", "swings"]
 
 NEAR = 1e-9
 """Moments closer than that are one: at a turning point the sine does not tell them apart."""
-MOST = 10_000_000
 
 
 def sine(turns: Array) -> Array:
@@ -80,8 +80,8 @@ def swings(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = (
         raise InvalidInput(f"An oscillation: count is {count!r}; give a whole number of points per cycle, at least 1.")
     fastest = max(rate for rate, _ in waves)
     total = math.ceil(cycles * fastest * count)
-    if total > MOST:
-        raise InvalidInput(f"An oscillation: {cycles:g} cycles of {count} points are more than {MOST} points.")
+    if total > PATH_POINTS:
+        raise InvalidInput(f"An oscillation: {cycles:g} cycles of {count} points are more than {PATH_POINTS} points.")
     parts = [np.linspace(0.0, cycles, total + 1)]
     for rate, lead in waves:
         first, last = math.ceil(2.0 * lead - 0.5), math.floor(2.0 * (rate * cycles + lead) - 0.5)

@@ -22,7 +22,9 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.given import affordable, whole_number
 from winkler.laws.friction import Coulomb
+from winkler.limits import SPRINGS
 from winkler.loading import Depth, Shift
 from winkler.numerics.refined import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
@@ -123,9 +125,8 @@ class BimodalDamping:
                 "the phase by pi instead."
             )
         for word in ("normal_cycles", "lateral_cycles"):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int) or number < 1:
-                raise InvalidInput(f"BimodalDamping: {word} is {number!r}; give a whole number of 1 or more.")
+            whole_number("BimodalDamping", word, getattr(self, word), 1)
+        affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, SPRINGS)
         common = math.gcd(self.normal_cycles, self.lateral_cycles)
         if common > 1:
             raise InvalidInput(

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import whole_number
+from winkler.given import affordable, whole_number
+from winkler.limits import MOST_NUMBERS, SPRINGS
 from winkler.loading import Depth, Force
 from winkler.problems.rough_line import prescribed
 from winkler.profiles.spectrum import Spectrum
@@ -27,7 +28,8 @@ def check_spectrum(owner: str, spectrum: object) -> None:
 def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: int, seed: int) -> None:
     """Refuse loads that are none or pull, and numbers of lines and springs that are none."""
     for word, number, least in (("realisations", realisations, 1), ("count", count, 16), ("seed", seed, 0)):
-        whole_number(owner, word, number, least)
+        whole_number(owner, word, number, least, math.inf if word == "seed" else SPRINGS)
+    affordable(owner, "springs of all realisations", realisations * count, MOST_NUMBERS)
     if not isinstance(load, Force | Depth):
         raise InvalidInput(f"{owner}: the load is a {type(load).__name__}; give Force or Depth.")
     least_load = float(np.min(prescribed(load)))

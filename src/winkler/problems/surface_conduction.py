@@ -18,6 +18,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.given import whole_number
+from winkler.limits import SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
@@ -86,7 +87,7 @@ class SurfaceConduction:
                 f"SurfaceConduction: conductors is a {type(self.conductors).__name__}; give "
                 "ElectricalConductors(first, second)."
             )
-        whole_number("SurfaceConduction", "realisations", self.realisations, 1)
+        whole_number("SurfaceConduction", "realisations", self.realisations, 1, SPRINGS // 256)
         whole_number("SurfaceConduction", "seed", self.seed, 0)
         conductance_of_stiffness("SurfaceConduction", self.contact.medium, self.conductors)
 

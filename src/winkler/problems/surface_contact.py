@@ -18,6 +18,8 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.given import affordable
+from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.pressed_grid import ByDepth, ByLoad, press
@@ -110,6 +112,10 @@ class SurfaceContact:
                 f"SurfaceContact: the medium is a {type(self.medium).__name__}; the boundary elements know homogeneous "
                 "half-spaces alone, give HalfSpace."
             )
+        around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
+        affordable(
+            "SurfaceContact", "pixels with their surroundings", around * self.topography.heights.size, MOST_NUMBERS
+        )
         missing = self.topography.missing
         if missing:
             raise InvalidInput(

@@ -20,6 +20,8 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
+from winkler.given import whole_number
+from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing import RelaxingMedium
 from winkler.numerics.types import Array
@@ -122,8 +124,7 @@ class ViscoelasticIndentation:
                 f"ViscoelasticIndentation: the force {np.min(self.path.across):.6g} N is tensile; without adhesion "
                 "bodies can only be pressed together."
             )
-        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 2:
-            raise InvalidInput(f"ViscoelasticIndentation: count is {self.count!r}; give a whole number, at least 2.")
+        whole_number("ViscoelasticIndentation", "count", self.count, 2, RELAXING_SPRINGS)
         tolerance = self.tolerance
         if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 1e-12 <= tolerance <= 0.1:
             raise InvalidInput(

@@ -18,6 +18,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.given import positive_fields, whole_number
+from winkler.limits import RELAXING_SPRINGS
 from winkler.numerics.spectra import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
@@ -102,7 +103,7 @@ class ViscoelasticImpact:
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticImpact", self.bed)
         positive_fields(self, mass="kg", velocity="m/s")
-        whole_number("ViscoelasticImpact", "count", self.count, 2)
+        whole_number("ViscoelasticImpact", "count", self.count, 2, RELAXING_SPRINGS)
         if isinstance(self.tolerance, bool) or not 1e-9 <= self.tolerance <= 0.1:
             raise InvalidInput(
                 f"ViscoelasticImpact: tolerance is {self.tolerance!r}; give a number between 1e-9 and 0.1."

@@ -20,6 +20,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
+from winkler.given import whole_number
+from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.passing import pass_over
@@ -134,8 +136,7 @@ class SlidingResistance:
             speeds = np.empty(0)
         if not speeds.size or not np.all(np.isfinite(speeds)) or np.any(speeds <= 0.0):
             raise InvalidInput(f"SlidingResistance: speed is {self.speed!r}; give positive, finite numbers in m/s.")
-        if isinstance(self.count, bool) or not isinstance(self.count, int) or self.count < 10:
-            raise InvalidInput(f"SlidingResistance: count is {self.count!r}; give a whole number, at least 10.")
+        whole_number("SlidingResistance", "count", self.count, 10, RELAXING_SPRINGS)
 
     def solve(self) -> SlidingResistanceSolution:
         """Return the resistance at every speed.

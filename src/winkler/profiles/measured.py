@@ -19,6 +19,8 @@ import functools
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import MEASURED_PLACES
 from winkler.numerics.abel import root_difference
 from winkler.numerics.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
@@ -64,6 +66,7 @@ class Measured(Shape):
                 object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word), dtype=float)))
             except (TypeError, ValueError):
                 raise InvalidInput(f"Measured: {word} are not numbers; give an array in m.") from None
+        affordable("Measured", "points", np.size(self.radii), 4 * MEASURED_PLACES)
         if np.ndim(self.radii) != 1 or np.shape(self.radii) != np.shape(self.heights):
             raise InvalidInput(
                 f"Measured: radii have the shape {np.shape(self.radii)} and heights {np.shape(self.heights)}; give two "

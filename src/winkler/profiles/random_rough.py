@@ -19,6 +19,8 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import MADE_PIXELS
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.spectrum import Spectrum
 from winkler.profiles.topography import Topography
@@ -90,6 +92,7 @@ def _checked(shape: tuple[int, int], lengths: ArrayLike, seed: int) -> tuple[flo
     """Return both lengths, or say what is wrong with the numbers."""
     if len(shape) != 2 or any(isinstance(n, bool) or not isinstance(n, int) or n < 4 for n in shape):
         raise InvalidInput(f"random_topography: shape is {shape!r}; give two whole numbers of pixels, at least 4.")
+    affordable("random_topography", "pixels", math.prod(shape), MADE_PIXELS)
     try:
         numbers = np.array(lengths, dtype=float)
     except (TypeError, ValueError):

@@ -7,6 +7,8 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import HOLES
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.spikes import Spikes
 from winkler.values import frozen_array, value
@@ -227,6 +229,7 @@ class Topography:
             return self
         from winkler.numerics.bridging import bridged
 
+        affordable("Topography", "missing heights", self.missing, HOLES)
         return Topography(bridged(self.heights, self.periodic), self.lengths, self.periodic)
 
     def cropped(self, first: tuple[int, int], count: tuple[int, int]) -> Topography:

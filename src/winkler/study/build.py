@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 import typing
 from pathlib import Path
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
+from winkler.io.foreign import reason_of, shown
 from winkler.study.catalogue import kind_of, kinds
 from winkler.vocabulary import word
 
@@ -22,6 +24,8 @@ if TYPE_CHECKING:
 
 __all__ = ["assembled", "build", "unbuild", "written_field", "written_number", "written_numbers"]
 
+NEIGHBOURS = 1000
+"""Among so many files of a folder similar ones are looked for."""
 SHORT = 12
 """Longer lists of quantities are written as plain numbers with one unit."""
 
@@ -104,11 +108,19 @@ def _located(sentence: str, cls: type, key: str) -> str:
 
 def _found(folder: Path, name: str) -> Path:
     path = folder / name
-    if not path.is_file():
-        near = sorted(item.name for item in path.parent.glob(f"*{path.suffix}"))[:5] if path.parent.is_dir() else []
-        told = f"; there are {', '.join(near)}" if near else ""
-        raise InvalidInput(f"file is '{name}', which does not exist beside the study{told}; give its path from there.")
-    return path
+    try:
+        if path.is_file():
+            return path
+        beside = path.parent.iterdir() if path.parent.is_dir() else ()
+        near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS) if item.suffix == path.suffix)[:5]
+    except (OSError, ValueError) as error:
+        raise InvalidInput(
+            f"file is '{shown(name)}', which cannot be looked at ({reason_of(error)}); give its path from the study."
+        ) from None
+    told = f"; there are {', '.join(near)}" if near else ""
+    raise InvalidInput(
+        f"file is '{shown(name)}', which does not exist beside the study{told}; give its path from there."
+    )
 
 
 def unbuild(content: Any) -> dict[str, Any]:

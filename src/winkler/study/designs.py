@@ -11,11 +11,14 @@ All but the first have one dimension, ``point``.
 from __future__ import annotations
 
 import functools
+import math
 from typing import ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import MOST_NUMBERS, SWEPT
 from winkler.numerics.types import Array
 from winkler.study.varied import Axis, Range
 from winkler.values import value
@@ -24,8 +27,6 @@ __all__ = ["DESIGNS", "POINT", "Crossed", "Design", "LatinHypercube", "Sensitivi
 
 POINT = "point"
 """Dimension of the designs that do not cross their keys."""
-MOST = 2**24
-"""More points are not drawn."""
 
 
 @value
@@ -48,8 +49,8 @@ class Zipped:
 
 def _counted(owner: str, count: int, seed: int, *, doubled: bool) -> None:
     for name, number, least in (("count", count, 1), ("seed", seed, 0)):
-        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= MOST:
-            raise InvalidInput(f"sweep.design.{name} is {number!r}; give a whole number from {least} to {MOST}.")
+        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= SWEPT:
+            raise InvalidInput(f"sweep.design.{name} is {number!r}; give a whole number from {least} to {SWEPT}.")
     if doubled and count & (count - 1):
         below = 2 ** (count.bit_length() - 1)
         raise InvalidInput(
@@ -197,11 +198,16 @@ def axes_of(design: Design, lines: tuple[Axis | Range, ...]) -> tuple[Axis, ...]
                     'values, or a design such as { kind = "sobol", count = 128 }.'
                 )
         axes = tuple(line for line in lines if isinstance(line, Axis))
+        if isinstance(design, Crossed):
+            affordable("sweep", "points", math.prod(len(axis.values) for axis in axes), SWEPT)
         if isinstance(design, Zipped) and len({len(axis.values) for axis in axes}) > 1:
             counts = ", ".join(f"'{axis.key}' {len(axis.values)}" for axis in axes)
             raise InvalidInput(f"sweep: keys that vary together need equally many values; here {counts}.")
         return axes
     if not lines:
         raise InvalidInput(f"sweep: the design {design.kind} has no keys; give the keys that vary.")
+    count = design.count * (len(lines) + 2 if isinstance(design, Sensitivity) else 1)
+    affordable("sweep", "points", count, SWEPT)
+    affordable("sweep", "numbers of all points", count * len(lines), MOST_NUMBERS)
     shares = design.shares(len(lines))
     return tuple(line.spread(shares[:, place]) for place, line in enumerate(lines))

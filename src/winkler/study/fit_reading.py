@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +13,13 @@ import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.parameters import found
+from winkler.io.foreign import reason_of, shown
+from winkler.limits import MOST_CURVES
 from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath
 from winkler.problems.viscoelastic import ViscoelasticIndentation
 from winkler.study import keys
-from winkler.study.build import assembled
+from winkler.study.build import NEIGHBOURS, assembled
 from winkler.study.fitting import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.reading import parsed, read_text
 from winkler.study.segmenting import FOUND
@@ -151,35 +155,53 @@ def _noise(raw: Any, unit: str) -> float:
 
 def _sources(given: str, folder: Path) -> tuple[str, ...]:
     """Return the files that `curve` names."""
+    try:
+        found_, what = _named(given, folder)
+        files = sorted(itertools.islice(found_, MOST_CURVES + 1), key=_in_numbers)
+    except InvalidInput:
+        raise
+    except (OSError, ValueError, NotImplementedError, RecursionError) as error:
+        raise InvalidInput(
+            f"fit.curve is '{shown(given)}', which cannot be looked at ({reason_of(error)}); give a file, a folder or "
+            "a pattern from the study."
+        ) from None
+    if not files:
+        raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
+    if len(files) > MOST_CURVES:
+        raise InvalidInput(
+            f"fit.curve is '{shown(given)}', which are more than {MOST_CURVES} files; fit them in parts."
+        )
+    return tuple(str(item) for item in files)
+
+
+def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
+    """Return the files that `curve` names, and what to say if there are none."""
     path = folder / given
     if path.is_file():
-        return (str(path),)
+        return iter((path,)), ""
     if path.is_dir():
-        found_ = [item for item in path.iterdir() if item.is_file() and not item.name.startswith(".")]
-        what = f"the folder '{given}' holds no files"
-    elif PATTERN.search(given):
-        if Path(given).is_absolute():
-            root = Path(Path(given).anchor)
-            found_ = [item for item in root.glob(str(Path(given).relative_to(root))) if item.is_file()]
-        else:
-            found_ = [item for item in folder.glob(given) if item.is_file()]
-        what = f"no file fits the pattern '{given}'"
-    else:
-        near = sorted(item.name for item in path.parent.iterdir()) if path.parent.is_dir() else []
-        hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
-        raise InvalidInput(
-            f"fit.curve is '{given}', which does not exist beside the study{hint}; give a file, a folder or a pattern "
-            "from there."
-        )
-    if not found_:
-        raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
-    return tuple(str(item) for item in sorted(found_, key=_in_numbers))
+        inside = (item for item in path.iterdir() if item.is_file() and not item.name.startswith("."))
+        return inside, f"the folder '{given}' holds no files"
+    if PATTERN.search(given):
+        if given.count("**") > 1:
+            raise InvalidInput(f"fit.curve is '{shown(given)}'; give a pattern with ** once, or without.")
+        absolute = Path(given).is_absolute()
+        root = Path(Path(given).anchor) if absolute else folder
+        pattern = str(Path(given).relative_to(root)) if absolute else given
+        return (item for item in root.glob(pattern) if item.is_file()), f"no file fits the pattern '{shown(given)}'"
+    beside = path.parent.iterdir() if path.parent.is_dir() else ()
+    near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS))
+    hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
+    raise InvalidInput(
+        f"fit.curve is '{shown(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
+        "pattern from there."
+    )
 
 
 def _in_numbers(path: Path) -> tuple[Any, ...]:
     """Return what sorts curve2 before curve10."""
     parts = re.split(r"(\d+)", path.as_posix())
-    return tuple((int(part), "") if part.isdigit() else (-1, part) for part in parts)
+    return tuple((int(part), "") if part.isdecimal() else (-1, part) for part in parts)
 
 
 def _frees(raw: dict[str, Any], problem: Any) -> tuple[Free, ...]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, suggest
 from winkler.laws.adhesion import ShortRange
+from winkler.limits import KEY_LETTERS
 from winkler.vocabulary import Word, word
 
 __all__ = ["content_at", "label", "owner_at", "replaced", "word_at"]
@@ -49,10 +50,16 @@ def _step(content: Any, part: str, key: str) -> tuple[Any, Any]:
     raise InvalidInput(f"the key '{key}': nothing lies below the part before '{part}', which is {label(content)}.")
 
 
+def _parts(key: str) -> list[str]:
+    if len(key) > KEY_LETTERS:
+        raise InvalidInput(f"the key '{key[:40]}...' has {len(key)} letters; give at most {KEY_LETTERS}.")
+    return key.split(".")
+
+
 def _walk(root: Any, key: str) -> list[tuple[Any, Any]]:
     """Return ``(owner, place)`` of every step from `root` down to `key`."""
     steps, content = [], root
-    for part in key.split("."):
+    for part in _parts(key):
         place, below = _step(content, part, key)
         steps.append((content, place))
         content = below
@@ -62,7 +69,7 @@ def _walk(root: Any, key: str) -> list[tuple[Any, Any]]:
 def content_at(root: Any, key: str) -> Any:
     """Return what stands at `key` inside `root`."""
     content = root
-    for part in key.split("."):
+    for part in _parts(key):
         _, content = _step(content, part, key)
     return content
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from pydantic_core import PydanticCustomError
 
+from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.study.quantities import WHERE, number_or_numbers, numbers, wrong
 
@@ -20,7 +21,6 @@ PAIRS: frozenset[tuple[str, str]] = frozenset({("Topography", "lengths"), ("Rand
 """Fields that are two quantities."""
 SMALL = 64
 """Larger maps are packed when they are written."""
-MOST_PIXELS = 2**28
 
 
 def height_map(raw: Any, unit: str | None) -> Array:
@@ -49,8 +49,8 @@ def _unpacked(raw: dict[str, Any]) -> Array:
         if key not in ("packed", "shape"):
             wrong(f"{WHERE}.{key} is not known; a packed map takes packed, shape.")
     shape = counts(raw.get("shape"), f"{WHERE}.shape")
-    if shape[0] * shape[1] > MOST_PIXELS:
-        wrong(f"{WHERE}.shape is {list(shape)}; give at most {MOST_PIXELS} pixels.")
+    if shape[0] * shape[1] > MOST_NUMBERS:
+        wrong(f"{WHERE}.shape is {list(shape)}; give at most {MOST_NUMBERS} pixels.")
     try:
         size = 8 * shape[0] * shape[1]
         stored = zlib.decompressobj().decompress(base64.b64decode(raw["packed"], validate=True), size + 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
 import unicodedata
 from collections.abc import Iterator
@@ -12,6 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
+from winkler.io.foreign import shown
+from winkler.io.text_file import content_of
+from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study import axes
 from winkler.study.build import assembled, unbuild, written_number, written_numbers
 from winkler.study.designs import Crossed
@@ -24,6 +28,11 @@ __all__ = ["parse_study", "parsed", "read_study", "read_text", "study_text"]
 
 DEEPEST = 50
 """Levels of tables and lists within each other."""
+DOTTED = re.compile(rf"(?<![\w.-])(?:(?:[\w-]++|\"[^\"\n]*+\"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{DEEPEST}}}", re.ASCII)
+"""A key of more parts; TOML is read in a time that grows with the square of their number."""
+SEPARATING = (",", "=", "\n", "[", "{", "\\")
+SPACES = 20
+"""So many spaces cost the time of one entry."""
 
 
 def read_study(path: str | Path) -> Study:
@@ -56,17 +65,23 @@ def read_text(path: Path) -> str:
         If it cannot be read.
     """
     try:
-        return path.read_bytes().decode("utf-8-sig")
-    except FileNotFoundError:
-        near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
-        told = f"; there are {', '.join(near)}" if near else ""
-        raise InvalidInput(f"{path}: there is no such file{told}; `winkler new indentation` writes one.") from None
-    except IsADirectoryError:
-        raise InvalidInput(f"{path} is a folder; give a study file in it.") from None
+        if path.is_dir():
+            raise InvalidInput(f"{shown(path)} is a folder; give a study file in it.")
+        if not path.exists():
+            near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
+            told = f"; there are {', '.join(near)}" if near else ""
+            raise InvalidInput(
+                f"{shown(path)}: there is no such file{told}; `winkler new indentation` writes one."
+            ) from None
+        if not path.is_file():
+            raise InvalidInput(f"{shown(path)}: this is not a file with contents; give a study file.")
+        return content_of(path, STUDY_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InvalidInput(f"{path}: byte {error.start} is not UTF-8; save the study as UTF-8 text.") from None
     except OSError as error:
-        raise InvalidInput(f"{path}: cannot be read ({error.strerror or error}); give a readable study file.") from None
+        raise InvalidInput(
+            f"{shown(path)}: cannot be read ({error.strerror or error}); give a readable study file."
+        ) from None
 
 
 def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
@@ -106,6 +121,13 @@ def parsed(text: str, file: str) -> dict[str, Any]:
     InvalidInput
         If it is not TOML, or empty.
     """
+    marks = sum(map(text.count, SEPARATING)) + text.count(" ") // SPACES
+    if marks > STUDY_MARKS:
+        raise InvalidInput(
+            f"{_at(file)}the study has more than {STUDY_MARKS} entries; put long lists into a table, and name its file."
+        )
+    if DOTTED.search(text):
+        raise InvalidInput(f"{_at(file)}a key has more than {DEEPEST} parts; a study needs about ten levels.")
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import FIELD_PLACES, KEY_LETTERS
 from winkler.numerics.types import Array, Quantity
 from winkler.study.designs import POINT, Crossed, Design, Zipped, axes_of
 from winkler.study.varied import Axis, Range
@@ -71,6 +73,7 @@ class Fields:
     def __post_init__(self) -> None:
         if self.z.values.size and not self.r.values.size:
             raise InvalidInput("fields: z is given without r; add r, the distances from the axis.")
+        affordable("fields", "places", self.r.values.size * max(1, self.z.values.size), FIELD_PLACES)
         if np.any(self.r.values < 0.0):
             raise InvalidInput(
                 f"fields: r contains {np.min(self.r.values):g}; distances from the axis are not negative."
@@ -111,6 +114,8 @@ def named(quantity: str) -> str:
     >>> named("problem.bed.medium.modulus"), named("shear_force.-1")
     ('modulus', 'shear_force')
     """
+    if len(quantity) > KEY_LETTERS:
+        raise InvalidInput(f"quantity is '{quantity[:40]}...'; give a name of at most {KEY_LETTERS} letters.")
     return re.sub(r"(\.-?\d+)+$", "", quantity).rpartition(".")[2]
 
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput
+from winkler.io.foreign import shown
 from winkler.study.outcome import Outcome, Provenance
 from winkler.study.reading import study_text
 from winkler.study.stopping import held, keeping, look
@@ -35,6 +36,8 @@ __all__ = [
 
 PROVENANCE = "provenance.json"
 """Marks a folder of results, and lists its files."""
+LONGEST = 220
+"""Bytes of the name of a folder; names of hidden files beside it are longer, and file systems allow 255."""
 PARTIAL, OLD = ".partial", ".old"
 """How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
 
@@ -93,12 +96,17 @@ def holds_results(folder: Path) -> bool:
     InvalidInput
         If the folder cannot be used: it is a file, or holds anything that winkler did not write.
     """
+    if "\0" in str(folder) or len(os.fsencode(folder.name)) > LONGEST:
+        raise InvalidInput(
+            f"output: '{shown(folder)}' has a name that cannot be used; give a folder whose name has at most {LONGEST} "
+            "bytes, with --output."
+        )
     if _is_here(folder):
         raise InvalidInput(f"output: '{folder}' is the working directory or contains it; give a folder inside it.")
-    for above in folder.parents:
-        if above.is_file():
-            raise InvalidInput(f"output: '{folder}' lies in '{above}', which is a file; give another folder.")
     try:
+        for above in folder.parents:
+            if above.is_file():
+                raise InvalidInput(f"output: '{folder}' lies in '{above}', which is a file; give another folder.")
         if not folder.exists():
             return False
         if not folder.is_dir():
@@ -147,7 +155,7 @@ def _is_here(folder: Path) -> bool:
 def unwritable(folder: Path, error: OSError) -> InvalidInput:
     """Return the error of a folder that the system does not let us write."""
     why = (error.strerror or type(error).__name__).lower()
-    return InvalidInput(f"output: '{folder}' cannot be written ({why}); give another folder with --output.")
+    return InvalidInput(f"output: '{shown(folder)}' cannot be written ({why}); give another folder with --output.")
 
 
 @contextlib.contextmanager

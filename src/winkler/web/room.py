@@ -7,11 +7,11 @@ import re
 import shutil
 import tempfile
 import zipfile
-import zlib
 from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput
+from winkler.io.archive_file import archive, member
 
 __all__ = ["LARGEST", "Room", "files_in", "plain_name"]
 
@@ -94,21 +94,15 @@ class Room:
         InvalidInput
             If there is no study in it, or it is damaged or too large.
         """
-        try:
-            with zipfile.ZipFile(io.BytesIO(content)) as pack:
-                inside = [one for one in pack.infolist() if not one.is_dir()]
-                if study not in [one.filename for one in inside]:
-                    raise InvalidInput(f"the archive holds no {study}; open one that this app has made.")
-                if sum(one.file_size for one in inside) > LARGEST or len(inside) > MOST:
-                    raise InvalidInput(
-                        f"the archive holds more than {LARGEST / 1e6:.0f} MB or {MOST} files; upload the data alone."
-                    )
-                for one in inside:
-                    if one.filename != study:
-                        self.keep(one.filename, pack.read(one))
-                return pack.read(study)
-        except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, zlib.error) as error:
-            raise InvalidInput(f"the archive cannot be read ({error}); open one that this app has made.") from None
+        remedy = "open one that this app has made"
+        with archive(content, "the upload", remedy=remedy, members=MOST + 1, size=LARGEST) as pack:
+            inside = [one for one in pack.infolist() if not one.is_dir()]
+            if study not in [one.filename for one in inside]:
+                raise InvalidInput(f"the archive holds no {study}; {remedy}.")
+            for one in inside:
+                if one.filename != study:
+                    self.keep(one.filename, member(pack, one))
+            return member(pack, study)
 
     def packed(self, text: str, study: str, names: tuple[str, ...]) -> bytes:
         """Return a study and the files that it reads as one archive."""

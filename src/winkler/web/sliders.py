@@ -14,7 +14,7 @@ STEPS = 100
 BOUNDS = {"poisson": {"": (0.0, 0.49)}, "half_angle": {"deg": (5.0, 85.0), "°": (5.0, 85.0), "rad": (0.1, 1.5)}}
 """Key -> unit -> range, of quantities that have a natural one."""
 
-NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^,]*?)\s*")
+NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*+([^,]*)")
 
 
 class Span(NamedTuple):
@@ -79,7 +79,7 @@ def span_of(name: str, text: str) -> tuple[Span, int] | None:
     found = NUMBER.fullmatch(text)
     if found is None:
         return None
-    number, unit = float(found[1]), found[2]
+    number, unit = float(found[1]), found[2].strip()
     if not math.isfinite(number) or number == 0.0:
         return None
     low, high = BOUNDS.get(name, {}).get(unit, (0.0, 0.0))

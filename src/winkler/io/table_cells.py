@@ -1,0 +1,89 @@
+"""The cells of a table: where a line is cut, what a number is, and how a name stands with its unit in a header.
+
+Nothing here takes longer than the length of a line, whatever stands in it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from winkler.errors import InvalidInput
+from winkler.limits import CELL_LETTERS
+from winkler.units import comma_hint, comma_readings
+
+__all__ = ["cells_of", "is_number", "like_number", "named", "number_in"]
+
+MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
+WORDS = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
+"""A name with a unit in brackets behind it, or a word."""
+
+
+def cells_of(line: str, separator: str | None) -> list[str]:
+    """Return the cells of a line; without a separator those between spaces."""
+    if separator is not None:
+        return [cell.strip(" \t\"'") for cell in line.split(separator)]
+    # a unit in brackets belongs to the name before it
+    return WORDS.findall(line) if "[" in line or "(" in line else line.split()
+
+
+def is_number(cell: str) -> bool:
+    """Return whether a cell is a number, perhaps an infinite one or none."""
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return "_" not in cell
+
+
+def like_number(cell: str) -> bool:
+    """Return whether a cell is a number, also one with a comma."""
+    return is_number(cell) or any(map(is_number, comma_readings(cell)))
+
+
+def number_in(cell: str, where: str, column: str) -> float:
+    """Return the number of a cell, nan where it says that there is none.
+
+    Raises
+    ------
+    InvalidInput
+        If it is no number.
+    """
+    if is_number(cell):
+        return float(cell)
+    if cell.lower() in MISSING:
+        return float("nan")
+    if like_number(cell):
+        raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")
+    raise InvalidInput(f"{where}: '{cell[:40]}' in the column '{column}' is not a number.")
+
+
+def named(cell: str, names: tuple[str, ...]) -> tuple[bool, str]:
+    """Return whether a cell of the header has one of the names, and the unit behind it if there is one."""
+    if len(cell) > CELL_LETTERS:
+        return False, ""
+    for name, unit in _readings(cell):
+        if name.lower() in names:
+            return True, unit.strip(" -")
+    return cell.lower() in names, ""
+
+
+def _readings(cell: str) -> Iterator[tuple[str, str]]:
+    """Yield how a cell of the header may be name and unit: ``r [um]``, ``r/um``, ``r in um``, ``r_um``, ``r um``."""
+    if cell[-1:] in ("]", ")"):
+        closed = max(cell.rfind("]", 1, -1), cell.rfind(")", 1, -1))
+        opened = min((place for mark in "[(" if (place := cell.find(mark, max(closed, 0) + 1)) > 0), default=0)
+        if opened:
+            yield cell[:opened].rstrip(), cell[opened + 1 : -1]
+    name, _, unit = cell.partition("/")
+    if name and unit:
+        yield name.rstrip(), unit.lstrip()
+    words = cell.rsplit(None, 2)
+    if len(words) == 3 and words[1] == "in":
+        yield words[0], words[2]
+    name, _, unit = cell.rpartition("_")
+    if name and unit:
+        yield name, unit
+    words = cell.split(None, 2)
+    if len(words) == 2:
+        yield words[0], words[1]
