@@ -62,10 +62,18 @@ def test_data_in_another_file_is_not_read(way, tmp_path):
 def test_a_library_that_unpacks_without_end_is_stopped(tmp_path, monkeypatch):
     module = pytest.importorskip("SurfaceTopography.IO")
     (tmp_path / "map.sur").write_bytes(b"DIGITAL SURF")
-    monkeypatch.setattr(module, "open_topography", lambda path: np.empty(READING_BYTES // 8 + 1))
-    with pytest.raises(InvalidInput, match=r"map\.sur: to read it takes more memory than .* the 2 GB that a file may"):
+    monkeypatch.setattr(module, "open_topography", lambda path: np.empty(10**8))
+    monkeypatch.setattr("winkler.io.memory.READING_BYTES", 4 * 10**8)
+    with pytest.raises(
+        InvalidInput, match=r"map\.sur: to read it takes more memory than .* the 400 MB that a file may"
+    ):
         wk.read_topography(tmp_path / "map.sur")
-    assert np.empty(READING_BYTES // 8 + 1).nbytes > READING_BYTES  # it is over: nothing is limited any more
+    assert np.empty(10**8).nbytes == 8 * 10**8  # it is over: nothing is limited any more
+
+
+def test_what_may_be_allocated_is_what_the_manual_says(root):
+    page = (root / "docs" / "exchange.md").read_text(encoding="utf-8")
+    assert f"allocate to read it (Linux) | {READING_BYTES // 10**6} MB |" in page
 
 
 @linux

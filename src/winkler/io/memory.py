@@ -88,6 +88,6 @@ def limited_memory(path: object) -> Iterator[None]:
             yield
     except MemoryError:
         raise InvalidInput(
-            f"{shown(path)}: to read it takes more memory than there is, or than the {READING_BYTES / 1e9:.0f} GB that "
+            f"{shown(path)}: to read it takes more memory than there is, or than the {READING_BYTES / 1e6:.0f} MB that "
             "a file may take; save a part of it."
         ) from None
