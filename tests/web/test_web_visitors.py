@@ -210,7 +210,7 @@ def test_a_process_that_ends_or_cannot_be_started_again(browser, workers, monkey
         workers.ends[-1].send((0, None))
         until(lambda: page.solver.ready)
         workers.ends[-1].close()
-        heard(socket, "ended while it solved, perhaps for want of memory")
+        heard(socket, "The process of this page ended, perhaps for want of memory; ask for less. Change the study")
     until(lambda: not browser.visitors._open)
 
 

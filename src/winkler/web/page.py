@@ -229,9 +229,9 @@ class Page:
     def lost(self, ready: bool) -> None:
         """Say that the worker has ended by itself; the next question gets a new one."""
         self.questions.forget()
-        when = "while it solved, perhaps for want of memory; ask for less" if ready else "before it was ready"
+        when = ", perhaps for want of memory; ask for less" if ready else " before it was ready"
         with self.client:
-            self.result.refuse([f"The process of this page ended {when}. Change the study to try again."], beside=False)
+            self.result.refuse([f"The process of this page ended{when}. Change the study to try again."], beside=False)
 
     def unexpected(self, error: Exception) -> None:
         """Show an error that nothing has been prepared for; NiceGUI alone would write it where the app was started."""
