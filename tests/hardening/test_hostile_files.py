@@ -252,9 +252,13 @@ def test_an_hdf5_file_that_states_gigabytes(tmp_path):
 def test_archives_of_instruments_that_unpack_to_gigabytes(name, tmp_path):
     path = tmp_path / name
     content = packed(header=bytes(1_000_000), data=b"")
-    path.write_bytes(content.replace(struct.pack("<I", 1_000_000), struct.pack("<I", 3_000_000_000)))
+    stated = content.replace(struct.pack("<I", 1_000_000), struct.pack("<I", 3_000_000_000))
+    path.write_bytes(stated)
     told = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
     assert "2 files of 3000 MB" in told
+    path.write_bytes(b"something else" + stated)
+    told = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
+    assert ("2 files of 3000 MB" if "curve" in name else "SurfaceTopography cannot read this file") in told
 
 
 # ------------------------------------------------------------------------------------------------------------- texts

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import logging
 import os
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,8 @@ from winkler.values import value
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
 HDF5 = ".h5"
+PACKED = (".jpk", ".zip")
+"""Archives, which may begin with something else: their list of contents stands at the end."""
 HEIGHTS = ("height (measured)", "height (piezo)")
 
 
@@ -213,7 +216,7 @@ def _silent(path: Path) -> Iterator[None]:
 def _refuse_large_contents(path: Path) -> None:
     """Refuse a file that unpacks to more than can be read."""
     remedy = "save a part of the map, or single curves"
-    if is_archive(path):
+    if is_archive(path) or (path.suffix.lower().startswith(PACKED) and zipfile.is_zipfile(path)):
         refuse_large_archive(path, remedy)
     refuse_other_files(path)
     if path.suffix.lower() == HDF5:
