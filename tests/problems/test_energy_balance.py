@@ -187,6 +187,33 @@ def test_slip_on_a_random_way_keeps_account(profile, coefficient):
         assert standing(found) is Standing.EXACT
 
 
+@pytest.mark.parametrize("coefficient", [0.3, math.inf])
+@pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
+def test_torsion_on_a_random_way_keeps_account(profile, coefficient):
+    random, count = np.random.default_rng(2), 8
+    contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    depth = np.where(random.random(count) < 0.3, 1e-6, 1e-6 * random.uniform(-0.2, 1.0, count))
+    time, twist = np.arange(float(count)), wk.Angle(1e-3 * random.uniform(-1.0, 1.0, count))
+    for loads in (depth, np.full(count, 1e-6)):
+        found = wk.Torsion(contact, wk.Coulomb(coefficient), wk.Path(time, wk.Depth(loads), twist)).solve()
+        assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-11
+        assert standing(found) is Standing.EXACT
+
+
+def test_the_work_of_a_twist_is_the_integral_of_its_torque():
+    """To Simpson's rule over many points of a stroke to and fro under a changing load."""
+    contact = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    ends, share = wk.Path([0.0, 1.0, 2.0], wk.Depth([1e-6, 2e-6, 1e-6]), wk.Angle([0.0, 1e-3, -5e-4])), 32
+    time = np.linspace(0.0, 2.0, 2 * share + 1)
+    depth, angle = (np.interp(time, ends.time, each) for each in (ends.across, ends.along))
+    law = wk.Coulomb(0.3)
+    torque = wk.Torsion(contact, law, wk.Path(time, wk.Depth(depth), wk.Angle(angle))).solve().torque
+    weights = np.array([1.0, *[4.0, 2.0] * (share // 2 - 1), 4.0, 1.0]) / (3.0 * share)
+    first, second = (float(weights @ each) for each in (torque[: share + 1], torque[share:]))
+    found = wk.Torsion(contact, law, ends).solve().work
+    assert found[1:] == pytest.approx([1e-3 * first, 1e-3 * first - 1.5e-3 * second], rel=2e-4)
+
+
 @pytest.mark.parametrize("speed", [1e-20, 1e-8, 1e14])
 def test_the_edge_of_rubber_keeps_account(speed):
     """Slowly nothing but leaps is lost, as in a cycle that knows no speed; at once nothing is."""
