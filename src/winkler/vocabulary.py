@@ -532,6 +532,8 @@ OWNED: dict[tuple[str, str], Word] = {
     ("AdhesiveCycleSolution", "position"): Word("D", "m", "where the far end of the machine stands"),
     ("TangentialState", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
     ("TangentialSolution", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
+    ("SpringState", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
+    ("SpringTrace", "work"): Word("W", "J", "what the lateral motion has spent since the beginning"),
     ("TorsionState", "work"): Word("W", "J", "what the twist has spent since the beginning"),
     ("TorsionSolution", "work"): Word("W", "J", "what the twist has spent since the beginning"),
     ("AdhesiveCycleSolution", "work"): Word("W", "J", "what the machine has spent since the beginning"),
