@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.numerics.spring_work import work_on_springs
 from winkler.problems.assumptions.energy import missing_energy
 from winkler.validity import Assumption, Standing
 
@@ -185,6 +186,90 @@ def test_slip_on_a_random_way_keeps_account(profile, coefficient):
         found = wk.Tangential(contact, wk.Coulomb(coefficient), path).solve()
         assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-10
         assert standing(found) is Standing.EXACT
+
+
+class Rooted:
+    """A law of one's own: friction grows like the root of the load."""
+
+    def shear_bound(self, line_load):
+        return 100.0 * np.sqrt(line_load)
+
+
+LAWS = [wk.Coulomb(0.3), wk.Coulomb(math.inf), wk.StaticKinetic(0.5, 0.3), Rooted()]
+
+
+@pytest.mark.parametrize("law", LAWS, ids=["Coulomb", "rough", "static", "own"])
+@pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
+def test_springs_on_random_ways_keep_account(law, profile):
+    """Only where a spring turns in the plane while its load changes is the loss approximate, and the note says so."""
+    random, count = np.random.default_rng(3), 40
+    contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    time, steady = np.arange(float(count)), np.full(count, 1e-6)
+    depth = np.where(random.random(count) < 0.3, 1e-6, 1e-6 * random.uniform(-0.2, 1.0, count))
+    line, plane = 1e-6 * random.uniform(-1.0, 1.0, count), 1e-6 * random.uniform(-1.0, 1.0, (count, 2))
+    for loads, shift, allowed in (
+        (steady, line, 1e-13),
+        (depth, line, 1e-13),
+        (steady, plane, 1e-13),
+        (depth, plane, 1e-4),
+    ):
+        found = wk.SpringMarch(contact, law, wk.Path(time, wk.Depth(loads), wk.Shift(shift)), count=60).solve()
+        missing = missing_energy(found.work, found.stored_energy, found.dissipation)
+        assert missing <= allowed
+        assert standing(found) is (Standing.EXACT if missing <= 1e-9 else Standing.APPROXIMATE)
+
+
+@pytest.mark.parametrize("law", LAWS[::2], ids=["Coulomb", "static"])
+def test_sliding_in_the_plane_keeps_account(law):
+    contact = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    angle = np.linspace(0.0, 7.0, 12)
+    circle = 5e-7 * np.column_stack([np.cos(angle), np.sin(angle)])
+    found = wk.Tangential(contact, law, wk.Path(angle, wk.Depth(1e-6), wk.Shift(circle))).solve()
+    assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-13
+    assert standing(found) is Standing.EXACT
+
+
+@pytest.mark.parametrize(
+    ("last", "angle", "way"), [(1.0, 1.2, 3.0), (1.5, 1.0, 4.0), (0.2, 2.3, 1.0), (3.0, 0.7, 60.0)]
+)
+def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, way):
+    """By mpmath: tan(theta/2) falls like a power of a bound that goes from 1 m to another one."""
+    start, bounds = np.array([[np.cos(angle), np.sin(angle)]]), np.array([[1.0], [last]])
+    found = work_on_springs(start, np.zeros(1, bool), np.zeros(1), bounds, 1.0, (1.0, 1.0), np.array([way, 0.0]))
+
+    def pull(x):
+        bound = 1 + (last - 1) * x / way
+        y = x if last == 1.0 else way / (last - 1) * mpmath.log(bound)
+        return bound * mpmath.cos(2 * mpmath.atan(mpmath.exp(-y) * mpmath.tan(angle / 2)))
+
+    assert found[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * way, 0.3 * way, way])), rel=1e-9)
+
+
+@pytest.mark.parametrize("coefficient", [0.3, math.inf])
+@pytest.mark.parametrize("profile", [wk.Paraboloid(0.01), wk.FlatPunch(1e-3)], ids=["paraboloid", "punch"])
+def test_torsion_on_a_random_way_keeps_account(profile, coefficient):
+    random, count = np.random.default_rng(2), 8
+    contact = wk.Foundation(profile, wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    depth = np.where(random.random(count) < 0.3, 1e-6, 1e-6 * random.uniform(-0.2, 1.0, count))
+    time, twist = np.arange(float(count)), wk.Angle(1e-3 * random.uniform(-1.0, 1.0, count))
+    for loads in (depth, np.full(count, 1e-6)):
+        found = wk.Torsion(contact, wk.Coulomb(coefficient), wk.Path(time, wk.Depth(loads), twist)).solve()
+        assert missing_energy(found.work, found.stored_energy, found.dissipation) <= 1e-11
+        assert standing(found) is Standing.EXACT
+
+
+def test_the_work_of_a_twist_is_the_integral_of_its_torque():
+    """To Simpson's rule over many points of a stroke to and fro under a changing load."""
+    contact = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
+    ends, share = wk.Path([0.0, 1.0, 2.0], wk.Depth([1e-6, 2e-6, 1e-6]), wk.Angle([0.0, 1e-3, -5e-4])), 32
+    time = np.linspace(0.0, 2.0, 2 * share + 1)
+    depth, angle = (np.interp(time, ends.time, each) for each in (ends.across, ends.along))
+    law = wk.Coulomb(0.3)
+    torque = wk.Torsion(contact, law, wk.Path(time, wk.Depth(depth), wk.Angle(angle))).solve().torque
+    weights = np.array([1.0, *[4.0, 2.0] * (share // 2 - 1), 4.0, 1.0]) / (3.0 * share)
+    first, second = (float(weights @ each) for each in (torque[: share + 1], torque[share:]))
+    found = wk.Torsion(contact, law, ends).solve().work
+    assert found[1:] == pytest.approx([1e-3 * first, 1e-3 * first - 1.5e-3 * second], rel=2e-4)
 
 
 @pytest.mark.parametrize("speed", [1e-20, 1e-8, 1e14])

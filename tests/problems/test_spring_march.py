@@ -295,7 +295,7 @@ def test_static_and_kinetic_friction():
     assert trace.shear_force[-1] == pytest.approx(MU * FORCE, rel=1e-12)
     mean = 0.5 * (trace.shear_force[1:] + trace.shear_force[:-1]) @ np.diff(trace.shift)
     assert trace.dissipation[-1] + trace.stored_energy[-1] == pytest.approx(mean, rel=2e-2)
-    assert "first order" in trace.validity[-1].statement
+    assert "first order" in trace.problem.validity[-1].statement
     states = list(trace.problem.steps())
     np.testing.assert_allclose([state.stick_radius for state in states], np.sqrt(s), atol=4e-3)
 

@@ -23,11 +23,13 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.slip_kernels import march_line, pull_line
 from winkler.numerics.slip_plane import march_plane
+from winkler.numerics.spring_work import work_on_springs
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
-from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.indentation import Indentation
 from winkler.problems.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
 from winkler.problems.stiffness_ratio import refuse_plane
@@ -81,7 +83,12 @@ class SpringTrace:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        return self.problem.validity
+        return (*self.problem.validity, energy_note(self.work, self.stored_energy, self.dissipation))
+
+    @property
+    def work(self) -> Array:
+        """What the lateral motion has spent since the beginning [J], (steps,): found by going the path once more."""
+        return np.array([state.work for state in self.problem.steps()])
 
 
 @value
@@ -114,7 +121,7 @@ class SpringMarch:
     count: int = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015",)
-    assumptions: ClassVar[frozenset[Assumption]] = SHEARED
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
 
     def __post_init__(self) -> None:
         if not isinstance(self.path.lateral, Shift | ShearForce):
@@ -142,11 +149,12 @@ class SpringMarch:
             If a shear force in the plane is not met.
         """
         run = _Run(self)
-        lost = 0.0
+        lost = work = 0.0
         for index in range(self.path.time.size):
+            before, slips = run.u.T.copy(), run.slips.copy()
             force, stored, waste = run.advance(index, index + 1)
-            lost = lost + float(waste[0])
-            yield run.state(index, force[0], float(stored[0]), lost)
+            lost, work = lost + float(waste[0]), work + run.work(index, before, slips)
+            yield run.state(index, force[0], work, float(stored[0]), lost)
 
     def solve(self) -> SpringTrace:
         """Return what the springs bear and lose; the same as from `steps`, faster.
@@ -337,7 +345,13 @@ class _Run:
             "points on the path, or a Shift."
         )
 
-    def state(self, index: int, force: Quantity, stored: float, lost: float) -> SpringState:
+    def work(self, index: int, u: Array, slips: Array) -> float:
+        """Return the work on springs that stood at u, on the way to point `index` [J]."""
+        depths, move = self.own[index : index + 2].tolist(), self.shift[index + 1] - self.shift[index]
+        bounds = self.bound(index, index + 2)
+        return float(self.stiffness @ work_on_springs(u, slips, self.gap, bounds, self.hold, tuple(depths), move))
+
+    def state(self, index: int, force: Quantity, work: float, stored: float, lost: float) -> SpringState:
         """Return the springs as they stand after point `index`."""
         shift = self.shift[index + 1]
         line = self.line
@@ -351,6 +365,7 @@ class _Run:
             float(shift[0]) if line else shift.copy(),
             float(force) if line else force,
             self._stick_radius(index),
+            work,
             stored,
             lost,
             self.u[0].copy() if line else self.u.T.copy(),

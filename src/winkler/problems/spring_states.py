@@ -73,8 +73,9 @@ class SpringState:
         u_x [m] and F_x [N]; vectors in the plane.
     stick_radius : float
         Up to where nothing slips [m].
-    stored_energy, dissipation : float
-        Of the tangential displacement, and lost since the beginning [J].
+    work, stored_energy, dissipation : float
+        Spent by the lateral motion since the beginning, stored in the tangential displacement, and lost since the
+        beginning [J].
     displacement : ndarray, (n,) or (n, 2)
         u_t of every spring [m].
     """
@@ -88,6 +89,7 @@ class SpringState:
     shift: Quantity
     shear_force: Quantity
     stick_radius: float
+    work: float
     stored_energy: float
     dissipation: float
     displacement: Array

@@ -206,8 +206,7 @@ class TangentialSolution:
     @property
     def work(self) -> Array:
         """What the lateral motion has spent since the beginning [J], ``(steps,)``: stored or lost."""
-        spent = [state.work for state in self.states if isinstance(state, TangentialState)]
-        return np.array(spent) if spent else np.asarray(self.stored_energy + self.dissipation)
+        return np.array([state.work for state in self.states])
 
     def at(self, index: int) -> TangentialState | SpringState:
         """Return the state at one point of the path.
@@ -230,8 +229,6 @@ class TangentialSolution:
         notes = friction_notes(
             self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
         )
-        if isinstance(self.states[-1], SpringState):
-            return notes
         return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
 
 

@@ -24,7 +24,8 @@ from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
-from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.assumptions.declared import BALANCED, PRESSED
+from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.closure import at_depth, at_force
 from winkler.problems.gathering import rows
 from winkler.problems.torsion_bound import Press, TwistBound, twist_bound
@@ -95,7 +96,7 @@ class Torsion:
     path: Path
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
-    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.SLIP}
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED | {Assumption.SLIP}
     needs_round: ClassVar[str] = "torsion"
 
     def __post_init__(self) -> None:
@@ -148,10 +149,11 @@ class Torsion:
         rows = (self.path.across, radius, np.maximum(excess, 0.0))
         presses = [Press(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
         memory = turned(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
-        angle = lost = 0.0
+        angle = lost = work = 0.0
         for i, (press, target) in enumerate(zip(presses, self.path.along.tolist(), strict=True)):
             step = self._step(bound, memory, press, target, angle, i)
-            memory, lost = step.memory, lost + step.loss / (4.0 * modulus)
+            memory = step.memory
+            lost, work = lost + step.loss / (4.0 * modulus), work + step.work / (4.0 * modulus)
             angle = target if isinstance(self.path.lateral, Angle) else angle + step.twist / (8.0 * modulus)
             yield TorsionState(
                 time=float(self.path.time[i]),
@@ -162,6 +164,7 @@ class Torsion:
                 torque=torque_of(bound, memory),
                 torque_limit=bound.most(press),
                 stick_radius=_stick_radius(memory),
+                work=work,
                 stored_energy=square(bound, memory) / (8.0 * modulus),
                 dissipation=lost,
                 nested=step.nested,
@@ -217,8 +220,8 @@ class TorsionSolution:
         At which everything would slide [N m].
     stick_radius : ndarray, (steps,)
         Of the part that is not at its bound [m].
-    stored_energy, dissipation : ndarray, (steps,)
-        Elastic energy of the twist, and energy lost since the beginning [J].
+    work, stored_energy, dissipation : ndarray, (steps,)
+        Spent by the twist since the beginning, its elastic energy, and energy lost since the beginning [J].
     nested : ndarray of bool, (steps,)
         Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
     states : tuple of TorsionState
@@ -234,6 +237,7 @@ class TorsionSolution:
     torque: Array
     torque_limit: Array
     stick_radius: Array
+    work: Array
     stored_energy: Array
     dissipation: Array
     nested: Array
@@ -262,7 +266,7 @@ class TorsionSolution:
         problem = self.problem
         bed = problem.bed
         contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, self.states))
-        return (*contact, *_notes(self))
+        return (*contact, *_notes(self), energy_note(self.work, self.stored_energy, self.dissipation))
 
 
 def _notes(solution: TorsionSolution) -> Iterator[Note]:

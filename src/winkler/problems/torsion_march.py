@@ -16,7 +16,7 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.numerics.types import Array
 from winkler.problems.torsion_bound import Press, TwistBound
-from winkler.problems.torsion_memory import TwistMemory, lost_along, moved, pieces_of
+from winkler.problems.torsion_memory import Move, TwistMemory, moved, pieces_of, slid_along, stuck_work
 
 __all__ = ["LOSS", "TURN", "Turned", "square", "torque_of", "turned", "turned_to"]
 
@@ -35,11 +35,12 @@ TRIES = 200
 
 
 class Turned(NamedTuple):
-    """The springs after a step, 8 G_t times the change of the angle [Pa], 4 G_t times the loss, and `Move.nested`."""
+    """The springs after a step, 8 G_t times the change of the angle [Pa], 4 G_t times loss and work, `Move.nested`."""
 
     memory: TwistMemory
     twist: float
     loss: float
+    work: float
     nested: bool
 
 
@@ -66,18 +67,21 @@ def turned(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -
     """Return the springs after load and angle have changed in proportion."""
     press = _settled(memory.press, press)
     whole = moved(bound, memory, press, twist)
+    stuck = stuck_work(bound, memory, press, twist)
     if whole.loss == 0.0 or press == memory.press:
-        return Turned(whole.memory, twist, whole.loss, whole.nested)
+        return Turned(whole.memory, twist, whole.loss, stuck + whole.extra, whole.nested)
     stored = [square(bound, each) for each in (memory, whole.memory)]
     if twist == 0.0:  # nothing is put in: what is lost was stored
-        return Turned(whole.memory, twist, max(0.5 * (stored[0] - stored[1]), 0.0), whole.nested)
+        return Turned(whole.memory, twist, max(0.5 * (stored[0] - stored[1]), 0.0), 0.0, whole.nested)
     rough = best = whole.loss
+    extra = whole.extra
     for halving in range(1, MOST + 1):
         way = [step for step, _ in _way(bound, memory.press, press, 2**halving)]
-        fine = lost_along(bound, memory, way, twist, whole.rings)
+        fine, work = slid_along(bound, memory, way, twist, whole.rings)
         better, rough = fine + (fine - rough) / 3.0, fine
+        settled, extra = work + (work - extra) / 3.0, work
         if abs(better - best) <= LOSS * (0.5 * max(stored) + fine):
-            return Turned(whole.memory, twist, max(better, 0.0), whole.nested)
+            return Turned(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
         f"Torsion: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not settle; "
@@ -103,20 +107,21 @@ def turned_to(bound: TwistBound, memory: TwistMemory, press: Press, torque: floa
     old: Turned | None = None
     best = 0.0
     for halving in range(MOST + 1):
-        now, twist, loss, nested, done, rate = memory, 0.0, 0.0, True, 0.0, 0.0
+        now, twist, loss, work, nested, done, rate = memory, 0.0, 0.0, 0.0, True, 0.0, 0.0
         for step, share in _way(bound, memory.press, press, 2**halving):
             done = min(done + share, 1.0)
             aim = torque if step == press else start + (torque - start) * done
             part = _sought(bound, now, step, aim, rate * share)
             rate = part.twist / share
-            now, twist, loss, nested = part.memory, twist + part.twist, loss + part.loss, nested and part.nested
-        new = Turned(now, twist, loss, nested)
+            now, twist, nested = part.memory, twist + part.twist, nested and part.nested
+            loss, work = loss + part.loss, work + part.work
+        new = Turned(now, twist, loss, work, nested)
         if old is None:
             old, best = new, new.loss
             continue
         better = new.loss + (new.loss - old.loss) / 3.0
         if abs(new.twist - old.twist) <= TURN * angle and abs(better - best) <= TURN * (size + new.loss):
-            return new._replace(loss=max(better, 0.0))
+            return new._replace(loss=max(better, 0.0), work=new.work + (new.work - old.work) / 3.0)
         old, best = new, better
     raise NotConverged(
         f"Torsion: the angle under {torque:.6g} N m does not settle while the normal load changes from "
@@ -183,12 +188,17 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
         )
     slack = MISS * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf
+
+    def found(move: Move) -> Turned:
+        work = stuck_work(bound, memory, press, twist) + move.extra
+        return Turned(move.memory, twist, move.loss, work, move.nested)
+
     low_miss = high_miss = 0.0
     for tried in range(TRIES):
         move = moved(bound, memory, press, twist)
         miss = torque_of(bound, move.memory) - torque
         if abs(miss) <= slack or (low < high and math.nextafter(low, high) >= high):
-            return Turned(move.memory, twist, move.loss, move.nested)
+            return found(move)
         if miss < 0.0:
             low, low_miss = twist, miss
         else:
@@ -199,6 +209,6 @@ def _sought(bound: TwistBound, memory: TwistMemory, press: Press, torque: float,
             share = -low_miss / (high_miss - low_miss) if tried % 2 else 0.5
             ahead = low + (high - low) * min(max(share, 0.01), 0.99)
         if ahead == twist:
-            return Turned(move.memory, twist, move.loss, move.nested)
+            return found(move)
         twist = ahead
     raise NotConverged(f"Torsion: the angle under {torque:.6g} N m was not found in {TRIES} tries.")

@@ -25,7 +25,7 @@ from winkler.numerics.types import Array
 from winkler.problems.torsion_bound import Press, TwistBound
 from winkler.values import value
 
-__all__ = ["Move", "Ring", "TwistMemory", "fresh", "lost_along", "moved", "pieces_of"]
+__all__ = ["Move", "Ring", "TwistMemory", "fresh", "moved", "pieces_of", "slid_along", "stuck_work"]
 
 ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
@@ -80,13 +80,14 @@ class Ring(NamedTuple):
 class Move(NamedTuple):
     """What a move leads to.
 
-    `loss` is 4 G_t times the energy lost, as if the bound had changed in proportion too, `rings` are the springs that
-    slid, `nested` whether these are the outer part of the contact and slid to one side, and `free` is the part of
-    2 int x^2 dx that follows a further twist.
+    `loss` is 4 G_t times the energy lost, as if the bound had changed in proportion too, and `extra` the work beyond
+    `stuck_work` likewise; `rings` are the springs that slid, `nested` whether these are the outer part of the contact
+    and slid to one side, and `free` is the part of 2 int x^2 dx that follows a further twist.
     """
 
     memory: TwistMemory
     loss: float
+    extra: float
     rings: tuple[Ring, ...]
     nested: bool
     free: float
@@ -180,8 +181,23 @@ def moved(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) ->
             rings.append(Ring(sample, load, sample.read(bound.clock), np.full(sample.x.shape, state)))
     if press.radius < before.radius:
         rings += _left(bound, memory, press, twist)
-    loss = lost_along(bound, memory, [press], twist, tuple(rings)) if rings else 0.0
-    return Move(_kept(press, done), loss, tuple(rings), _nested(states, press.radius), free)
+    loss, extra = slid_along(bound, memory, [press], twist, tuple(rings)) if rings else (0.0, 0.0)
+    return Move(_kept(press, done), loss, extra, tuple(rings), _nested(states, press.radius), free)
+
+
+def stuck_work(bound: TwistBound, memory: TwistMemory, press: Press, twist: float) -> float:
+    """Return 4 G_t times the work of a move on the springs that end in contact, if none of them slid."""
+    total, before, change = 0.0, memory.radius, press.level - memory.level
+    for piece in pieces_of(memory):
+        if piece.low < press.radius:
+            work = bound.x**2 * twist * (piece.values(bound) + 0.5 * twist)
+            low, high = bound.panels.integral(work, np.array([piece.low, min(piece.high, press.radius)])).tolist()
+            total += high - low
+    if press.radius > before and change > 0.0:
+        work = 0.5 * (bound.x * twist * (press.level - bound.clock) / change) ** 2
+        low, high = bound.panels.integral(work, np.array([before, press.radius])).tolist()
+        total += high - low
+    return total
 
 
 def _free(bound: TwistBound, low: float, high: float, level: float, change: float) -> float:
@@ -192,14 +208,16 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
     return 2.0 * float(moments[1] - moments[0]) / change
 
 
-def lost_along(
+def slid_along(
     bound: TwistBound, memory: TwistMemory, way: Sequence[Press], twist: float, rings: tuple[Ring, ...]
-) -> float:
-    """Return 4 G_t times the energy that `rings` lose on a way whose last press is where the move ends.
+) -> tuple[float, float]:
+    """Return 4 G_t times the energy that `rings` lose on a way whose last press is where the move ends, and the work.
 
-    Between the points of the way bounds are taken as straight; the error falls with the square of their distance.
+    Of the work it is the part beyond `stuck_work`, summed up from the loads that the springs have on their way, the
+    loss from how far they slide.  Between the points of the way bounds are taken as straight; the error falls with the
+    square of their distance.
     """
-    total, start, end = 0.0, memory.level, way[-1].level
+    total, extra, start, end = 0.0, 0.0, memory.level, way[-1].level
     for ring in rings:
         x = ring.sample.x
         side = ring.side
@@ -207,23 +225,31 @@ def lost_along(
         last = np.clip((start - ring.clock) / (start - end), 0.0, 1.0) if end < start else np.ones_like(x)
         if bound.endless:
             total += 0.5 * float(np.sum(ring.sample.weights * x**2 * (ring.before + twist * last) ** 2))
+            extra += float(np.sum(ring.sample.weights * x**2 * twist * last * (ring.before + 0.5 * twist * last)))
             continue
         allowed = np.where(x < memory.radius, np.maximum(ring.sample.read(bound.at(memory.press)), 0.0), 0.0)
         slid = np.maximum(side * ring.before - allowed, 0.0)  # rounding
-        load = side * ring.before
+        load = turned = side * ring.before
         density = np.zeros_like(x)
+        if_stuck = twist * (1.0 - first)
+        work = np.where(x < way[-1].radius, -if_stuck * (ring.before + 0.5 * if_stuck), 0.0)
         for press in way:
             share = (press.level - start) / (end - start) if end != start else 1.0
-            turned = side * (ring.before + twist * np.maximum(np.minimum(share, last) - first, 0.0))
+            here = side * (ring.before + twist * np.maximum(np.minimum(share, last) - first, 0.0))
             limit = np.where(x < press.radius, np.maximum(ring.sample.read(bound.at(press)), 0.0), 0.0)
-            excess = np.maximum(turned - limit - slid, 0.0)
+            excess = np.maximum(here - limit - slid, 0.0)
             margin = np.maximum(allowed - load, 0.0)
             onset = np.divide(margin, margin + excess, out=np.zeros_like(margin), where=margin + excess > 0.0)
-            density += 0.5 * (allowed + (limit - allowed) * onset + limit) * excess
-            slid, allowed = slid + excess, limit
-            load = np.minimum(turned - slid, limit)
+            at_onset = allowed + (limit - allowed) * onset
+            density += 0.5 * (at_onset + limit) * excess
+            slid = slid + excess
+            after = np.minimum(here - slid, limit)
+            mean = np.where(excess > 0.0, onset * (load + at_onset) + (1.0 - onset) * (at_onset + limit), load + after)
+            work += 0.5 * mean * (here - turned)
+            load, turned, allowed = after, here, limit
         total += float(np.sum(ring.sample.weights * x**2 * density))
-    return total
+        extra += float(np.sum(ring.sample.weights * x**2 * work))
+    return total, extra
 
 
 def _read(bound: TwistBound, values: Array, place: float) -> float:

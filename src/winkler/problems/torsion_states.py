@@ -113,8 +113,8 @@ class TorsionState:
         At which everything would slide [N m].
     stick_radius : float
         Of the part that is not at its bound [m].
-    stored_energy, dissipation : float
-        Elastic energy of the twist, and energy lost since the beginning [J].
+    work, stored_energy, dissipation : float
+        Spent by the twist since the beginning, its elastic energy, and energy lost since the beginning [J].
     nested : bool
         Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
     springs : TwistedSprings
@@ -129,6 +129,7 @@ class TorsionState:
     torque: float
     torque_limit: float
     stick_radius: float
+    work: float
     stored_energy: float
     dissipation: float
     nested: bool
