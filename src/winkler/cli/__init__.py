@@ -12,7 +12,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from winkler.cli.saying import say, spell
+from winkler.cli.saying import emptied, say, spell
 from winkler.study import stopping
 
 __all__ = ["main"]
@@ -36,7 +36,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             spell()
             words = list(sys.argv[1:] if arguments is None else arguments)
             traceback = "--traceback" in words
-            return _command([word for word in words if word != "--traceback"])
+            code = _command([word for word in words if word != "--traceback"])
+            emptied()
+            return code
     except KeyboardInterrupt:
         return _stopped(heard)
     except SystemExit:
