@@ -65,6 +65,13 @@ def test_the_exit_code_is_that_of_the_command_if_the_reader_has_gone(words, code
         assert (here / "results" / Path(words[1]).stem / "provenance.json").is_file()
 
 
+def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd):
+    unread.write("what was said before")
+    assert main(["run", "ball.tml"]) == 2
+    assert capfd.readouterr().err.startswith("winkler: ball.tml: there is no such file")
+    unread.flush()
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
 @pytest.mark.parametrize("words", [["run", "ball.toml"], ["run", "ball.toml", "--json"], ["show"]])
 def test_a_full_disk_behind_stdout_is_told_in_a_sentence(words, here, monkeypatch, capfd):
