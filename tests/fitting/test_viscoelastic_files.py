@@ -47,7 +47,8 @@ def test_creep_of_a_polymer_gel(measured, shared_data):
     modulus = f"{FIRST}relaxed_shear"
     assert known.value(modulus) == pytest.approx(found.value(modulus), rel=0.02)
     held = curve.direction == 0.0
-    elastic = fit(curve, model(Prony(1e2, [1e3], [1e4]), wk.Force), free=[ROWS[0], *IN])
+    # nearly elastic: with a fixed branch above the gel's own modulus nothing would be left for the relaxed one
+    elastic = fit(curve, model(Prony(1e2, [1.0], [1e4]), wk.Force), free=[ROWS[0], *IN])
     assert np.std(elastic.residuals[held]) > 4.0 * np.std(found.residuals[held])
 
 

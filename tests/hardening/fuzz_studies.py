@@ -208,8 +208,8 @@ class Drawn:
 
 LASTING = ("coated_half_space", "depth_graded_half_space", "sum", "measured_bed")
 """Parts whose answers take long where numbers are far from each other; they are moved a little only."""
-MARCHING = ("viscoelastic_adhesion",)
-"""Problems that take long on such parts whatever their numbers."""
+MARCHING = ("viscoelastic_adhesion", "fretting_wear", "sliding_wear")
+"""Problems that take long on such parts, or with numbers far from each other, while they tell how far they are."""
 
 
 def solvable(rng: Random, problem: str) -> dict[str, Any]:

@@ -229,7 +229,7 @@ def rough_depth(bed: Bed, energy: float) -> float:
     while radius[0] < end and float(stored(radius)[0]) < energy:
         low, radius = radius, np.minimum(2.0 * radius, end)
     for _ in range(HALVINGS):  # beside a flat part, where it begins to rise, twice as wide may be very much deeper
-        if float(stored(radius)[0]) <= FAR * energy:
+        if float(stored(0.999 * radius)[0]) <= FAR * energy:  # at the end itself a gap may be infinite
             break
         middle = 0.5 * (low + radius)
         low, radius = (low, middle) if float(stored(middle)[0]) >= energy else (middle, radius)
