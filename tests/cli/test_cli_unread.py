@@ -37,12 +37,11 @@ def here(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def unread(monkeypatch):
+def unread():
     """A pipe that nobody reads, as behind ``| head`` that has seen enough."""
     reader, writer = os.pipe()
     os.close(reader)
     with os.fdopen(writer, "w", encoding="utf-8") as stream:
-        monkeypatch.setattr(sys, "stdout", stream)
         yield stream
 
 
@@ -57,7 +56,8 @@ def unread(monkeypatch):
         (["cite", "ball.toml"], 0),
     ],
 )
-def test_the_exit_code_is_that_of_the_command_if_the_reader_has_gone(words, code, here, unread, capfd):
+def test_the_exit_code_is_that_of_the_command_if_the_reader_has_gone(words, code, here, unread, capfd, monkeypatch):
+    monkeypatch.setattr(sys, "stdout", unread)  # here, since pytest sets its own after the fixtures
     assert main(words) == code
     assert capfd.readouterr().err == ""
     unread.flush()  # as Python does at its end; it would say that this failed
@@ -65,7 +65,8 @@ def test_the_exit_code_is_that_of_the_command_if_the_reader_has_gone(words, code
         assert (here / "results" / Path(words[1]).stem / "provenance.json").is_file()
 
 
-def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd):
+def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd, monkeypatch):
+    monkeypatch.setattr(sys, "stdout", unread)
     unread.write("what was said before")
     assert main(["run", "ball.tml"]) == 2
     assert capfd.readouterr().err.startswith("winkler: ball.tml: there is no such file")
