@@ -26,7 +26,7 @@ ENDLESS = ("machine_stiffness", "resistance", "conductance", "coefficient", "int
 """What may be infinite: without a contact, without a film."""
 NOT_NEGATIVE = (
     *("radius", "stick_radius", "area", "longitudinal_semi_axis", "lateral_semi_axis", "worn_depth", "worn_volume"),
-    *("first_volume", "second_volume", "time", "duration", "distance", "resistance", "conductance", "heat_rate"),
+    *("first_volume", "second_volume", "time", "duration", "distance", "resistance", "conductance"),
     *("loss_per_cycle", "loss_per_distance", "loss_stiffness", "storage_stiffness", "damping", "loss_factor", "rise"),
     *("kinetic_energy", "crack_speed", "uncertainty", "misfit", "film_resistance", "bulk_resistance", "constriction"),
     *("first_constriction", "second_constriction", "mean_gap", "area_error", "shear_stiffness", "peak_pressure"),

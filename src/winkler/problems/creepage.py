@@ -62,9 +62,8 @@ class Creepage:
             good = given.dtype.kind in "fiu" and given.size > 0 and np.all(np.isfinite(given))
             if not good or np.any(np.abs(given) > MOST[word]):
                 most = f", of at most {MOST[word]:g}" if math.isfinite(MOST[word]) else ""
-                raise InvalidInput(
-                    f"Creepage: {word} is {getattr(self, word)!r}; give a number{unit}, or an array of them{most}."
-                )
+                shown = " ".join(repr(getattr(self, word)).split())  # arrays are written in lines
+                raise InvalidInput(f"Creepage: {word} is {shown}; give a number{unit}, or an array of them{most}.")
         try:
             np.broadcast_shapes(*(np.shape(getattr(self, word)) for word in UNITS))
         except ValueError:

@@ -190,9 +190,9 @@ def stuck_work(bound: TwistBound, memory: TwistMemory, press: Press, twist: floa
     total, before, change = 0.0, memory.radius, press.level - memory.level
     for piece in pieces_of(memory):
         if piece.low < press.radius:
-            work = bound.x**2 * twist * (piece.values(bound) + 0.5 * twist)
-            low, high = bound.panels.integral(work, np.array([piece.low, min(piece.high, press.radius)])).tolist()
-            total += high - low
+            sample = bound.panels.sample(piece.low, min(piece.high, press.radius))
+            load = sample.read(piece.values(bound))
+            total += float(np.sum(sample.weights * sample.x**2 * twist * (load + 0.5 * twist)))
     if press.radius > before and change > 0.0:
         work = 0.5 * (bound.x * twist * (press.level - bound.clock) / change) ** 2
         low, high = bound.panels.integral(work, np.array([before, press.radius])).tolist()
