@@ -11,7 +11,7 @@ transformed profile; solved there, exactly where the method is exact; and brough
 (186.626, 3.4829)
 """
 
-from typing import TYPE_CHECKING
+TYPE_CHECKING = False  # as type checkers know it; `typing` takes longer to load than the rest of this page
 
 if TYPE_CHECKING:
     from winkler.door import *  # noqa: F403

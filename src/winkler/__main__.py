@@ -1,8 +1,38 @@
-"""``python -m winkler`` is the command ``winkler``."""
+"""``python -m winkler`` is the command ``winkler``, and this is where both begin.
+
+Nothing but the interpreter's own modules is imported before signals are heard: a Ctrl-C while the rest is loaded ends
+the process at once, without a traceback.
+"""
 
 import sys
 
-from winkler.cli import main
+__all__ = ["main"]
+
+
+def main() -> int:
+    """Run the command of this process and return its exit code."""
+    try:
+        import os
+        import signal
+
+        def leave(number: int, frame: object) -> None:
+            """End at once: nothing is open yet, and an interrupt that is raised in an import may be lost."""
+            try:
+                os.write(2, b"winkler: interrupted; nothing was written.\n")
+            finally:
+                os._exit(130)
+
+        usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if usual:
+            signal.signal(signal.SIGINT, leave)
+        from winkler.cli import main as command
+
+        if usual:
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # which `winkler.study.stopping` replaces
+        return command()
+    except KeyboardInterrupt:
+        return 130
+
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -22,6 +22,7 @@ __all__ = [
     "MOST_CURVES",
     "MOST_NUMBERS",
     "PATH_POINTS",
+    "READING_BYTES",
     "RELAXING_SPRINGS",
     "SLOWEST",
     "SPRINGS",
@@ -56,6 +57,8 @@ STUDY_MARKS = 1_000_000
 """Signs of a study that separate its entries: commas, equals signs, brackets and ends of lines."""
 FILE_BYTES = 1_000_000_000
 """Bytes of a file of an instrument, and of all that is packed in it."""
+READING_BYTES = 2_000_000_000
+"""Bytes that a library may take to read such a file."""
 LIST_BYTES = 50_000_000
 """Bytes of the list of contents of an archive; a map of a million curves needs them."""
 MOST_NUMBERS = 2**26

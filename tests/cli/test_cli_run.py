@@ -190,11 +190,15 @@ def test_a_folder_without_permission(here, capsys):
 
 def test_a_full_disk_leaves_nothing(here, monkeypatch, capsys):
     def full(*_: object) -> None:
-        raise OSError(28, "No space left on device")
+        raise OSError(
+            28, "Unable to create file (file write failed: time = Sun Nov 22\n, filename = 'a.nc', errno = 28)"
+        )
 
     monkeypatch.setattr("winkler.study.writing.study_text", full)
     assert main(["run", "ball.toml"]) == 2
-    assert "cannot be written (no space left on device)" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "cannot be written (no space left on device); give" in said
+    assert said.count("\n") == 1
     assert [path.name for path in here.iterdir()] == ["ball.toml"]
 
 

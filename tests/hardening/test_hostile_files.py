@@ -129,9 +129,9 @@ def header(shape: str, kind: str = "'<f8'", version: bytes = b"\x01\x00") -> byt
     return b"\x93NUMPY" + version + struct.pack("<H", len(text)) + text
 
 
-def packed(**arrays: bytes) -> bytes:
+def packed(method: int = zipfile.ZIP_DEFLATED, **arrays: bytes) -> bytes:
     stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as made:
+    with zipfile.ZipFile(stream, "w", method) as made:
         for name, content in arrays.items():
             made.writestr(f"{name}.npy", content)
     return stream.getvalue()
@@ -148,6 +148,12 @@ SIDE = 9000
 RECORD = saved(np.zeros(2, dtype=[("a", "<f8"), ("b", "<f8")]))
 ARRAYS = {
     "a bomb": (packed(heights=header(f"({SIDE}, {SIDE})", "'|i1'") + bytes(SIDE**2)), "at most 67108864 numbers"),
+    "packed by bzip2": (packed(zipfile.ZIP_BZIP2, heights=MAP), "packed by another method"),
+    "packed by lzma": (packed(zipfile.ZIP_LZMA, heights=MAP), "packed by another method"),
+    "a header of megabytes": (
+        packed(heights=b"\x93NUMPY\x02\x00" + struct.pack("<I", 4_000_000) + b" " * 4_000_000),
+        "expected 4000000 bytes got",
+    ),
     "a shape that is a lie": (packed(heights=header("(8000, 8000)") + bytes(100)), "needs more bytes than"),
     "a shape without end": (packed(heights=header("(10**9, 9)")), "no file of numpy's arrays"),
     "more numbers than there are": (packed(heights=header("(99999999999999, 9)")), "at most 67108864 numbers"),
@@ -213,9 +219,10 @@ def test_a_map_of_an_instrument_is_read(tmp_path):
     assert wk.read_topography(tmp_path / "map.npy", **SIZES).heights.shape == (4096, 4096)
 
 
-def test_a_member_of_an_upload_that_unpacks_to_more_than_it_states():
+@pytest.mark.parametrize("method", [zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_a_member_of_an_upload_that_unpacks_to_more_than_it_states(method):
     stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as made:
+    with zipfile.ZipFile(stream, "w", method) as made:
         made.writestr("study.toml", bytes(15_000_000))
     content = stream.getvalue().replace(struct.pack("<I", 15_000_000), struct.pack("<I", 10))
     room = Room()
@@ -245,9 +252,13 @@ def test_an_hdf5_file_that_states_gigabytes(tmp_path):
 def test_archives_of_instruments_that_unpack_to_gigabytes(name, tmp_path):
     path = tmp_path / name
     content = packed(header=bytes(1_000_000), data=b"")
-    path.write_bytes(content.replace(struct.pack("<I", 1_000_000), struct.pack("<I", 3_000_000_000)))
+    stated = content.replace(struct.pack("<I", 1_000_000), struct.pack("<I", 3_000_000_000))
+    path.write_bytes(stated)
     told = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
     assert "2 files of 3000 MB" in told
+    path.write_bytes(b"something else" + stated)
+    told = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
+    assert ("2 files of 3000 MB" if "curve" in name else "SurfaceTopography cannot read this file") in told
 
 
 # ------------------------------------------------------------------------------------------------------------- texts

@@ -14,6 +14,7 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.study import sweep
+from winkler.study.fitting import FitStudy, Free
 from winkler.study.journal import Journal
 from winkler.study.outcome import Failed, Recalled, Solved
 from winkler.study.run import gather, run
@@ -165,6 +166,14 @@ def test_a_journal_of_another_study_is_refused(change, tmp_path):
     ):
         pass
     assert path.read_bytes() == before
+
+
+def test_a_fit_names_what_a_journal_of_a_sweep_holds(tmp_path):
+    path = tmp_path / "x.journal"
+    first(STUDY, path, 1)
+    fit = FitStudy("x", wk.Indentation(BED, wk.Depth(0.0)), ("x.csv",), (Free("contact_point"),))
+    with pytest.raises(InvalidInput, match="holds points of another study"), Journal(path, fit):
+        pass
 
 
 def test_another_version_of_winkler_does_not_go_on(tmp_path, monkeypatch):

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import errno
+import pathlib
+
 import pytest
 
 from winkler.errors import InvalidInput
-from winkler.web.room import LARGEST, Room, files_in, plain_name
+from winkler.web.room import LARGEST, TOTAL, Room, files_in, plain_name
 from winkler.web.sliders import STEPS, span_of
 from winkler.web.typed import shown, typed
 
@@ -110,6 +113,27 @@ def test_uploads_are_limited(room):
     room.keep("7.csv", b"again")
     with pytest.raises(InvalidInput, match="50 files already"):
         room.keep("one_more.csv", b"1")
+
+
+def test_all_uploads_of_a_page_have_a_limit(room):
+    for number in range(TOTAL // LARGEST):
+        room.keep(f"{number}.csv", bytes(LARGEST))
+    with pytest.raises(InvalidInput, match=r"^'more\.csv': .* more than 100 MB, .*; reload the page"):
+        room.keep("more.csv", b"1")
+    room.keep("0.csv", b"1")  # in place of the first
+    room.keep("more.csv", b"1")
+    assert sum(path.stat().st_size for path in room.folder.iterdir()) == TOTAL - LARGEST + 2
+
+
+def test_an_upload_that_cannot_be_written_is_one_sentence(room, monkeypatch):
+    def full(self, content):
+        self.touch()
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(pathlib.Path, "write_bytes", full)
+    with pytest.raises(InvalidInput, match=r"^'tip\.csv' cannot be kept \(no space left on device\); make room"):
+        room.keep("tip.csv", b"1 2")
+    assert room.names == ()
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ import uuid
 
 import nicegui
 import pytest
-from nicegui import Client, core
+from nicegui import Client, core, ui
 from starlette.testclient import TestClient, WebSocketDisconnect
 
 from winkler.web import assembly, solver
@@ -71,7 +71,7 @@ def browser(workers, tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(solver, "started", workers.started)
         with TestClient(core.app, base_url=HOME) as client:
-            client.folder = folder
+            client.folder, client.visitors = folder, visitors
             yield client
         assert workers.alive == []  # when the app ends
         assert list(folder.iterdir()) == []
@@ -182,6 +182,65 @@ def test_no_process_can_be_started(browser, workers, monkeypatch):
     with opened(browser) as page:
         heard(page, "gets no folder or no process (resource temporarily unavailable); close other programs")
     assert list(browser.folder.iterdir()) == []
+
+
+def page_of(browser, socket):
+    return browser.visitors._open[Client.instances[socket.client]].page
+
+
+def test_a_process_that_ends_or_cannot_be_started_again(browser, workers, monkeypatch):
+    def refused():
+        raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+
+    with opened(browser) as socket:
+        heard(socket, "Contact mechanics")
+        page = page_of(browser, socket)
+        workers.ends[-1].close()
+        heard(socket, "The process of this page ended before it was ready. Change the study to try again.")
+        assert workers.alive == []
+        with monkeypatch.context() as patch:
+            patch.setattr(solver, "started", refused)
+            for ask, why in ((page.stop, "Stopped. No process"), (page.solve, "No process")):
+                browser.portal.call(ask)
+                heard(socket, f"{why} can be started (resource temporarily unavailable); close other programs")
+            assert not page.solver.starting
+        browser.portal.call(page.solve)
+        assert len(workers.alive) == 1
+        assert workers.ends[-1].recv().number == page.solver.number
+        workers.ends[-1].send((0, None))
+        until(lambda: page.solver.ready)
+        workers.ends[-1].close()
+        heard(socket, "The process of this page ended, perhaps for want of memory; ask for less. Change the study")
+    until(lambda: not browser.visitors._open)
+
+
+def test_no_thread_can_be_started(browser, workers, monkeypatch):
+    def refused(self):
+        raise RuntimeError("can't start new thread")
+
+    with opened(browser) as socket:
+        heard(socket, "Contact mechanics")
+        page = page_of(browser, socket)
+        with monkeypatch.context() as patch:
+            patch.setattr(solver.threading.Thread, "start", refused)
+            browser.portal.call(page.stop)
+        heard(socket, "Stopped. No process can be started (can't start new thread); close other programs")
+        assert workers.alive == []
+
+
+def test_an_unexpected_error_is_told(browser):
+    def boom():
+        raise KeyError("<b>boom</b>")
+
+    def click(client):
+        with client:
+            button = ui.button("boom", on_click=boom)
+        client.handle_event({"id": button.id, "listener_id": next(iter(button._event_listeners)), "args": []})
+
+    with opened(browser) as socket:
+        heard(socket, "Contact mechanics")
+        browser.portal.call(click, Client.instances[socket.client])
+        heard(socket, "winkler made a mistake (KeyError: '<b>boom</b>'); report it with this study.")
 
 
 def upload_address(message):

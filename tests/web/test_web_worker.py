@@ -139,7 +139,7 @@ def test_a_long_run_is_stopped_and_the_next_is_answered(tmp_path):
 
     async def use():
         heard = []
-        solver = Solver(lambda reply, newest: heard.append(reply))
+        solver = Solver(lambda reply, newest: heard.append(reply), lambda ready: heard.append(None))
 
         async def until(kind):
             for _ in range(1200):
@@ -164,5 +164,7 @@ def test_a_long_run_is_stopped_and_the_next_is_answered(tmp_path):
         process = solver.process
         solver.close()
         assert not process.is_alive()
+        await asyncio.sleep(0.05)
+        assert None not in heard  # ends that the page brings about are no losses
 
     asyncio.run(use())

@@ -9,10 +9,11 @@ terminated.
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from collections.abc import Sequence
 
-from winkler.cli.saying import say, spell
+from winkler.cli.saying import emptied, say, spell
 from winkler.study import stopping
 
 __all__ = ["main"]
@@ -36,7 +37,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             spell()
             words = list(sys.argv[1:] if arguments is None else arguments)
             traceback = "--traceback" in words
-            return _command([word for word in words if word != "--traceback"])
+            code = _command([word for word in words if word != "--traceback"])
+            emptied()
+            return code
     except KeyboardInterrupt:
         return _stopped(heard)
     except SystemExit:
@@ -64,6 +67,8 @@ def _told(error: Exception, heard: stopping.Heard) -> int:
     """Say what went wrong in one sentence, and return the exit code."""
     from winkler.errors import Interrupted, WinklerError, mistake_in
 
+    with contextlib.suppress(WinklerError):  # one error is told, and this one comes first
+        emptied()
     if (heard.code and not isinstance(error, Interrupted)) or type(error).__name__ == "Abort":
         return _stopped(heard)  # a library made an error of its own of it
     if isinstance(error, WinklerError):

@@ -2,7 +2,7 @@
 
 import sys
 
-from winkler.cli import main
+from winkler.__main__ import main
 
 if __name__ == "__main__":
     sys.exit(main())

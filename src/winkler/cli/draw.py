@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -51,6 +52,7 @@ def draw(
     from winkler.plot import draw as picture_of
     from winkler.plot.stresses import mark_interfaces
     from winkler.study.reading import read_study
+    from winkler.study.single_file import write_whole
     from winkler.study.study import PICTURES
 
     if part not in PARTS:
@@ -68,11 +70,9 @@ def draw(
     figure = picture_of(item)
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
         mark_interfaces(figure.axes[0], item, answer.problem.bed.medium)
-    try:
-        figure.savefig(path)
-    except OSError as error:
-        why = (error.strerror or type(error).__name__).lower()
-        raise InvalidInput(f"draw: '{path}' cannot be written ({why}); give another file with --output.") from None
+    with io.BytesIO() as drawn:
+        figure.savefig(drawn, format=path.suffix[1:].lower())
+        write_whole(path, drawn.getvalue())
     say(f"Written {path}")
 
 

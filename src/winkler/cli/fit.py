@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
-from winkler.cli.saying import say, say_json
+from winkler.cli.saying import read_or_not, say, say_json
 
 if TYPE_CHECKING:
     from winkler.fitting.compare import AnyFit
@@ -175,6 +175,7 @@ def _course(state: FitState, study: FitStudy) -> str:
     return f"{state.evaluations} evaluation{'s' * (state.evaluations != 1)}{left}"
 
 
+@read_or_not()
 def _print(outcome: FitOutcome, folder: Path) -> None:
     from winkler.cli import terminal
 

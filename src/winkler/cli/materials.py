@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from winkler.cli.saying import read_or_not
 from winkler.cli.terminal import console, prefixed
 
 __all__ = ["every", "has", "names", "one"]
@@ -29,6 +30,7 @@ def has(name: str) -> bool:
     return True
 
 
+@read_or_not()
 def every() -> None:
     """Show all materials, with what is asked for most."""
     from rich import box
@@ -49,6 +51,7 @@ def every() -> None:
     out.print("Room temperature, SI units. `winkler show copper` tells all numbers of a material and their sources.")
 
 
+@read_or_not()
 def one(name: str) -> None:
     """Show every number of a material, with its source and how a study names it."""
     import numpy as np

@@ -59,6 +59,7 @@ def new(
     from winkler.study.catalogue import CATALOGUE
     from winkler.study.reading import parse_study
     from winkler.study.run import run
+    from winkler.study.single_file import write_whole
     from winkler.study.template import template
 
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
@@ -73,9 +74,5 @@ def new(
         run(parse_study(text, file=path.name))
     except WinklerError as error:
         raise type(error)(f"these kinds do not go together: {error}") from None
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        why = (error.strerror or type(error).__name__).lower()
-        raise InvalidInput(f"'{path}' cannot be written ({why}); give another file with --output.") from None
+    write_whole(path, text.encode())
     say(f"Written {path}; run it with: winkler run {path}")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
-from winkler.cli.saying import safe, say, say_json
+from winkler.cli.saying import read_or_not, safe, say, say_json
 
 if TYPE_CHECKING:
     from winkler.errors import WinklerError
@@ -156,6 +156,7 @@ def _mistake(name: str, outcome: Outcome, folder: Path) -> WinklerError:
     )
 
 
+@read_or_not()
 def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table

@@ -2,18 +2,22 @@ r"""What is said to a terminal or a pipe: plain texts, whatever stands in titles
 
 Control characters (ESC, BEL and others of C0 and C1) and those that turn the direction of a line around become escapes
 such as ``\x1b``: no file of somebody else moves a cursor, renames a window or hides a part of a sentence.  Where the
-stream cannot write a character, it is spelled (``um`` for µm), or a question mark.
+stream cannot write a character, it is spelled (``um`` for µm), or a question mark.  A stream that is closed, or whose
+reader has gone (``winkler run study.toml | head``), is written no more, and the command goes on.
 """
 
 from __future__ import annotations
 
 import codecs
+import contextlib
 import math
+import os
 import sys
 import unicodedata
+from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["plain_json", "safe", "say", "say_json", "spell"]
+__all__ = ["emptied", "plain_json", "read_or_not", "safe", "say", "say_json", "spell"]
 
 TURNING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u2028\u2029")
 """They turn the direction of a line around, or break it."""
@@ -49,14 +53,20 @@ def _shown(letter: str) -> str:
 
 def say(text: str, *, end: str = "\n", error: bool = False) -> None:
     """Say a text on stdout, or on stderr."""
-    print(safe(text), end=end, file=sys.stderr if error else sys.stdout)
+    if error:
+        with contextlib.suppress(OSError):  # the exit code tells
+            print(safe(text), end=end, file=sys.stderr)
+        return
+    with read_or_not():
+        print(safe(text), end=end)
 
 
 def say_json(content: Any) -> None:
     """Say JSON on stdout: in ASCII, and with numbers that JSON does not know in words."""
     import json
 
-    print(json.dumps(plain_json(content), indent=2, allow_nan=False))
+    with read_or_not():
+        print(json.dumps(plain_json(content), indent=2, allow_nan=False))
 
 
 def plain_json(content: Any) -> Any:
@@ -79,12 +89,53 @@ def plain_json(content: Any) -> Any:
 
 
 def spell() -> None:
-    """Let stdout and stderr spell what they cannot write, instead of raising."""
+    """Let stdout and stderr spell what they cannot write, instead of raising; what is closed is written nowhere."""
+    sys.stdout, sys.stderr = (stream or open(os.devnull, "w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
     codecs.register_error(HANDLER, _spelled)
     for stream in (sys.stdout, sys.stderr):
         encoding = getattr(stream, "encoding", None) or "utf-8"
         if hasattr(stream, "reconfigure") and not codecs.lookup(encoding).name.startswith("utf"):
             stream.reconfigure(errors=HANDLER)
+
+
+@contextlib.contextmanager
+def read_or_not() -> Iterator[None]:
+    """Write to stdout, and to nothing else; if the reader goes away, the rest of the block is left out.
+
+    Raises
+    ------
+    InvalidInput
+        If stdout cannot be written for another reason: its disk is full.
+    """
+    try:
+        yield
+    except OSError as error:
+        if error.filename is not None:
+            raise
+        _dropped(sys.stdout)
+        if not isinstance(error, BrokenPipeError):
+            from winkler.errors import InvalidInput
+
+            why = (error.strerror or type(error).__name__).lower()
+            raise InvalidInput(
+                f"stdout cannot be written ({why}); send it elsewhere. Files that the command has written are complete."
+            ) from None
+
+
+def emptied() -> None:
+    """Write out what stdout and stderr still hold, if anybody reads it."""
+    with read_or_not():
+        sys.stdout.flush()
+    with contextlib.suppress(OSError):
+        sys.stderr.flush()
+
+
+def _dropped(stream: Any) -> None:
+    """Write nowhere what a stream holds, and what comes later."""
+    with contextlib.suppress(OSError):  # a stream of Python alone has no descriptor
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
 
 
 def _spelled(error: UnicodeError) -> tuple[str, int]:

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.saying import say_json
+from winkler.cli.saying import read_or_not, say_json
 
 __all__ = ["show"]
 
@@ -58,6 +58,7 @@ def show(
         raise InvalidInput(f"'{name}' is not known{suggest(name, every)}; `winkler show` lists every kind.")
 
 
+@read_or_not()
 def _list(only: str) -> None:
     from rich import box
     from rich.table import Table
@@ -77,6 +78,7 @@ def _list(only: str) -> None:
     out.print("`winkler show KIND` tells what a kind takes, `winkler show study` what a study file may say.")
 
 
+@read_or_not()
 def _kind(name: str) -> None:
     from rich import box
     from rich.table import Table
@@ -111,6 +113,7 @@ def _kind(name: str) -> None:
         out.print(f"See {text}", soft_wrap=True)
 
 
+@read_or_not()
 def _study() -> None:
     from rich import box
     from rich.table import Table

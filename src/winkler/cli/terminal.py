@@ -41,6 +41,10 @@ def console(*, stderr: bool = False) -> Console:
         def render_str(self, text: str, **how: Any) -> Text:
             return super().render_str(safe(text), **how)
 
+        def on_broken_pipe(self) -> None:
+            """Leave to `read_or_not` what happens when the reader has gone; rich would end the process with code 1."""
+            raise BrokenPipeError
+
     stream = sys.stderr if stderr else sys.stdout
     return Safe(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.saying import say, say_json
+from winkler.cli.saying import read_or_not, say, say_json
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -55,6 +55,7 @@ def validate(
     return 0 if all(entry.passed for entry in entries) else MISSED
 
 
+@read_or_not()
 def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
     from winkler.cli.terminal import console
     from winkler.study.ledger_page import chapters

@@ -26,6 +26,8 @@ COMMENT = 2**16
 DENSEST = 1_000_000
 """Of members that are packed in more bytes, the true size is found by unpacking them piece by piece."""
 PIECE = 2**20
+METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+"""How members may be packed; `zipfile` unpacks those of other methods at once, whatever size they state."""
 
 
 def is_archive(path: Path) -> bool:
@@ -69,6 +71,8 @@ def archive(
             raise InvalidInput(f"{name}: the archive has a list of contents of {listed / 1e6:.1f} MB; {remedy}.")
         pack = closed.enter_context(zipfile.ZipFile(file))
         inside = pack.infolist()
+        if any(one.compress_type not in METHODS for one in inside):
+            raise zipfile.BadZipFile("it is packed by another method than deflating")
         total = sum(one.file_size for one in inside)
         if len(inside) > members or total > size:
             raise InvalidInput(
@@ -81,7 +85,7 @@ def archive(
 def _list_size(file: BinaryIO) -> int:
     """Return the size of the list of contents [bytes] as the end of the archive states it; it is read at once."""
     end = file.seek(0, os.SEEK_END)
-    first = file.seek(max(0, end - COMMENT - END_SIZE - LOCATOR_SIZE - END64_SIZE))
+    file.seek(max(0, end - COMMENT - END_SIZE - LOCATOR_SIZE - END64_SIZE))
     tail = file.read()
     file.seek(0)
     plain = len(tail) - END_SIZE  # without a comment
@@ -90,10 +94,10 @@ def _list_size(file: BinaryIO) -> int:
         raise zipfile.BadZipFile("it has no end")
     sizes = [int.from_bytes(tail[place:][LIST_SIZE], "little")]
     before = tail[max(0, place - LOCATOR_SIZE - END64_SIZE) : place]
-    if LOCATOR in before and END64 in before:
-        sizes.append(int.from_bytes(before[before.find(END64) :][LIST_SIZE64], "little"))
-    elif LOCATOR in before and first == 0:
-        raise zipfile.BadZipFile("its end is damaged")
+    if before[-LOCATOR_SIZE:].startswith(LOCATOR):
+        if not before.startswith(END64):
+            raise zipfile.BadZipFile("its end is damaged")
+        sizes.append(int.from_bytes(before[LIST_SIZE64], "little"))
     return max(size for size in sizes if size != 2**32 - 1 or len(sizes) == 1)
 
 

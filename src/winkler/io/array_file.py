@@ -5,6 +5,7 @@ The version of winkler stands beside them.
 
 from __future__ import annotations
 
+import io
 import math
 import os
 from collections.abc import Iterable, Mapping
@@ -25,6 +26,8 @@ __all__ = ["read_arrays", "version_of", "write_arrays"]
 
 MEMBERS = 1000
 """Arrays in a file."""
+HEADER = 20_000
+"""Bytes of what an array states of itself; numpy refuses more than 10,000, once it has read them."""
 TEXTS = 1000
 """Bytes of a text in an array."""
 LISTED = 20
@@ -91,10 +94,11 @@ def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_N
     form = np.lib.format
     if not size:
         raise ValueError("No data left in file")
-    form_version = form.read_magic(file)
+    start = io.BytesIO(file.read(HEADER))
+    form_version = form.read_magic(start)
     if form_version not in ((1, 0), (2, 0)):
         raise ValueError(f"the version {form_version[0]}.{form_version[1]} of the format is for tables of records")
-    shape, _, kind = (form.read_array_header_1_0 if form_version == (1, 0) else form.read_array_header_2_0)(file)
+    shape, _, kind = (form.read_array_header_1_0 if form_version == (1, 0) else form.read_array_header_2_0)(start)
     count = math.prod(shape)
     if kind.hasobject:
         raise ValueError("Object arrays cannot be loaded")

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import logging
 import os
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,8 @@ from winkler.fitting.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.curve_table import is_curve_table, read_curve_table
 from winkler.io.foreign import quiet, sentence_of
+from winkler.io.hdf5_file import refuse_other_files
+from winkler.io.memory import limited_memory
 from winkler.io.segments import directions
 from winkler.io.text_file import existing, refuse_large
 from winkler.limits import FILE_BYTES
@@ -28,6 +31,8 @@ from winkler.values import value
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
 HDF5 = ".h5"
+PACKED = (".jpk", ".zip")
+"""Archives, which may begin with something else: their list of contents stands at the end."""
 HEIGHTS = ("height (measured)", "height (piezo)")
 
 
@@ -164,7 +169,7 @@ def _by_afmformats(
             f"{path}: files that end in '{path.suffix}' are not known; tables and "
             f"{', '.join(afmformats.formats.supported_extensions)} are read."
         )
-    with _silent():
+    with _silent(path):
         try:
             _refuse_large_contents(path)
             group = afmformats.load_data(path, meta_override=known)
@@ -184,7 +189,7 @@ def _by_afmformats(
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
             remedy = "save it anew, or as a table"
-            with _silent(), sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)):
+            with sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)), _silent(path):
                 placed = _translated(data, name, str(path), known)
         except InvalidInput as error:
             yield UnreadCurve(name, str(error))
@@ -193,13 +198,16 @@ def _by_afmformats(
 
 
 @contextlib.contextmanager
-def _silent() -> Iterator[None]:
-    """Keep back what afmformats tells: it prints a traceback of every reader that it tries in vain, and warns."""
+def _silent(path: Path) -> Iterator[None]:
+    """Keep back what afmformats tells: it prints a traceback of every reader that it tries in vain, and warns.
+
+    It also gets a limit of memory.
+    """
     chatter = logging.getLogger("afmformats")
     level = chatter.level
     chatter.setLevel(logging.CRITICAL)
     try:
-        with quiet():
+        with quiet(), limited_memory(path):
             yield
     finally:
         chatter.setLevel(level)
@@ -208,10 +216,11 @@ def _silent() -> Iterator[None]:
 def _refuse_large_contents(path: Path) -> None:
     """Refuse a file that unpacks to more than can be read."""
     remedy = "save a part of the map, or single curves"
-    if is_archive(path):
+    if is_archive(path) or (path.suffix.lower().startswith(PACKED) and zipfile.is_zipfile(path)):
         refuse_large_archive(path, remedy)
-    elif path.suffix.lower() == HDF5:
-        import h5py  # with afmformats
+    refuse_other_files(path)
+    if path.suffix.lower() == HDF5:
+        import h5py
 
         sizes: list[int] = []
         with h5py.File(path, "r") as file:

@@ -10,7 +10,9 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
+from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.height_matrix import FoundMap, refuse_many
+from winkler.io.memory import limited_memory
 from winkler.io.text_file import refuse_large
 from winkler.limits import FILE_BYTES
 from winkler.numerics.types import Array
@@ -41,9 +43,11 @@ def instrument_map(path: Path, channel: str) -> FoundMap:
             'pip install "winkler[topography]".'
         ) from None
     refuse_large(path, FILE_BYTES)
-    with quiet(), sentence_of(path, "SurfaceTopography cannot read this file", "save it as an NPY file or as a text"):
+    wrong, remedy = "SurfaceTopography cannot read this file", "save it as an NPY file or as a text"
+    with quiet(), sentence_of(path, wrong, remedy), limited_memory(path):
         if is_archive(path):
             refuse_large_archive(path, "save the map as an NPY file")
+        refuse_other_files(path)
         reader = open_topography(str(path))
         # other signals than heights have a pair of units, or none
         maps = [

@@ -110,7 +110,7 @@ class Journal:
             self._close()
             raise
         if head != self._head:
-            what = "curves" if "fit" in self._head else "points"
+            what = "curves" if "fit" in head else "points"
             raise self._refused(f"holds {what} of another study, or of another version of this one")
 
     def write(self, text: str, *, final: bool = True) -> None:

@@ -165,7 +165,7 @@ def _processes(count: int) -> Iterator[Callable[..., Future[Any]]]:
     except BrokenProcessPool:
         raise NotConverged(
             "workers: a worker process ended before its time (out of memory, stopped from outside, or started by a "
-            "script that does not call run under `if __name__ == '__main__':`); run again with workers=1."
+            "script that does not call run under `if __name__ == '__main__':`); run again with one worker."
         ) from None
     finally:
         pool.shutdown(wait=False, cancel_futures=True)

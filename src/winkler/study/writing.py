@@ -154,7 +154,9 @@ def _is_here(folder: Path) -> bool:
 
 def unwritable(folder: Path, error: OSError) -> InvalidInput:
     """Return the error of a folder that the system does not let us write."""
-    why = (error.strerror or type(error).__name__).lower()
+    why = (
+        os.strerror(error.errno) if error.errno else type(error).__name__
+    ).lower()  # libraries say more in `strerror`
     return InvalidInput(f"output: '{shown(folder)}' cannot be written ({why}); give another folder with --output.")
 
 

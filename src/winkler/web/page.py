@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import tomli_w
 from nicegui import context, ui
 
-from winkler.errors import WinklerError
+from winkler.errors import WinklerError, mistake_in
+from winkler.io.foreign import reason_of
 from winkler.study.catalogue import CATALOGUE, kinds
 from winkler.study.explain import summary
 from winkler.study.fit_reading import FITTED
@@ -42,6 +44,11 @@ def style() -> None:
     ui.add_css(f".paper {{ {report} }}")
 
 
+def no_process(error: OSError) -> str:
+    """Say that there is no process to solve in."""
+    return f"No process can be started ({reason_of(error).lower()}); close other programs, then change the study."
+
+
 class Page:
     """What one open page holds: its study, its folder, its worker, and what is shown.
 
@@ -64,11 +71,11 @@ class Page:
         self.asking = Asking(self.changed, self.solve)
         self.room = Room(folder)
         try:
-            self.solver = Solver(self.heard)
+            self.solver = Solver(self.heard, self.lost)
         except OSError:
             self.room.close()
             raise
-        self.questions = Questions(self.solver.ask)
+        self.questions = Questions(self.ask)
         self.anew = True
         self.shown_task = self.asking.task
 
@@ -81,6 +88,7 @@ class Page:
 
     def build(self) -> None:
         """Lay the page out."""
+        ui.on_exception(self.unexpected)
         with ui.element("header").classes("top"):
             ui.html("<h1>winkler</h1>", sanitize=False)
             ui.label("Contact mechanics: measured shapes in; forces, pressures and stresses out.").classes("motto")
@@ -210,6 +218,25 @@ class Page:
         self.questions.study(question)
         self.result.state("busy")
 
+    def ask(self, question: Callable[[int], Any]) -> None:
+        """Hand a question to the worker."""
+        try:
+            self.solver.ask(question)
+        except OSError as error:
+            self.questions.forget()
+            self.result.refuse([no_process(error)], beside=False)
+
+    def lost(self, ready: bool) -> None:
+        """Say that the worker has ended by itself; the next question gets a new one."""
+        self.questions.forget()
+        when = ", perhaps for want of memory; ask for less" if ready else " before it was ready"
+        with self.client:
+            self.result.refuse([f"The process of this page ended{when}. Change the study to try again."], beside=False)
+
+    def unexpected(self, error: Exception) -> None:
+        """Show an error that nothing has been prepared for; NiceGUI alone would write it where the app was started."""
+        self.result.refuse([f"{mistake_in(error)}; report it with this study."], beside=False)
+
     def look(self, moment: int) -> None:
         """Ask for the pictures of another moment."""
         self.questions.look(lambda number: Look(number, moment))
@@ -252,7 +279,7 @@ class Page:
 
     def tick(self) -> None:
         """Watch the time."""
-        self.result.passing(self.solver.seconds, ready=self.solver.ready)
+        self.result.passing(self.solver.seconds, ready=not self.solver.starting)
         if self.solver.seconds > self.limit:
             late = f"The study took longer than {self.limit:g} s and was stopped"
             self.stop(f"{late}; ask for less, or run it on the command line.")
@@ -260,5 +287,8 @@ class Page:
     def stop(self, why: str = "Stopped.") -> None:
         """End what is going on."""
         self.questions.forget()
-        self.solver.stop()
+        try:
+            self.solver.stop()
+        except OSError as error:
+            why = f"{why} {no_process(error)}"
         self.result.refuse([why], beside=False)

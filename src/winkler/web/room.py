@@ -12,6 +12,7 @@ from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, member
+from winkler.io.foreign import reason_of
 
 __all__ = ["LARGEST", "Room", "files_in", "plain_name"]
 
@@ -20,7 +21,9 @@ LARGEST = 20_000_000
 CURVE = "fit.curve"
 """The key of a study that names a measured curve."""
 MOST = 50
-"""So many files are kept."""
+"""So many files are kept,"""
+TOTAL = 100_000_000
+"""and so many bytes of all of them."""
 
 
 def plain_name(name: str) -> str:
@@ -72,7 +75,7 @@ class Room:
         Raises
         ------
         InvalidInput
-            If it is too large, empty, or there are too many.
+            If it is too large, empty, there are too many or too large ones already, or it cannot be written.
         """
         if len(content) > LARGEST:
             raise InvalidInput(
@@ -83,7 +86,20 @@ class Room:
         kept = plain_name(name)
         if kept not in self.names and len(self.names) >= MOST:
             raise InvalidInput(f"there are {MOST} files already; reload the page to begin with none.")
-        (self.folder / kept).write_bytes(content)
+        others = sum((self.folder / other).stat().st_size for other in self.names if other != kept)
+        if others + len(content) > TOTAL:
+            raise InvalidInput(
+                f"'{name}': with it the files of this page would have more than {TOTAL / 1e6:.0f} MB, which is what is "
+                "kept; reload the page to begin with none."
+            )
+        place = self.folder / kept
+        try:
+            place.write_bytes(content)
+        except OSError as error:
+            place.unlink(missing_ok=True)
+            raise InvalidInput(
+                f"'{name}' cannot be kept ({reason_of(error).lower()}); make room on the disk."
+            ) from None
         return kept
 
     def unpack(self, content: bytes, study: str) -> bytes:

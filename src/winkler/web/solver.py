@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import multiprocessing
 import threading
 import time
@@ -45,26 +46,47 @@ class Solver:
     ----------
     heard
         Called, in the loop of the page, with every part of the answers to the newest question and the newest study.
+    lost
+        Called there when the worker has ended by itself, with whether it had been ready.
+
+    Raises
+    ------
+    OSError
+        If no process can be started; also by `ask` and `stop`, after which the next question tries again.
     """
 
-    def __init__(self, heard: Heard) -> None:
-        self.heard = heard
+    def __init__(self, heard: Heard, lost: Callable[[bool], None]) -> None:
+        self.heard, self.lost = heard, lost
         self.loop = asyncio.get_running_loop()
         self.number = self.study = 0
         self.since = 0.0
         self.open: set[int] = set()
-        self._begin(started())
+        self.process: Any = None
+        self.pipe: Any = None
+        self._begin()
 
-    def _begin(self, worker: Worker) -> None:
+    def _begin(self) -> None:
         self.ready = False
-        self.process, self.pipe = worker
-        threading.Thread(target=self._listen, args=(self.pipe,), daemon=True).start()
+        self.process, self.pipe = started()
+        try:
+            threading.Thread(target=self._listen, args=(self.pipe,), daemon=True).start()
+        except RuntimeError as error:
+            self.close()
+            raise OSError(errno.EAGAIN, str(error)) from None
 
     def _listen(self, pipe: Any) -> None:
         with contextlib.suppress(EOFError, OSError, RuntimeError), pipe:  # the worker, or the loop, has ended
             while True:
                 number, reply = pipe.recv()
                 self.loop.call_soon_threadsafe(self._take, pipe, number, reply)
+        with contextlib.suppress(RuntimeError):
+            self.loop.call_soon_threadsafe(self._ended, pipe)
+
+    def _ended(self, pipe: Any) -> None:
+        if pipe is self.pipe:  # else it was ended by the page
+            ready = self.ready
+            self.close()
+            self.lost(ready)
 
     def _take(self, pipe: Any, number: int, reply: Any) -> None:
         if pipe is not self.pipe:
@@ -79,18 +101,26 @@ class Solver:
 
     def ask(self, make: Callable[[int], Any]) -> None:
         """Ask a question; `make` gets its number."""
+        if self.pipe is None:
+            self._begin()
         self.number += 1
         self.open.add(self.number)
         self.since = time.monotonic()
         question = make(self.number)
         if isinstance(question, Solve):
             self.study = self.number
-        self.pipe.send(question)
+        with contextlib.suppress(OSError):  # the worker has ended, which is heard of
+            self.pipe.send(question)
 
     @property
     def working(self) -> bool:
         """Whether an answer is not complete."""
         return bool(self.open)
+
+    @property
+    def starting(self) -> bool:
+        """Whether there is a worker that is not ready."""
+        return self.pipe is not None and not self.ready
 
     @property
     def seconds(self) -> float:
@@ -100,10 +130,14 @@ class Solver:
     def stop(self) -> None:
         """End what is going on, and begin anew."""
         self.close()
-        self.open.clear()
-        self._begin(started())
+        self._begin()
 
     def close(self) -> None:
         """End the worker."""
-        self.process.kill()
-        self.process.join(1.0)
+        self.pipe = None
+        self.ready = False
+        self.open.clear()
+        if self.process is not None:
+            self.process.kill()
+            self.process.join(1.0)
+            self.process = None
