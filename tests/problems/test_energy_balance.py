@@ -261,7 +261,7 @@ def test_torsion_on_a_random_way_keeps_account(profile, coefficient):
 def test_the_work_of_a_twist_is_the_integral_of_its_torque():
     """To Simpson's rule over many points of a stroke to and fro under a changing load."""
     contact = wk.Foundation(wk.Paraboloid(0.01), wk.HalfSpace.between(wk.Elastic(210e9, 0.3)))
-    ends, share = wk.Path([0.0, 1.0, 2.0], wk.Depth([1e-6, 2e-6, 1e-6]), wk.Angle([0.0, 1e-3, -5e-4])), 32
+    ends, share = wk.Path([0.0, 1.0, 2.0], wk.Depth([1e-6, 2e-6, 1e-6]), wk.Angle([0.0, 1e-3, -5e-4])), 16
     time = np.linspace(0.0, 2.0, 2 * share + 1)
     depth, angle = (np.interp(time, ends.time, each) for each in (ends.across, ends.along))
     law = wk.Coulomb(0.3)
