@@ -19,6 +19,7 @@ from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, is_archive
 from winkler.io.foreign import sentence_of
 from winkler.io.text_file import existing
+from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 
@@ -130,18 +131,5 @@ def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
     InvalidInput
         If there is no such folder, or its file cannot be written.
     """
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        with partial.open("wb") as file:
-            np.savez(file, allow_pickle=False, version=np.array(version("winkler")), **arrays)
-            file.flush()
-            os.fsync(file.fileno())
-        partial.replace(path)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise InvalidInput(
-            f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
-        ) from None
-    except BaseException:
-        partial.unlink(missing_ok=True)
-        raise
+    with written_whole(path) as file:
+        np.savez(file, allow_pickle=False, version=np.array(version("winkler")), **arrays)

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from winkler.errors import InvalidInput
 from winkler.io.traces import CONVENTIONS, asked_of
+from winkler.io.whole_file import write_whole_text
 from winkler.problems.contact_law import ContactLawSolution
 from winkler.vocabulary import word
 
@@ -55,12 +56,7 @@ def write_law(law: ContactLawSolution, path: str | os.PathLike[str]) -> Path:
     target = Path(path)
     if target.suffix not in (".csv", ".json"):
         raise InvalidInput(f"{target}: the ending is {target.suffix!r}; give .csv or .json.")
-    try:
-        target.write_text(_csv(law) if target.suffix == ".csv" else _json(law), encoding="utf-8")
-    except OSError as error:
-        raise InvalidInput(
-            f"{target}: cannot be written ({error.strerror}); name a file in a folder that exists."
-        ) from None
+    write_whole_text(target, _csv(law) if target.suffix == ".csv" else _json(law))
     return target
 
 

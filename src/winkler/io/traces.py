@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.io.whole_file import write_whole_text
 from winkler.numerics.types import Array
 from winkler.vocabulary import GLOSSARY, Word, word
 
@@ -67,12 +68,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
         )
     asked = asked_of(solution.problem)
     text = _csv(columns, asked) if path.suffix == ".csv" else _yaml(columns, asked)
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InvalidInput(
-            f"{path}: cannot be written ({error.strerror}); name a file in a folder that exists."
-        ) from None
+    write_whole_text(path, text)
     return path
 
 

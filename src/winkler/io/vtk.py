@@ -22,6 +22,7 @@ from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.given import affordable
+from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.problems.constriction_fields import CurrentFields, HeatFields
@@ -100,12 +101,8 @@ def write_vtk(
                 f"write_vtk: a {type(fields).__name__} is no field inside the bodies; give what restore(solution, r, "
                 "z), restore_body(solution, x, y, z) or restore_conduction(solution, r, z) returns."
             )
-    try:
-        target.write_bytes(_written(grid, type(fields).__name__))
-    except OSError as error:
-        raise InvalidInput(
-            f"{target}: cannot be written ({error.strerror}); name a file in a folder that exists."
-        ) from None
+    with written_whole(target) as file:
+        file.write(_written(grid, type(fields).__name__))
     return target
 
 
