@@ -67,7 +67,7 @@ def _told(error: Exception, heard: stopping.Heard) -> int:
     """Say what went wrong in one sentence, and return the exit code."""
     from winkler.errors import Interrupted, WinklerError, mistake_in
 
-    with contextlib.suppress(WinklerError):  # one error is told, and this one comes first
+    with contextlib.suppress(WinklerError):  # one error is reported, and this one comes first
         emptied()
     if (heard.code and not isinstance(error, Interrupted)) or type(error).__name__ == "Abort":
         return _stopped(heard)  # a library made an error of its own of it

@@ -46,7 +46,7 @@ def archive(
     members: int = 10**9,
     size: int = FILE_BYTES,
 ) -> Iterator[zipfile.ZipFile]:
-    """Open an archive whose contents are of a size that can be unpacked; errors on the way become one sentence.
+    """Open an archive whose contents are of a size that can be unpacked; errors become one sentence.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Errors while a file is read: whatever is raised on the way becomes one sentence of `InvalidInput`.
+"""Errors while a file is read: whatever is raised becomes one sentence of `InvalidInput`.
 
 Every reader of files stands behind `reader`, and every call of a library that reads one behind `sentence_of`: what the
 readers of forty formats raise is not known beforehand.
@@ -40,8 +40,8 @@ def reason_of(error: BaseException) -> str:
     >>> reason_of(ValueError("not enough data\nfor a header")), reason_of(EOFError()), reason_of(KeyError("unit"))
     ('not enough data', 'EOFError', "KeyError: 'unit'")
     """
-    told = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    line = next((line.strip() for line in told.splitlines() if line.strip()), "")
+    message = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    line = next((line.strip() for line in message.splitlines() if line.strip()), "")
     line = "".join(letter if letter.isprintable() else "?" for letter in line[:LONGEST]).rstrip(".")
     kind = type(error).__name__
     if not line:

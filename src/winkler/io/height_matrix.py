@@ -56,7 +56,7 @@ def text_map(path: Path) -> FoundMap:
         If the file is none; the message names the line.
     """
     lines = lines_of(path, "a matrix of heights")
-    told = {match[1]: match[2].strip() for line in lines if (match := HEADER.match(line)) and match[2].strip()}
+    stated = {match[1]: match[2].strip() for line in lines if (match := HEADER.match(line)) and match[2].strip()}
     numbered = [
         (n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(("#", "%"))
     ]
@@ -74,11 +74,11 @@ def text_map(path: Path) -> FoundMap:
         raise InvalidInput(
             f"{path}: the first row and the first column count 0, 1, 2 and so on; these are no heights, delete both."
         )
-    lengths, unit = np.full(2, np.nan), told.get("Value units", "")
+    lengths, unit = np.full(2, np.nan), stated.get("Value units", "")
     if unit:
         for axis, word in enumerate(("Height", "Width")):  # rows are counted along the first direction
-            if word in told:
-                lengths[axis] = quantity(told[word], unit, what=f"{path}, '# {word}'")
+            if word in stated:
+                lengths[axis] = quantity(stated[word], unit, what=f"{path}, '# {word}'")
     return FoundMap(heights, lengths, unit)
 
 

@@ -99,10 +99,10 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
         wrong="no wear can be read from it",
         remedy="give a file of write_wear",
     )
-    said, told = str(rows.pop("format", "")), str(rows.pop("kind", ""))
-    if said != FORMAT or told not in KINDS:
+    form, name = str(rows.pop("format", "")), str(rows.pop("kind", ""))
+    if form != FORMAT or name not in KINDS:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
-    kind = KINDS[told]
+    kind = KINDS[name]
     count = _count(kind, rows, path)
 
     def state(i: int) -> WearState:

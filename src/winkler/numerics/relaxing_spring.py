@@ -104,17 +104,17 @@ def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ign
                     high, f_high = middle, f
             span = low if pressed else high
         if pressed:
-            way = rate * span
-            impulse += relaxed * (u + 0.5 * way) * span + viscosity * way
-            lost += viscosity * rate * way
+            travel = rate * span
+            impulse += relaxed * (u + 0.5 * travel) * span + viscosity * travel
+            lost += viscosity * rate * travel
             for i in range(moduli.size):
-                x, rise = span / times[i], moduli[i] * way
+                x, rise = span / times[i], moduli[i] * travel
                 fading(x, phi)
                 first, mixed, second = losses(x, phi)
                 impulse += span * (mine[i] * phi[0] + rise * phi[1])
                 lost += (mine[i] * (first * mine[i] + mixed * rise) + second * rise * rise) / moduli[i]
                 mine[i] = mine[i] * np.exp(-x) + rise * phi[0]
-            u += way
+            u += travel
         else:
             u = 0.0
             for k in range(rates.size):

@@ -75,7 +75,7 @@ def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def
 
 
 @compiled
-def _step(law, springs, state, depth, change, dt, grown, factors, spans, room, keep, sums):  # type: ignore[no-untyped-def]
+def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch, keep, sums):  # type: ignore[no-untyped-def]
     """Carry the springs through a surveyed step, or only tell what it would do; return how many are pressed after it.
 
     `sums` gets force at the end, impulse, work, and by what force and impulse grow with the depth at the end.
@@ -83,7 +83,7 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, room, k
     relaxed, viscosity, moduli = law[0], law[1], law[2]
     gaps, weights, _ = springs
     u, memory, pressed, counts = state
-    columns, odd, spare, steady, phi = room
+    columns, odd, spare, steady, phi = scratch
     inside, outer, modes, odds, sudden = counts[0], counts[1], memory.shape[0], 0, dt == 0.0
     rate = 0.0 if sudden else change / dt
     first = viscosity * rate
@@ -229,11 +229,11 @@ def march(law, springs, state, motion, changes, times, numbers):  # type: ignore
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
     modes, count = state[1].shape
     factors, spans = np.empty((FACTORS, modes)), np.empty((3, count))
-    room = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
     for n in range(changes.size):
         change, dt, sums = changes[n], times[n], numbers[n]
-        grown = _survey(law, state, dt, factors, spans, room[4]) if dt > 0.0 else (0.0, 0.0)
-        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, room, True, sums)
+        grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
+        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, True, sums)
         motion[0] += change
         motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
         motion[2] = change / dt if dt > 0.0 else 0.0
@@ -259,11 +259,11 @@ def seek(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore
     """
     modes, count = state[1].shape
     factors, spans, sums = np.empty((FACTORS, modes)), np.empty((3, count)), np.empty(NUMBERS)
-    room = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
-    grown = _survey(law, state, dt, factors, spans, room[4]) if dt > 0.0 else (0.0, 0.0)
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
     change, low, high, stride = guess, -np.inf, np.inf, 0.0
     for turn in range(TRIALS):
-        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, room, False, sums)
+        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
         excess = wanted[1] * sums[0] + wanted[2] * sums[1] + wanted[3] * change - wanted[0]
         steepness = wanted[1] * sums[3] + wanted[2] * sums[4] + wanted[3]
         if abs(excess) <= MET * scale:

@@ -1,4 +1,4 @@
-r"""The work that bodies do on springs which stick and slip in the plane, from the loads on their way.
+r"""The work that bodies do on springs which stick and slip in the plane, from the loads on their paths.
 
 It is :math:`k\int\mathbf u\cdot\mathrm d\mathbf U`, summed up from where springs stand at the beginning of a straight
 step: while they stick u follows U; while they slip with the angle :math:`\theta` to the motion,
@@ -57,9 +57,9 @@ def work_on_springs(
     work[:stay] = _worked(u[:stay], slips[:stay], bounds[0, :stay], bounds[1, :stay], hold, np.ones(stay), move)
     if after > before:
         came = slice(before, after)
-        way = (depths[1] - gap[came]) / sunk * float(np.hypot(*move))
+        travel = (depths[1] - gap[came]) / sunk * float(np.hypot(*move))
         last = bounds[1, came]
-        work[came] = 0.5 * way * np.where(way > hold * last, last, way)
+        work[came] = 0.5 * travel * np.where(travel > hold * last, last, travel)
     elif before > after:
         left = slice(after, before)
         share = (depths[0] - gap[left]) / -sunk
@@ -75,9 +75,9 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
     for _ in range(DROPS):
         if not rows.size:
             break
-        way, fall = share[rows, None] * move, last[rows] - first[rows]
-        sliding[rows] &= np.sum(at[rows] * way, axis=1) >= fall * now[rows]
-        rest = left[rows, None] * way
+        travel, fall = share[rows, None] * move, last[rows] - first[rows]
+        sliding[rows] &= np.sum(at[rows] * travel, axis=1) >= fall * now[rows]
+        rest = left[rows, None] * travel
         aim = at[rows] + rest
         stuck = ~sliding[rows]
         ends = stuck & (np.sum(aim**2, axis=1) <= (hold * last[rows]) ** 2)
@@ -91,16 +91,16 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
             left[hit] *= 1.0 - part
             at[hit] = reached / hold
             now[hit] = np.hypot(*at[hit].T)
-        again = meets & (hold > 1.0) & (np.sum(at[rows] * way, axis=1) < fall * now[rows])
+        again = meets & (hold > 1.0) & (np.sum(at[rows] * travel, axis=1) < fall * now[rows])
         slide = ~ends & ~again
         goes = rows[slide]
-        work[goes] += _slipped(at[goes], now[goes], last[goes], left[goes, None] * way[slide])
+        work[goes] += _slipped(at[goes], now[goes], last[goes], left[goes, None] * travel[slide])
         rows = rows[again]
     return work
 
 
 def _met(u: Array, bound: Array, last: Array, move: Array) -> Array:
-    """Return the part of the way after which springs meet a circle whose radius goes from `bound` to `last`."""
+    """Return the part of the travel after which springs meet a circle whose radius goes from `bound` to `last`."""
     scale = np.maximum(np.maximum(bound, last), np.maximum(np.abs(u).max(axis=1), np.abs(move).max(axis=1)))
     scale = np.where(scale > 0.0, scale, 1.0)
     u, move, bound, fall = u / scale[:, None], move / scale[:, None], bound / scale, (last - bound) / scale
@@ -115,12 +115,12 @@ def _met(u: Array, bound: Array, last: Array, move: Array) -> Array:
 
 def _slipped(u: Array, bound: Array, last: Array, move: Array) -> Array:
     """Return the work on springs that slip on a circle whose radius goes from `bound` to `last`."""
-    way = np.hypot(*move.T)
-    work: Array = 0.5 * (bound + last) * way
-    turning = np.flatnonzero((bound > 0.0) & (way > 0.0))
+    travel = np.hypot(*move.T)
+    work: Array = 0.5 * (bound + last) * travel
+    turning = np.flatnonzero((bound > 0.0) & (travel > 0.0))
     if not turning.size:
         return work
-    b, end, length = bound[turning], last[turning], way[turning]
+    b, end, length = bound[turning], last[turning], travel[turning]
     cosine = np.clip(np.sum(u[turning] * move[turning], axis=1) / (b * length), -1.0, 1.0)
     work[turning[cosine == -1.0]] *= -1.0
     turns = (cosine > -1.0) & (cosine < 1.0)

@@ -35,7 +35,7 @@ def _factors(dt, times, factors, phi):  # type: ignore[no-untyped-def]
 
 @compiled
 def _go(law, dt, factors, u, memory, trial, bound):  # type: ignore[no-untyped-def]
-    """Drag one spring; return its way, its load, what it would have borne, the work done on it, and its loss."""
+    """Drag one spring; return its travel, its load, what it would have borne, the work done on it, and its loss."""
     relaxed, viscosity, moduli = law[0], law[1], law[2]
     rest, stiff = relaxed * u, relaxed
     for i in range(moduli.size):
@@ -43,19 +43,19 @@ def _go(law, dt, factors, u, memory, trial, bound):  # type: ignore[no-untyped-d
         stiff += moduli[i] * factors[1, i]
     if viscosity > 0.0:
         stiff = stiff + viscosity / dt if dt > 0.0 else np.inf
-    way, load = trial, rest + (stiff * trial if trial != 0.0 else 0.0)
+    travel, load = trial, rest + (stiff * trial if trial != 0.0 else 0.0)
     wanted = load
     if abs(load) > bound:
         load = bound if load > 0.0 else -bound
-        way = (load - rest) / stiff
-    drag = viscosity * way / dt if viscosity > 0.0 and dt > 0.0 else 0.0
-    mean, lost = relaxed * (u + 0.5 * way) + drag, drag * way
+        travel = (load - rest) / stiff
+    drag = viscosity * travel / dt if viscosity > 0.0 and dt > 0.0 else 0.0
+    mean, lost = relaxed * (u + 0.5 * travel) + drag, drag * travel
     for i in range(moduli.size):
-        s, rise = memory[i], moduli[i] * way
+        s, rise = memory[i], moduli[i] * travel
         mean += s * factors[1, i] + rise * factors[2, i]
         lost += (s * (factors[3, i] * s + factors[4, i] * rise) + factors[5, i] * rise * rise) / moduli[i]
         memory[i] = s * factors[0, i] + rise * factors[1, i]
-    return way, load, wanted, mean * way, lost
+    return travel, load, wanted, mean * travel, lost
 
 
 @compiled
@@ -105,15 +105,15 @@ def drag(law, weights, before, after, share, dt, moved, u, memory, free, loads, 
             if share[j] < 1.0 and after[j] > 0.0:
                 first, factors, span, trial = 0.0, part, share[j] * dt, share[j] * moved
                 _factors(span, times, part, phi)
-            way, load, wanted, own, gone = _go(law, span, factors, u[j], mine, trial, after[j])
-            u[j] += way
+            travel, load, wanted, own, gone = _go(law, span, factors, u[j], mine, trial, after[j])
+            u[j] += travel
             loads[j] = load
             stuck[j] = abs(load) < (1.0 - FULL) * after[j]
             work += weights[j] * own
             bulk += weights[j] * gone
             force += weights[j] * load
-            lost += weights[j] * abs(trial - way) * 0.5 * (min(first, abs(wanted)) + abs(load))
-            if after[j] > 0.0 and way == trial:
+            lost += weights[j] * abs(trial - travel) * 0.5 * (min(first, abs(wanted)) + abs(load))
+            if after[j] > 0.0 and travel == trial:
                 steep += weights[j] * share[j] * growth
         else:
             loads[j], stuck[j] = 0.0, False

@@ -346,7 +346,7 @@ class _Run:
         )
 
     def work(self, index: int, u: Array, slips: Array) -> float:
-        """Return the work on springs that stood at u, on the way to point `index` [J]."""
+        """Return the work on springs that stood at u, on the path to point `index` [J]."""
         depths, move = self.own[index : index + 2].tolist(), self.shift[index + 1] - self.shift[index]
         bounds = self.bound(index, index + 2)
         return float(self.stiffness @ work_on_springs(u, slips, self.gap, bounds, self.hold, tuple(depths), move))

@@ -47,7 +47,7 @@ class Arrival(NamedTuple):
     shift, shear_force : float
         U [m], F_x [N].
     lost, spent : float
-        What the way has cost, and what the bodies have put in [J].
+        Energy lost on the path, and work of the bodies [J].
     """
 
     memory: SlipMemory

@@ -211,10 +211,10 @@ def _free(bound: TwistBound, low: float, high: float, level: float, change: floa
 def slid_along(
     bound: TwistBound, memory: TwistMemory, way: Sequence[Press], twist: float, rings: tuple[Ring, ...]
 ) -> tuple[float, float]:
-    """Return 4 G_t times the energy that `rings` lose on a way whose last press is where the move ends, and the work.
+    """Return 4 G_t times the energy that `rings` lose on a path whose last press is where the move ends, and the work.
 
-    Of the work it is the part beyond `stuck_work`, summed up from the loads that the springs have on their way, the
-    loss from how far they slide.  Between the points of the way bounds are taken as straight; the error falls with the
+    Of the work it is the part beyond `stuck_work`, summed up from the loads that the springs have on it, the
+    loss from how far they slide.  Between the points of the path bounds are taken as straight; the error falls with the
     square of their distance.
     """
     total, extra, start, end = 0.0, 0.0, memory.level, way[-1].level

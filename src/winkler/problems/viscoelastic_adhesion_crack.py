@@ -249,7 +249,7 @@ class Crack:
 
 
 def _opened(first: float, half: float, last: float, *releases: float) -> float:
-    """Return what opening loses on a way of two halves: what is released beyond the work of closing, over the area.
+    """Return what opening loses on a path of two halves: what is released beyond the work of closing, over the area.
 
     `releases` are the energy release rates at the three places, and the work of closing [J/m^2].
     """

@@ -100,9 +100,9 @@ def assembled(form: BaseModel, *, folder: Path, file: str, key: str) -> Any:
 def _located(sentence: str, cls: type, key: str) -> str:
     """Return a sentence of a class with the key that it is about in front."""
     for field in dataclasses.fields(cls):
-        told = f"{cls.__name__}: {field.name} is "
-        if sentence.startswith(told):
-            return f"{key}.{field.name} is {sentence.removeprefix(told)}"
+        begin = f"{cls.__name__}: {field.name} is "
+        if sentence.startswith(begin):
+            return f"{key}.{field.name} is {sentence.removeprefix(begin)}"
     return f"{key}: {sentence}"
 
 
@@ -117,9 +117,9 @@ def _found(folder: Path, name: str) -> Path:
         raise InvalidInput(
             f"file is '{shown(name)}', which cannot be looked at ({reason_of(error)}); give its path from the study."
         ) from None
-    told = f"; there are {', '.join(near)}" if near else ""
+    near_ones = f"; there are {', '.join(near)}" if near else ""
     raise InvalidInput(
-        f"file is '{shown(name)}', which does not exist beside the study{told}; give its path from there."
+        f"file is '{shown(name)}', which does not exist beside the study{near_ones}; give its path from there."
     )
 
 

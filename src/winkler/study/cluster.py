@@ -78,7 +78,7 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
     InvalidInput
         If dask.distributed is missing, nobody answers at the address, or the workers are of no use.
     NotConverged
-        If all workers or the scheduler die on the way.
+        If all workers or the scheduler die during the run.
     """
     try:
         from distributed import Client, KilledWorker

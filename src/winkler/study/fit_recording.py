@@ -58,10 +58,10 @@ def fingerprint(study: FitStudy, piece: Piece) -> str:
         return hashlib.sha256(content.encode()).hexdigest()
     try:
         with Path(piece).open("rb") as file:
-            told = hashlib.file_digest(file, "sha256").hexdigest()
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
     except OSError:
         return ""
-    return hashlib.sha256(f"{seen_from(study, piece)}\n{told}".encode()).hexdigest()
+    return hashlib.sha256(f"{seen_from(study, piece)}\n{digest}".encode()).hexdigest()
 
 
 def written_fits(mark: str, results: Results) -> str:

@@ -98,7 +98,7 @@ def fit_curves(
     workers
         Number of processes; 1 fits in this one.
     watch
-        Sees every fit on its way; not those of other processes.
+        Sees every fit while it runs; not those of other processes.
     known
         What an earlier run found, by place, from `recalled_fits`.
     journal
@@ -196,8 +196,8 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
     except WinklerError as error:
         return Refused(name, one.x, one.y, str(error), error.exit_code)
     except Exception as error:  # it costs this curve, not the batch
-        told = " ".join(str(error).split())
-        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {told}", MISTAKE)
+        reason = " ".join(str(error).split())
+        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {reason}", MISTAKE)
 
 
 def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:

@@ -43,9 +43,9 @@ def refuse_other_version(owner: str, made: object) -> None:
     """
     mine = version("winkler")
     if made != mine:
-        told = f"version {made}" if made else "an unknown version"
+        which = f"version {made}" if made else "an unknown version"
         raise InvalidInput(
-            f"{owner} was begun by {told} of winkler, and this is {mine}: their numbers may differ; add --anew to "
+            f"{owner} was begun by {which} of winkler, and this is {mine}: their numbers may differ; add --anew to "
             "begin again without it, or go on with that version."
         )
 

@@ -32,8 +32,8 @@ def packed(content: Any) -> Any:
         data = np.ascontiguousarray(content).tobytes()
         small = {"zlib": True} if len(data) > LONG else {}
         data = zlib.compress(data, 1) if small else data
-        told = base64.b64encode(data).decode("ascii")
-        return {"shape": list(content.shape), "type": content.dtype.str, **small, "data": told}
+        text = base64.b64encode(data).decode("ascii")
+        return {"shape": list(content.shape), "type": content.dtype.str, **small, "data": text}
     if dataclasses.is_dataclass(content):
         fields = {field.name: packed(getattr(content, field.name)) for field in dataclasses.fields(content)}
         return {"fields": type(content).__name__, **fields}

@@ -69,9 +69,9 @@ def read_text(path: Path) -> str:
             raise InvalidInput(f"{shown(path)} is a folder; give a study file in it.")
         if not path.exists():
             near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
-            told = f"; there are {', '.join(near)}" if near else ""
+            others = f"; there are {', '.join(near)}" if near else ""
             raise InvalidInput(
-                f"{shown(path)}: there is no such file{told}; `winkler new indentation` writes one."
+                f"{shown(path)}: there is no such file{others}; `winkler new indentation` writes one."
             ) from None
         if not path.is_file():
             raise InvalidInput(f"{shown(path)}: this is not a file with contents; give a study file.")
@@ -103,12 +103,12 @@ def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
     """
     raw = parsed(text, file)
     if "fit" in raw:
-        told = f"winkler fit {file}" if file else "winkler fit"
-        raise InvalidInput(f"{_at(file)}the study has a section [fit]; `{told}` fits it.")
+        command = f"winkler fit {file}" if file else "winkler fit"
+        raise InvalidInput(f"{_at(file)}the study has a section [fit]; `{command}` fits it.")
     if "function" in raw:
-        told = f"winkler validate {file}" if file else "winkler validate"
+        command = f"winkler validate {file}" if file else "winkler validate"
         raise InvalidInput(
-            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{told}` judges it."
+            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{command}` judges it."
         )
     return _study(raw, file, folder)
 
@@ -206,8 +206,8 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
                 expect.append(grammar.expectation(dict(item)))
             except InvalidInput as error:
                 sentence = str(error)
-                told = sentence.removeprefix("expect") if sentence.startswith("expect") else f".{sentence}"
-                raise InvalidInput(f"expect[{place}]{told}") from None
+                rest = sentence.removeprefix("expect") if sentence.startswith("expect") else f".{sentence}"
+                raise InvalidInput(f"expect[{place}]{rest}") from None
         return Study(
             title=form.title or Path(file).stem,
             problem=problem,

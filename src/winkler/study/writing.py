@@ -127,8 +127,8 @@ def holds_results(folder: Path) -> bool:
 
 def missing(folder: Path) -> int:
     """Return how many curves are missing in results of a batch that was interrupted; zero if it was not."""
-    told = _provenance(folder).get("missing", 0)
-    return told if isinstance(told, int) else 0
+    count = _provenance(folder).get("missing", 0)
+    return count if isinstance(count, int) else 0
 
 
 def _listed(folder: Path) -> set[str]:

@@ -32,7 +32,7 @@ def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
     what
         ``csv``, ``netcdf``, ``png`` or ``report``.
     page
-        The folder of the page: files are written there on their way, and go with it if the worker is killed.
+        The folder of the page: files are written there first, and go with it if the worker is killed.
     """
     if what == "report":
         return File(report.REPORT, _page(outcome).encode("utf-8"))

@@ -82,7 +82,7 @@ def _remove_if_dead(folder: Path) -> None:
 
 
 def _remove(folder: Path, file: int) -> None:
-    """Remove a folder, then give its lock back; where an open file cannot be removed, the other way round."""
+    """Remove a folder, then give its lock back; where an open file cannot be removed, in the other order."""
     if os.name == "nt":
         os.close(file)
     shutil.rmtree(folder, ignore_errors=True)

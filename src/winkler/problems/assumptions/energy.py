@@ -1,4 +1,4 @@
-"""Whether a march keeps account of energy: what is put in is stored or lost, each of the three summed up by itself."""
+"""Whether a march keeps account of energy: what is put in is stored or lost, and the three are compared."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["energy_note", "missing_energy"]
 
 ROUNDING, LARGE = 1e-9, 1e-3
 """Part of the greatest energy [-] up to which what is missing is rounding, and from which on energies are not known."""
-CHECK = "work, stored and lost energy are summed up independently of each other, and compared at every point"
+CHECK = "work, stored and lost energy compared at each point; the page on validity tells where one follows from others"
 
 
 def missing_energy(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> float:
