@@ -10,10 +10,10 @@ import pytest
 
 import winkler as wk
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.problems import stability
-from winkler.problems.adhesive import AdhesiveIndentation
-from winkler.problems.cohesive import _zone
-from winkler.problems.equilibrium import Equilibrium
+from winkler.problems.adhesion import stability
+from winkler.problems.adhesion.equilibrium import Equilibrium
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.maugis import _zone
 
 pytestmark = pytest.mark.bench
 

@@ -10,7 +10,7 @@ import pytest
 
 import winkler as wk
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesion.cycle import AdhesiveCycle
 
 pytestmark = pytest.mark.bench
 

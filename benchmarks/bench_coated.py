@@ -12,8 +12,8 @@ from film_tables import forget
 import winkler as wk
 from winkler.materials.depth_grading import ExponentialGrading
 from winkler.materials.layered import Layer
-from winkler.media.coated import CoatedHalfSpace
-from winkler.media.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 
 pytestmark = pytest.mark.bench
 

@@ -15,7 +15,7 @@ import winkler.media
 from winkler.fields import peak_stress, restore
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Radius
-from winkler.problems.indentation import Indentation
+from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.conical import SpheroConical
 from winkler.profiles.power import Paraboloid
 from winkler.reference.hertz import hertz_peak_pressure, hertz_pressure, hertz_subsurface

@@ -12,7 +12,7 @@ import pytest
 from film_tables import forget
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.materials.elastic import Solid
 from winkler.profiles.profile import Profile

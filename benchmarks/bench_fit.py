@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.response import response
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
-from winkler.problems.edge_states import states_of
+from winkler.problems.adhesion.edge_states import states_of
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 pytestmark = pytest.mark.bench
 

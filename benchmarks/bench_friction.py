@@ -11,10 +11,10 @@ import pytest
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.numerics.slip_kernels import march_line
-from winkler.numerics.slip_plane import march_plane
+from winkler.numerics.springs.slip_kernels import march_line
+from winkler.numerics.springs.slip_plane import march_plane
 from winkler.path import Path
-from winkler.problems.spring_march import SpringMarch
+from winkler.problems.friction.spring_march import SpringMarch
 
 pytestmark = pytest.mark.bench
 

@@ -11,8 +11,8 @@ import pytest
 import winkler as wk
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.graded import PowerLawGraded
-from winkler.media.graded import GradedHalfSpace
-from winkler.problems.design import design_profile
+from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.problems.normal.design import design_profile
 
 pytestmark = pytest.mark.bench
 

@@ -11,8 +11,8 @@ import pytest
 
 import winkler as wk
 from winkler.laws.friction import Coulomb
-from winkler.problems.impact import Impact
-from winkler.problems.impact_adhesive import AdhesiveImpact
+from winkler.problems.impact.adhesive_impact import AdhesiveImpact
+from winkler.problems.impact.impact import Impact
 
 pytestmark = pytest.mark.bench
 

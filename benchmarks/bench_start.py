@@ -2,7 +2,7 @@
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 
-What is loaded is looked at by tests/house/test_cold_start.py; this looks at the clock.
+What is loaded is looked at by tests/package/test_cold_start.py; this looks at the clock.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.numerics import surface_grid
+from winkler.numerics.surfaces import surface_grid
 
 pytestmark = pytest.mark.bench
 

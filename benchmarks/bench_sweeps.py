@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.study.designs import Sensitivity, Sobol
-from winkler.study.journal import Journal
-from winkler.study.run import run
-from winkler.study.study import Axis, Study
-from winkler.study.sweep import journaled
-from winkler.study.varied import Range
+from winkler.study.batch.journal import Journal
+from winkler.study.batch.run import run
+from winkler.study.batch.sweep import journaled
+from winkler.study.language.designs import Sensitivity, Sobol
+from winkler.study.language.study import Axis, Study
+from winkler.study.language.varied import Range
 
 pytestmark = pytest.mark.bench
 

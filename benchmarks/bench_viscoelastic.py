@@ -11,10 +11,10 @@ import pytest
 import winkler as wk
 from winkler.materials.spring_and_dashpot import Maxwell
 from winkler.materials.viscoelastic import Prony
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
-from winkler.problems.viscoelastic import ViscoelasticIndentation
-from winkler.problems.viscoelastic_impact import ViscoelasticImpact
+from winkler.problems.viscoelastic.impact import ViscoelasticImpact
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 pytestmark = pytest.mark.bench
 

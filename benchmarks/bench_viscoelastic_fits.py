@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 
 pytestmark = pytest.mark.bench

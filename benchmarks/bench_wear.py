@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.wear_line import WearLine
+from winkler.problems.wear.line import WearLine
 
 pytestmark = pytest.mark.bench
 

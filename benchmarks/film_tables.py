@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from winkler.media import coated_load, depth_climb, depth_response, flat_punch, punch_facts, smooth_moments
-from winkler.numerics import cosine, fredholm, kernel_matrix, punch_tables
-from winkler.problems import one_disc
+from winkler.media.layered import coated_load, depth_climb, depth_response, flat_punch, punch_facts, smooth_moments
+from winkler.numerics.transforms import cosine_transform, fredholm, kernel_matrix, punch_tables
+from winkler.problems.normal import single_contact
 
 PAGES = (
-    cosine,
+    cosine_transform,
     fredholm,
     kernel_matrix,
     punch_tables,
@@ -17,7 +17,7 @@ PAGES = (
     coated_load,
     depth_climb,
     depth_response,
-    one_disc,
+    single_contact,
 )
 
 

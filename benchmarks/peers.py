@@ -35,7 +35,7 @@ import numpy as np
 from pages import FIGURES, machine, replace, spoken, table
 
 import winkler as wk
-from winkler.numerics import surface_grid
+from winkler.numerics.surfaces import surface_grid
 from winkler.reference.hertz import hertz_force
 
 RADIUS, CONTACT, SHARE = 1.0, 0.1, 0.4

@@ -17,8 +17,8 @@ from sphinx.util import logging
 from sphinx_gallery.scrapers import figure_rst
 
 import winkler
-from winkler.study.ledger import case_files, ledger, remarks
-from winkler.study.ledger_page import markdown
+from winkler.study.ledger.ledger import case_files, ledger, remarks
+from winkler.study.ledger.ledger_page import markdown
 
 pyplot.switch_backend("Agg")
 

@@ -12,10 +12,10 @@ import winkler as wk
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb
-from winkler.numerics.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.path import Path
-from winkler.problems.sheared_springs import sheared_by_pieces
-from winkler.problems.tangential import Tangential
+from winkler.problems.friction.sheared_springs import sheared_by_pieces
+from winkler.problems.friction.tangential import Tangential
 
 MU, A, C, R = 0.4, 1.2, 0.7, 3.0
 PAIR = wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.7, 0.2))

@@ -11,7 +11,7 @@ import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
 from winkler.path import Path
-from winkler.problems.torsion import Torsion
+from winkler.problems.friction.torsion import Torsion
 
 MU = 0.5
 PAIR = wk.HalfSpace.between(wk.Elastic(1.0, 0.3), wk.Elastic(1.7, 0.2))

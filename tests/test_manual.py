@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.study.build import build
-from winkler.study.catalogue import CATALOGUE
-from winkler.study.explain import example_study
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.explain import example_study
 
 
 @pytest.mark.parametrize("slot", ["problem", "profile", "medium", "bed"])
@@ -67,7 +67,7 @@ def test_the_page_on_coatings_says_which_problems_take_which_medium(root, column
 @pytest.mark.parametrize("medium", ["coated_half_space", "depth_graded_half_space"])
 @pytest.mark.parametrize("kind", ["bimodal_damping", "fretting_heat"])
 def test_what_needs_one_ratio_of_stiffnesses_is_refused_on_layers(kind, medium):
-    """As coatings.md says; of an oblique impact tests/problems/test_impact.py says so."""
+    """As coatings.md says; of an oblique impact tests/problems/impact/test_impact.py says so."""
     with pytest.raises(wk.OutsideValidity, match="tangential"):
         build(example_study(kind, medium=medium)["problem"]).solve()
 
@@ -99,7 +99,9 @@ PROMISES = re.compile(
     r"\b(?:any|every|all)\s+(?:histor|profile|shape|medium|media|speed|amplitude|solid|law)\w*", re.IGNORECASE
 )
 KEPT = {
-    "conduction.md": {"any shape": "Barber's analogy, tests/problems/test_constriction.py presses an ellipse"},
+    "conduction.md": {
+        "any shape": "Barber's analogy, tests/problems/conduction/test_constriction.py presses an ellipse"
+    },
 }
 
 

@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from winkler.errors import InvalidInput
-from winkler.io.path_table import read_path
+from winkler.io.tables.path_table import read_path
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
-from winkler.numerics.swings import sine, swings
+from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Start
 from winkler.program import Program

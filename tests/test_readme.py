@@ -76,10 +76,10 @@ def test_the_python_of_a_page_runs(page, tmp_path, monkeypatch):
 @pytest.mark.parametrize("page", PAGES, ids=[path.relative_to(ROOT).as_posix() for path in PAGES])
 def test_the_studies_of_a_page_can_be_read(page, tmp_path):
     """A block of TOML with a problem in it is a study, and is solved or fitted."""
-    from winkler.study.fit_reading import parse_fit_study
-    from winkler.study.fit_run import fit_study
-    from winkler.study.reading import parse_study
-    from winkler.study.run import run as solve
+    from winkler.study.batch.fit_run import fit_study
+    from winkler.study.batch.run import run as solve
+    from winkler.study.language.fit_reading import parse_fit_study
+    from winkler.study.language.reading import parse_study
 
     shutil.copytree(ROOT / "examples", tmp_path / "examples", ignore=shutil.ignore_patterns("results", "__pycache__"))
     for _, language, body, _ in blocks(page.read_text(encoding="utf-8")):

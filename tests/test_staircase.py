@@ -15,7 +15,7 @@ from winkler.foundation.plane import PlaneFoundation
 from winkler.loading import Depth, Force, Radius
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.indentation import Indentation
+from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.conical import Cone, SpheroConical, TruncatedCone
 from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw

@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler import Depth, Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesion.cycle import AdhesiveCycle
 
 RADIUS, OPENING = 1e-3, 0.5
 silicone = HalfSpace.between(Elastic(young=2e6, poisson=0.5))

@@ -12,7 +12,7 @@ import numpy as np
 
 from winkler import Depth, Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesion.cycle import AdhesiveCycle
 
 RADIUS, WORK = 2e-6, 0.04
 gel = HalfSpace.between(Elastic(young=0.5e6, poisson=0.5))

@@ -13,8 +13,8 @@ import numpy as np
 from winkler import Depth, Elastic, Foundation, HalfSpace, Paraboloid
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Radius
-from winkler.problems.adhesive import AdhesiveIndentation
-from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesion.cycle import AdhesiveCycle
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 RADIUS, WORK = 5e-3, 0.05
 rubber = HalfSpace.between(Elastic(young=1.5e6, poisson=0.5), Elastic(young=70e9, poisson=0.2))

@@ -12,8 +12,8 @@ import numpy as np
 
 from winkler import Depth, Elastic, Foundation, HalfSpace, Paraboloid, Radius, Wavy
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
-from winkler.problems.adhesive_cycle import AdhesiveCycle
+from winkler.problems.adhesion.cycle import AdhesiveCycle
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 RADIUS, WORK = 0.23, 8.0  # gelatine is soft and sticky
 gelatine = HalfSpace.between(Elastic(young=28e3, poisson=0.5))

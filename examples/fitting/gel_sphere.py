@@ -14,12 +14,12 @@ import numpy as np
 
 import winkler as wk
 from winkler.fitting.compare import compare
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.intervals import profile_interval
 from winkler.fitting.response import response
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
-from winkler.problems.edge_states import states_of
+from winkler.problems.adhesion.edge_states import states_of
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 YOUNG, WORK, SPRING = 10e3, 0.1e-3, 0.05
 

@@ -14,20 +14,20 @@ transformed profile; solved there, exactly where the method is exact; and brough
 TYPE_CHECKING = False  # as type checkers know it; `typing` takes longer to load than the rest of this page
 
 if TYPE_CHECKING:
-    from winkler.door import *  # noqa: F403
+    from winkler.public import *  # noqa: F403
 
     __version__: str
 else:
 
     def __getattr__(name):
-        """Load what the package offers when the first of its names is asked for; see `winkler.door`."""
+        """Load what the package offers when the first of its names is asked for; see `winkler.public`."""
         if name == "__version__":
             from importlib.metadata import version
 
             return version("winkler")
         if name.startswith("__") and name != "__all__":
             raise AttributeError(f"module 'winkler' has no attribute {name!r}")
-        import winkler.door as door
+        import winkler.public as door
 
         names = [*door.__all__, "__version__"]
         globals().update({word: getattr(door, word) for word in door.__all__}, __all__=sorted(names))

@@ -28,7 +28,7 @@ def main() -> int:
         from winkler.cli import main as command
 
         if usual:
-            signal.signal(signal.SIGINT, signal.default_int_handler)  # which `winkler.study.stopping` replaces
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # which `winkler.study.batch.stopping` replaces
         return command()
     except KeyboardInterrupt:
         return 130

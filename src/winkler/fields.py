@@ -24,11 +24,11 @@ from winkler.foundation.sheared_fields import (
     sheared_surface,
     shift_of_surface,
 )
-from winkler.media.stress import max_shear, principal, von_mises
+from winkler.media.interior.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
 from winkler.outline import refuse_unless_round
-from winkler.problems.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
-from winkler.problems.torsion_states import TorsionState
+from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
+from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values import value
 
 __all__ = [

@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
-from winkler.numerics.swings import sine, swings
+from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
 from winkler.values import frozen_array, value
 

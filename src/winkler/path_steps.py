@@ -14,7 +14,7 @@ from winkler.errors import InvalidInput
 from winkler.given import affordable
 from winkler.limits import PATH_POINTS
 from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
-from winkler.numerics.swings import sine, swings
+from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
 from winkler.path import PER_CYCLE, Path, numbers_of
 from winkler.values import value

@@ -175,7 +175,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     >>> from winkler.loading import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
-    >>> from winkler.problems.indentation import Indentation
+    >>> from winkler.problems.normal.indentation import Indentation
     >>> from winkler.profiles.power import Paraboloid
     >>> bed = Foundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
     >>> contact = Indentation(bed, Radius(0.5)).solve()

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.study.catalogue import CATALOGUE
-from winkler.study.reading import parse_study
-from winkler.study.run import run
-from winkler.study.template import whole_text
+from winkler.study.batch.run import run
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.reading import parse_study
+from winkler.study.language.template import whole_text
 
 pytestmark = pytest.mark.browser
 

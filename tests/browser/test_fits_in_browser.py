@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from winkler.study.fit_reading import read_fit_study
-from winkler.study.fit_run import fit_study
+from winkler.study.batch.fit_run import fit_study
+from winkler.study.language.fit_reading import read_fit_study
 
 pytestmark = pytest.mark.browser
 

@@ -7,8 +7,8 @@ import io
 
 import pytest
 
-from winkler.study.reading import parse_study
-from winkler.study.run import run
+from winkler.study.batch.run import run
+from winkler.study.language.reading import parse_study
 
 pytestmark = pytest.mark.browser
 

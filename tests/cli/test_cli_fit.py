@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from winkler.cli import main
-from winkler.study.writing import PROVENANCE
+from winkler.study.report.writing import PROVENANCE
 
 STUDY = """title = "Gel & bead"
 
@@ -146,7 +146,7 @@ def test_run_sends_to_fit(here, capsys):
 
 def stopping(monkeypatch, at: str, how):
     """Let something happen in place of the fit of one curve."""
-    from winkler.study import fit_run
+    from winkler.study.batch import fit_run
 
     plain = fit_run._fit_piece
 
@@ -214,8 +214,9 @@ def test_another_fit_is_refused_until_it_is_told_to_begin_anew(here, monkeypatch
 @pytest.mark.parametrize("moment", ["before the first", "before the second", "in a line", "at the end"])
 def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, moment):
     """A forked run kills itself; the next one fits what is missing, and all files are those of a run in peace."""
-    from winkler.study import fit_run, fit_writing
-    from winkler.study.journal import Journal
+    from winkler.study.batch import fit_run
+    from winkler.study.batch.journal import Journal
+    from winkler.study.report import fit_writing
 
     (here / "gel" / "curve2.csv").write_text("?\n", encoding="utf-8")  # no answer, but its reason
     made = fit_run.provenance("", 1.0, "gel.toml")
@@ -311,7 +312,7 @@ def test_a_time_limit_of_the_study_and_of_the_command(here, capsys):
 
 
 def test_a_curve_that_takes_too_long_does_not_stop_the_others(here, monkeypatch, capsys):
-    from winkler.study import fit_run
+    from winkler.study.batch import fit_run
 
     plain = fit_run.fit_steps
 

@@ -10,8 +10,8 @@ import pytest
 import tomli_w
 
 from winkler.cli import main, terminal
-from winkler.study.catalogue import kinds
-from winkler.study.explain import example_study
+from winkler.study.language.catalogue import kinds
+from winkler.study.language.explain import example_study
 
 SEVEN = {
     "adhesive_cycle": 7,

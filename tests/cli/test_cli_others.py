@@ -14,15 +14,15 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.study.build import build
-from winkler.study.catalogue import CATALOGUE, kinds, slot_of
-from winkler.study.citing import bibliography, cite
-from winkler.study.explain import keys_of, place_of, plain_symbol, table_at
-from winkler.study.grammar import SECTIONS, study_form
-from winkler.study.reading import parse_study
-from winkler.study.run import run
-from winkler.study.schema import hints
-from winkler.study.template import example_text, inline, template
+from winkler.study.batch.run import run
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import CATALOGUE, kinds, slot_of
+from winkler.study.language.explain import keys_of, place_of, plain_symbol, table_at
+from winkler.study.language.grammar import SECTIONS, study_form
+from winkler.study.language.reading import parse_study
+from winkler.study.language.schema import hints
+from winkler.study.language.template import example_text, inline, template
+from winkler.study.report.citing import bibliography, cite
 
 COMMANDS = ("run", "show", "draw", "new", "cite", "validate")
 
@@ -468,7 +468,7 @@ def test_help_and_wrong_words_load_nothing_heavy():
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     loaded = set(answer.stdout.split("LOADED")[1].split())
-    heavy = {"matplotlib", "xarray", "pint", "h5py", "scipy.optimize", "winkler.study.catalogue"}
+    heavy = {"matplotlib", "xarray", "pint", "h5py", "scipy.optimize", "winkler.study.language.catalogue"}
     assert heavy & loaded == set()
 
 

@@ -15,8 +15,8 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.study import writing
-from winkler.study.writing import PROVENANCE
+from winkler.study.report import writing
+from winkler.study.report.writing import PROVENANCE
 
 STUDY = """title = "Ball"
 
@@ -194,7 +194,7 @@ def test_a_full_disk_leaves_nothing(here, monkeypatch, capsys):
             28, "Unable to create file (file write failed: time = Sun Nov 22\n, filename = 'a.nc', errno = 28)"
         )
 
-    monkeypatch.setattr("winkler.study.writing.study_text", full)
+    monkeypatch.setattr("winkler.study.report.writing.study_text", full)
     assert main(["run", "ball.toml"]) == 2
     said = capsys.readouterr().err
     assert "cannot be written (no space left on device); give" in said
@@ -212,7 +212,7 @@ def test_a_run_that_is_stopped_leaves_what_was_there(error, before, here, monkey
     def stopped(*_: object) -> str:
         raise error
 
-    monkeypatch.setattr("winkler.study.writing.study_text", stopped)
+    monkeypatch.setattr("winkler.study.report.writing.study_text", stopped)
     code = main(["run", "ball.toml", "--overwrite"])
     told = capsys.readouterr().err
     if error is KeyboardInterrupt:
@@ -377,7 +377,7 @@ LONG = STUDY + '\n[sweep]\n"problem.load.force" = { from = "1 N", to = "2 N", co
     ],
 )
 def test_signals_stop_a_run_cleanly(sign, code, told, here):
-    """Those of a whole group of processes, workers too; for one process see tests/hardening/test_killed_runs.py."""
+    """Those of a whole group of processes, workers too; for one process see tests/hardening/processes/test_killed_runs.py."""
     (here / "long.toml").write_text(LONG, encoding="utf-8")
     words = [sys.executable, "-m", "winkler.cli", "run", "long.toml", "--workers", "2"]
     run = subprocess.Popen(

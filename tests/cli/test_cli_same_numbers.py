@@ -12,10 +12,10 @@ from python_of_kinds import NEWER
 
 import winkler as wk
 from winkler.cli import main
-from winkler.study.catalogue import kinds
-from winkler.study.reading import parse_study, study_text
-from winkler.study.run import run
-from winkler.study.template import whole_text
+from winkler.study.batch.run import run
+from winkler.study.language.catalogue import kinds
+from winkler.study.language.reading import parse_study, study_text
+from winkler.study.language.template import whole_text
 
 STEEL = wk.Elastic(210e9, 0.3)
 QUARTZ = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)

@@ -16,9 +16,9 @@ import pytest
 
 import winkler as wk
 from winkler.cli import main
-from winkler.study.journal import Journal
-from winkler.study.reading import read_study
-from winkler.study.sweep import journaled
+from winkler.study.batch.journal import Journal
+from winkler.study.batch.sweep import journaled
+from winkler.study.language.reading import read_study
 
 STUDY = """title = "Balls"
 
@@ -126,7 +126,7 @@ def test_results_that_cannot_be_written_cost_no_point(here, monkeypatch, capsys)
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr("winkler.study.writing.study_text", full)
+        patch.setattr("winkler.study.report.writing.study_text", full)
         assert main(["run", "balls.toml"]) == 2
     assert "no space left on device" in capsys.readouterr().err
     assert main(["run", "balls.toml"]) == 4

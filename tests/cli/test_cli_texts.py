@@ -16,7 +16,7 @@ import pytest
 import winkler.cli
 from winkler.cli import main, terminal
 from winkler.cli.saying import plain_json, safe, say
-from winkler.study.outcome import Column
+from winkler.study.batch.outcome import Column
 from winkler.vocabulary import word
 
 SPHERE = """title = "{title}"

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from winkler.cli import main
-from winkler.study.catalogue import CATALOGUE
+from winkler.study.language.catalogue import CATALOGUE
 
 BASE = """title = "Ball"
 

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.numerics.quadrature import gauss_legendre, tanh_sinh
-from winkler.numerics.settling import LADDER, settled
+from winkler.numerics.integrals.adaptive_quadrature import LADDER, settled
+from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 
 
 def bernstein(place: complex) -> float:

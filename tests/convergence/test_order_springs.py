@@ -13,8 +13,8 @@ from slopes import order
 import winkler as wk
 from winkler.laws.friction import Coulomb
 from winkler.path import Path
-from winkler.problems.spring_march import SpringMarch
-from winkler.problems.tangential import Tangential
+from winkler.problems.friction.spring_march import SpringMarch
+from winkler.problems.friction.tangential import Tangential
 
 MEDIUM = wk.HalfSpace(wk.Elastic(1.0, 0.0))
 SHAPES = {

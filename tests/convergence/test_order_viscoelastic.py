@@ -17,10 +17,10 @@ from winkler.foundation.springs import Springs
 from winkler.loading import Depth
 from winkler.materials.spring_and_dashpot import Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
-from winkler.problems.viscoelastic import ViscoelasticIndentation
-from winkler.problems.viscoelastic_march import Row, elastic_like
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.problems.viscoelastic.march import Row, elastic_like
 
 SOLIDS = {
     "Maxwell": Maxwell(0.25, 0.3),

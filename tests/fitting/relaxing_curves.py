@@ -6,12 +6,12 @@ import numpy as np
 from scipy.special import beta, betainc
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.materials.fractional import PowerLawSolid
 from winkler.materials.spring_and_dashpot import StandardSolid
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.path import Path
-from winkler.problems.viscoelastic import ViscoelasticIndentation
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 BEAD = 5e-6
 FIRST = "bed.medium.first."

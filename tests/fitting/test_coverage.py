@@ -8,10 +8,10 @@ from scipy.stats import binom
 from synthetic import hertz_on_spring, jkr, noise, there_and_back
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 R, YOUNG, WORK, SPRING = 5e-6, 1e4, 1e-4, 0.05
 MODULUS = YOUNG / 0.75

@@ -1,6 +1,6 @@
 """Fits of soft films on glass: modulus, thickness and contact point at once, as of a cell layer or a gel.
 
-The curves are those of the coated problem (checked in tests/media/test_thin_films.py), with noise.
+The curves are those of the coated problem (checked in tests/media/layered/test_thin_films.py), with noise.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 
 LAYER = "bed.medium.layers[0]"

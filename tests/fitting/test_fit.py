@@ -10,10 +10,10 @@ from synthetic import hertz, hertz_on_spring, jkr, noise, there_and_back
 
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.validity import Note
 
 R, YOUNG, POISSON, WORK = 5e-6, 1e4, 0.5, 1e-4

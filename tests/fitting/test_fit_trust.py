@@ -11,11 +11,11 @@ import pytest
 from synthetic import hertz, jkr, noise, there_and_back
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.trust import fit_notes
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.validity import Note, Standing
 
 R, YOUNG, WORK = 5e-6, 1e4, 1e-4

@@ -10,11 +10,11 @@ from synthetic import hertz, hertz_on_spring, jkr, noise, there_and_back
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fitting.compare import compare
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.intervals import profile_interval
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 R, YOUNG = 5e-6, 1e4
 MODULUS = YOUNG / 0.75

@@ -11,7 +11,7 @@ from scipy.optimize import least_squares
 from synthetic import hertz, noise
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.materials.fractional import PowerLawSolid
 

@@ -8,7 +8,7 @@ import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.fitting.parameters import changed, found, unit_of
 from winkler.laws.adhesion import Dugdale, ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 COATED = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e9, 0.3), 1e-6)], on=wk.Elastic(1e10, 0.2))
 MODEL = AdhesiveIndentation(wk.Foundation(wk.Paraboloid(1e-5), COATED), ShortRange(0.1), wk.Depth(0.0))

@@ -14,10 +14,10 @@ import winkler as wk
 from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting import search
 from winkler.fitting.compare import compare
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 YOUNG = "bed.medium.first.young"
 

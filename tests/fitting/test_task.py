@@ -8,11 +8,11 @@ from scipy.optimize import brentq
 from synthetic import hertz_on_spring, jkr_states
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.prediction import attached, held_contact, runs_of
 from winkler.fitting.task import task
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 R, YOUNG, WORK, SPRING = 5e-6, 1e4, 1e-4, 0.05
 MODULUS = YOUNG / 0.75

@@ -11,7 +11,7 @@ import pytest
 import winkler as wk
 from winkler.footprint import Ellipse, Round, Unknown
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
-from winkler.media.coated import Layer
+from winkler.media.layered.coated import Layer
 from winkler.plot import draw
 
 STEEL = wk.Elastic(208e9, 0.3, strength=1.2e9)

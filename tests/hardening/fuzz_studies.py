@@ -1,7 +1,7 @@
 """Studies made from the catalogue: spoilt ones, which are to be refused well, and varied ones, which are solved.
 
-What may stand where is read from the classes of the kinds (`winkler.study.schema`), so that a new kind is tried
-without a line here.
+What may stand where is read from the classes of the kinds (`winkler.study.language.schema`), so that a new kind is
+tried without a line here.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from typing import Any
 
 import fuzz_words
 
-from winkler.study import quantities
-from winkler.study.catalogue import CATALOGUE, kinds
-from winkler.study.explain import completed, example_study
-from winkler.study.schema import allowed_in_list, allowed_kinds, hints
+from winkler.study.language import quantities
+from winkler.study.language.catalogue import CATALOGUE, kinds
+from winkler.study.language.explain import completed, example_study
+from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
 
 PROBLEMS = tuple(CATALOGUE["problem"])
 AMOUNT = re.compile(r"([-+]?[0-9][-+.0-9eE]*)(?![0-9])(.*)", re.DOTALL)

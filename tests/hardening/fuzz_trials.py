@@ -12,9 +12,9 @@ import tomli_w
 from fuzz_cases import Case
 from fuzz_readers import READERS
 
-from winkler.numerics.expression import Expression
+from winkler.numerics.equations.expression import Expression
 from winkler.profiles.formula import Formula
-from winkler.study.reading import parse_study, read_study, study_text
+from winkler.study.language.reading import parse_study, read_study, study_text
 from winkler.units import quantity
 
 TRIALS: dict[str, Callable[[Case], object]] = {}

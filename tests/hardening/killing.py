@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from winkler.cli import main
-from winkler.study import fit_run, run
-from winkler.study.outcome import Provenance
+from winkler.study.batch import fit_run, run
+from winkler.study.batch.outcome import Provenance
 
 FILES = {"open", "os.rename", "os.mkdir", "os.rmdir", "os.remove", "os.truncate", "fcntl.flock"}
 """What an audit hook hears of that changes a folder; of files that are opened only those in the folder count."""

@@ -17,8 +17,8 @@ from fuzz_trials import tried, written
 
 import winkler as wk
 from winkler.errors import InvalidInput
-from winkler.study.build import build
-from winkler.study.explain import completed
+from winkler.study.language.build import build
+from winkler.study.language.explain import completed
 
 FILES = sorted(FOUND.glob("*.json"))
 

@@ -15,7 +15,7 @@ from fuzz_cases import Case, judged
 from fuzz_readers import READERS, SUFFIXES, TABLES
 from fuzz_trials import tried, written
 
-from winkler.study.template import whole_text
+from winkler.study.language.template import whole_text
 
 BASES = ("indentation", "tangential", "coated_half_space", "formula", "sum")
 UNITS = ("m", "Pa", "rad", "", "N/m", "J/m^2", "K", "m^-0.5")

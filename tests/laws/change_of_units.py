@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.study.quantities import INDEXED, dependent, settled
+from winkler.study.language.quantities import INDEXED, dependent, settled
 from winkler.unit_grammar import unit_of
 from winkler.vocabulary import word
 

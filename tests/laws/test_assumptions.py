@@ -12,9 +12,9 @@ import winkler as wk
 from winkler.problems.assumptions.coupling import dundurs, stuck_stiffening
 from winkler.problems.assumptions.film import film_strain
 from winkler.problems.assumptions.inertia import wave_loss
-from winkler.study.build import build
-from winkler.study.catalogue import CATALOGUE
-from winkler.study.explain import example_study
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.explain import example_study
 from winkler.validity import Assumption, Note, Standing, worst
 
 KINDS = sorted(CATALOGUE["problem"])

@@ -16,7 +16,7 @@ from media_cases import LAYERED, SMOOTHLY, Sample, elastic, number
 from test_law_values import assert_a_value
 
 import winkler as wk
-from winkler.study.build import build, unbuild
+from winkler.study.language.build import build, unbuild
 
 BALL, CONE, EDGE = wk.Paraboloid(2.0), wk.Cone(1.2), wk.TruncatedCone(1.2, flat_radius=0.4)
 SMALL_STEPS = np.arange(-3.0, 4.0) * 1e-3

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.laws.friction import Coulomb
 

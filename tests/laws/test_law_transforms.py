@@ -13,7 +13,7 @@ from media_cases import MEDIA
 from shapes import KINDS, WAVES, Specimen, number
 
 import winkler as wk
-from winkler.numerics import abel
+from winkler.numerics.transforms import abel
 
 SHAPES = {**KINDS, **WAVES}
 PLACES = np.array([1e-4, 0.03, 0.11, 0.26, 0.41, 0.59, 0.73, 0.88, 0.99])

@@ -19,11 +19,11 @@ from change_of_units import Units
 
 import winkler as wk
 from winkler.errors import WinklerError
-from winkler.study.build import build
-from winkler.study.catalogue import CATALOGUE, kinds
-from winkler.study.explain import example_study
-from winkler.study.outcome import answers_of
-from winkler.study.points import Solved
+from winkler.study.batch.outcome import answers_of
+from winkler.study.batch.points import Solved
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import CATALOGUE, kinds
+from winkler.study.language.explain import example_study
 from winkler.validity import Assumption
 from winkler.vocabulary import word
 

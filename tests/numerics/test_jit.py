@@ -79,7 +79,7 @@ def test_a_mistake_is_not_hidden():
 def test_nothing_is_compiled_on_import():
     code = (
         "import sys, numpy as np\n"
-        "from winkler.numerics.slip_kernels import march_line\n"
+        "from winkler.numerics.springs.slip_kernels import march_line\n"
         "assert 'numba' not in sys.modules\n"
         "one, none = np.ones(1), np.zeros(1)\n"
         "march_line(one, none, one, one, np.ones(2), np.zeros(2), none.copy(), none.copy(), none.copy())\n"

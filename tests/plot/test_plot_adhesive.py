@@ -12,7 +12,7 @@ import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.fields import restore
 from winkler.plot import draw, style
-from winkler.plot.adhesive import contact_of
+from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.extent import is_singular, is_torn
 
 RUBBER = wk.HalfSpace.between(wk.Elastic(1e6, 0.5))

@@ -11,13 +11,13 @@ from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
-from winkler.plot.body import _revolved, _round
-from winkler.plot.curves import force_depth, line_load, load_curves, surface
 from winkler.plot.extent import around, is_singular, sunk, typical
 from winkler.plot.families import spans_decades
-from winkler.plot.springs import draw_springs, plane_profile, stretched
-from winkler.plot.stresses import stressed_first
-from winkler.problems.indentation import Indentation
+from winkler.plot.normal.body import _revolved, _round
+from winkler.plot.normal.curves import force_depth, line_load, load_curves, surface
+from winkler.plot.normal.springs import draw_springs, plane_profile, stretched
+from winkler.plot.normal.stresses import stressed_first
+from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.conical import Cone, SpheroConical, TruncatedCone
 from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.power import Paraboloid

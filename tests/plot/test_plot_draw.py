@@ -20,8 +20,8 @@ from winkler.plot import draw, style
 from winkler.plot.families import bar_picture, family_picture
 from winkler.plot.method import picture, pictures_of
 from winkler.plot.series import series
-from winkler.problems.indentation import Indentation
-from winkler.problems.yielding import YieldOnset
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.yielding import YieldOnset
 from winkler.profiles.conical import Cone, TruncatedCone
 from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.measured import Measured

@@ -16,14 +16,14 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Torque
 from winkler.path import Path
 from winkler.plot import draw, style
-from winkler.plot.friction import lost_told
-from winkler.problems.bimodal import BimodalDamping
-from winkler.problems.damping import FrictionDamping
-from winkler.problems.impact import Impact
-from winkler.problems.impact_adhesive import AdhesiveImpact
-from winkler.problems.relaxation import RelaxationDamper
-from winkler.problems.tangential import Tangential
-from winkler.problems.torsion import Torsion
+from winkler.plot.friction.curves import lost_told
+from winkler.problems.friction.bimodal_damping import BimodalDamping
+from winkler.problems.friction.damping import FrictionDamping
+from winkler.problems.friction.relaxation_damping import RelaxationDamper
+from winkler.problems.friction.tangential import Tangential
+from winkler.problems.friction.torsion import Torsion
+from winkler.problems.impact.adhesive_impact import AdhesiveImpact
+from winkler.problems.impact.impact import Impact
 
 STEEL = wk.Elastic(210e9, 0.3)
 PAIR = wk.HalfSpace.between(STEEL, STEEL)

@@ -8,10 +8,10 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.plot import draw
-from winkler.plot.curves import line_load
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces, is_varied, typical_width
 from winkler.plot.method import PICTURES, picture, pictures_of
+from winkler.plot.normal.curves import line_load
 
 STEEL = wk.Elastic(210e9, 0.3)
 CARBON, CHROMIUM = wk.Elastic(180e9, 0.22), wk.Elastic(279e9, 0.21)

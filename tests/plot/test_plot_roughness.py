@@ -7,7 +7,7 @@ import pytest
 
 import winkler as wk
 from winkler.plot import draw
-from winkler.plot.roughness import SHOWN, draw_map, heights_of
+from winkler.plot.rough.roughness import SHOWN, draw_map, heights_of
 from winkler.plot.style import figure, reliefs, styled
 
 STEEL = wk.HalfSpace(wk.Elastic(210e9, 0.3))

@@ -8,12 +8,12 @@ import pytest
 import winkler as wk
 from winkler.plot.series import Series
 from winkler.plot.sweeps import Part, cloud_picture, map_picture, part_picture
-from winkler.study.designs import Sensitivity, Sobol, Zipped
-from winkler.study.figures import answers_over
-from winkler.study.run import run
-from winkler.study.study import Axis, Study
-from winkler.study.sweep_figures import mapped, varied_series
-from winkler.study.varied import Range
+from winkler.study.batch.run import run
+from winkler.study.language.designs import Sensitivity, Sobol, Zipped
+from winkler.study.language.study import Axis, Study
+from winkler.study.language.varied import Range
+from winkler.study.report.figures import answers_over
+from winkler.study.report.sweep_figures import mapped, varied_series
 from winkler.vocabulary import word
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))

@@ -13,14 +13,14 @@ import tomli_w
 from winkler.cli import main
 from winkler.errors import InvalidInput
 from winkler.io.curves import read_curve
-from winkler.study.fit_reading import FITTED, parse_fit_study
-from winkler.study.reading import parsed
-from winkler.web import fit_form, form
-from winkler.web.answer import Frame, Told
-from winkler.web.asking import Asking
-from winkler.web.fit_chart import MOST, drawn_points
-from winkler.web.room import Room, files_in
-from winkler.web.worker import Export, Look, Solve, Wrong, _Bench, beside_the_curve
+from winkler.study.language.fit_reading import FITTED, parse_fit_study
+from winkler.study.language.reading import parsed
+from winkler.web.form import fit_form, form
+from winkler.web.form.study_form import Asking
+from winkler.web.pictures.answer import Frame, Told
+from winkler.web.pictures.fit_chart import MOST, drawn_points
+from winkler.web.session.upload_folder import Room, files_in
+from winkler.web.session.worker import Export, Look, Solve, Wrong, _Bench, beside_the_curve
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 YOUNG = "problem.bed.medium.first.young"

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 import tomli_w
 
-from winkler.study.catalogue import CATALOGUE
-from winkler.study.reading import parse_study
-from winkler.study.template import whole_text
-from winkler.web import form
-from winkler.web.form import Entry, Many, Slot
-from winkler.web.typed import typed
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.reading import parse_study
+from winkler.study.language.template import whole_text
+from winkler.web.form import form
+from winkler.web.form.form import Entry, Many, Slot
+from winkler.web.form.typed import typed
 
 
 def entries(part):

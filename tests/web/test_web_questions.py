@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 import tomli_w
 
-from winkler.web import form
-from winkler.web.answer import Frame
-from winkler.web.export import File
-from winkler.web.questions import Questions
-from winkler.web.worker import Done, Export, Look, Progress, Solve, Wrong, work
+from winkler.web.form import form
+from winkler.web.pictures.answer import Frame
+from winkler.web.session.export import File
+from winkler.web.session.questions import Questions
+from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong, work
 
 FRAME = Frame(0, "")
 
@@ -112,7 +112,7 @@ def test_sheets_come_although_one_looks_and_takes_a_file(tmp_path):
 
 @pytest.mark.parametrize(("kind", "total"), [("impact", 201), ("reduction", None)])
 def test_a_march_tells_how_far_it_is_and_gives_way_to_another_study(kind, total, tmp_path, monkeypatch):
-    monkeypatch.setattr("winkler.web.worker.BEAT", 0.0)
+    monkeypatch.setattr("winkler.web.session.worker.BEAT", 0.0)
     mine, theirs = multiprocessing.Pipe()
     worker = threading.Thread(target=_worked, args=(theirs,), daemon=True)
     worker.start()

@@ -8,13 +8,13 @@ import io
 import pytest
 import tomli_w
 
-from winkler.study.designs import DESIGNS
-from winkler.study.reading import parse_study
-from winkler.study.run import run
-from winkler.web import form, sweep_form
-from winkler.web.answer import Frame, Shown, Told
-from winkler.web.asking import Asking
-from winkler.web.worker import POINTS, Export, Progress, Solve, Wrong, _Bench
+from winkler.study.batch.run import run
+from winkler.study.language.designs import DESIGNS
+from winkler.study.language.reading import parse_study
+from winkler.web.form import form, sweep_form
+from winkler.web.form.study_form import Asking
+from winkler.web.pictures.answer import Frame, Shown, Told
+from winkler.web.session.worker import POINTS, Export, Progress, Solve, Wrong, _Bench
 
 FORCE, RADIUS, POISSON = (
     "problem.load.force",
@@ -125,7 +125,7 @@ def test_the_app_and_the_command_line_sweep_equal_numbers(bench, tmp_path):
 
 
 def test_progress_is_told_and_rises(bench, tmp_path, monkeypatch):
-    monkeypatch.setattr("winkler.web.worker.BEAT", 0.0)
+    monkeypatch.setattr("winkler.web.session.worker.BEAT", 0.0)
     text = tomli_w.dumps(asked(FORCE).table)
     replies = bench.replies(Solve(1, text, tmp_path, True))
     assert [next(replies) for _ in range(5)] == [Progress(done, 5) for done in range(1, 6)]

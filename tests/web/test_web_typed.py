@@ -8,9 +8,9 @@ import pathlib
 import pytest
 
 from winkler.errors import InvalidInput
-from winkler.web.room import LARGEST, TOTAL, Room, files_in, plain_name
-from winkler.web.sliders import STEPS, span_of
-from winkler.web.typed import shown, typed
+from winkler.web.form.sliders import STEPS, span_of
+from winkler.web.form.typed import shown, typed
+from winkler.web.session.upload_folder import LARGEST, TOTAL, Room, files_in, plain_name
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,8 @@ import signal
 import pytest
 
 from winkler.errors import InvalidInput
-from winkler.web import uploads as module
-from winkler.web.uploads import uploads
+from winkler.web.session import uploads as module
+from winkler.web.session.uploads import uploads
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="kills a process")
 

@@ -14,10 +14,11 @@ import pytest
 from nicegui import Client, core, ui
 from starlette.testclient import TestClient, WebSocketDisconnect
 
-from winkler.web import assembly, solver
-from winkler.web.security import origin_of
-from winkler.web.solver import Worker
-from winkler.web.visitors import Visitors
+from winkler.web.page import assembly
+from winkler.web.page.visitors import Visitors
+from winkler.web.session import solver
+from winkler.web.session.security import origin_of
+from winkler.web.session.solver import Worker
 
 HOME = "http://127.0.0.1:8765"
 MOST = 3

@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 import tomli_w
 
-from winkler.study.reading import parse_study
-from winkler.study.run import run
-from winkler.study.template import whole_text
-from winkler.web import form
-from winkler.web.answer import Frame, Picture, Shown, Told
-from winkler.web.solver import Solver
-from winkler.web.worker import Done, Export, Look, Progress, Solve, Wrong, _Bench
+from winkler.study.batch.run import run
+from winkler.study.language.reading import parse_study
+from winkler.study.language.template import whole_text
+from winkler.web.form import form
+from winkler.web.pictures.answer import Frame, Picture, Shown, Told
+from winkler.web.session.solver import Solver
+from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong, _Bench
 
 METHOD = ["shape", "springs", "line_load", "pressure", "force", "stress"]
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import tomli_w
 
-from winkler.web import form
-from winkler.web.answer import Frame
-from winkler.web.worker import Look, Solve, _Bench
+from winkler.web.form import form
+from winkler.web.pictures.answer import Frame
+from winkler.web.session.worker import Look, Solve, _Bench
 
 
 @pytest.fixture(scope="module")

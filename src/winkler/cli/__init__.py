@@ -14,7 +14,7 @@ import sys
 from collections.abc import Sequence
 
 from winkler.cli.saying import emptied, say, spell
-from winkler.study import stopping
+from winkler.study.batch import stopping
 
 __all__ = ["main"]
 

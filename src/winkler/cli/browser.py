@@ -27,6 +27,6 @@ def app(
 
     Example: winkler app --port 8080
     """
-    from winkler.web.serve import serve
+    from winkler.web.page.serve import serve
 
     serve(port=port, limit=time_limit, browser=browser, pages=pages, addresses=address or ())

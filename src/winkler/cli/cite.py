@@ -18,12 +18,12 @@ def cite(
 ) -> None:
     """Show the papers that a study, or a kind, stands on.
 
-    Example: winkler cite examples/studies/hertz.toml --bibtex
+    Example: winkler cite examples/studies/normal/hertz.toml --bibtex
     """
-    from winkler.study.catalogue import kinds
-    from winkler.study.citing import bibliography
-    from winkler.study.citing import cite as papers_of
-    from winkler.study.reading import read_study
+    from winkler.study.language.catalogue import kinds
+    from winkler.study.language.reading import read_study
+    from winkler.study.report.citing import bibliography
+    from winkler.study.report.citing import cite as papers_of
 
     if what in kinds() and not Path(what).is_file():
         line = kinds()[what]

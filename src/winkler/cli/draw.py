@@ -11,7 +11,7 @@ import typer
 from winkler.cli.saying import say
 
 if TYPE_CHECKING:
-    from winkler.study.outcome import Solved
+    from winkler.study.batch.outcome import Solved
 
 __all__ = ["draw"]
 
@@ -45,15 +45,15 @@ def draw(
 ) -> None:
     """Draw a study into a picture file.
 
-    Example: winkler draw examples/studies/hertz.toml --part stress --output stress.svg
+    Example: winkler draw examples/studies/normal/hertz.toml --part stress --output stress.svg
     """
     from winkler.errors import InvalidInput, suggest
     from winkler.fields import SubsurfaceFields
     from winkler.plot import draw as picture_of
-    from winkler.plot.stresses import mark_interfaces
-    from winkler.study.reading import read_study
-    from winkler.study.single_file import write_whole
-    from winkler.study.study import PICTURES
+    from winkler.plot.normal.stresses import mark_interfaces
+    from winkler.study.language.reading import read_study
+    from winkler.study.language.study import PICTURES
+    from winkler.study.report.single_file import write_whole
 
     if part not in PARTS:
         raise InvalidInput(
@@ -79,10 +79,10 @@ def draw(
 def _solved(study: Any, point: int) -> Solved:
     """Solve one point of a study."""
     from winkler.errors import InvalidInput
-    from winkler.study.outcome import Failed
-    from winkler.study.run import ERRORS
-    from winkler.study.sweep import solved
-    from winkler.study.tasks import tasks
+    from winkler.study.batch.outcome import Failed
+    from winkler.study.batch.run import ERRORS
+    from winkler.study.batch.sweep import solved
+    from winkler.study.batch.tasks import tasks
 
     points = tasks(study)
     if not -len(points) <= point < len(points):
@@ -99,7 +99,7 @@ def _item(answer: Solved, part: str, load: int) -> Any:
     from winkler.footprint import Round
     from winkler.foundation.measured import MeasuredBed
     from winkler.stairs import staircase
-    from winkler.study.figures_of_roughness import beside
+    from winkler.study.chapters.figures_of_roughness import beside
 
     bed = getattr(answer.problem, "bed", None)
     outlined = bed is not None and not isinstance(bed.footprint, Round)  # its springs stand for another body

@@ -17,8 +17,8 @@ from winkler.cli.saying import read_or_not, say, say_json
 if TYPE_CHECKING:
     from winkler.fitting.compare import AnyFit
     from winkler.fitting.search import FitState
-    from winkler.study.fit_outcome import FitOutcome
-    from winkler.study.fitting import FitStudy
+    from winkler.study.batch.fit_outcome import FitOutcome
+    from winkler.study.language.fit_study import FitStudy
 
 __all__ = ["fit"]
 
@@ -51,20 +51,20 @@ def fit(
     on where it was if the same study is fitted again. If curves have no answer, the exit code is that of the first one.
     A curve that takes longer than the time limit has none; the others go on.
 
-    Example: winkler fit examples/studies/fit_gel.toml --output results/gel
+    Example: winkler fit examples/studies/fitting/fit_gel.toml --output results/gel
     """
     from winkler.cli import terminal
     from winkler.cli.run import may_overwrite
     from winkler.errors import Interrupted, InvalidInput, WinklerError
-    from winkler.study.fit_outcome import Fitted
-    from winkler.study.fit_reading import read_fit_study
-    from winkler.study.fit_recording import recalled_fits
-    from winkler.study.fit_run import fit_curves, gather_fits, pieces
-    from winkler.study.fit_writing import write_fits
-    from winkler.study.journal import Journal
-    from winkler.study.reserving import reserved
-    from winkler.study.stopping import answered
-    from winkler.study.writing import holds_results, missing, placed
+    from winkler.study.batch.fit_outcome import Fitted
+    from winkler.study.batch.fit_recording import recalled_fits
+    from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
+    from winkler.study.batch.journal import Journal
+    from winkler.study.batch.stopping import answered
+    from winkler.study.language.fit_reading import read_fit_study
+    from winkler.study.report.fit_writing import write_fits
+    from winkler.study.report.reserving import reserved
+    from winkler.study.report.writing import holds_results, missing, placed
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
@@ -146,7 +146,7 @@ class _UnderWay:
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
         """Pass states on, and keep the last."""
         from winkler.fitting.search import FitState
-        from winkler.study.stopping import look
+        from winkler.study.batch.stopping import look
 
         for state in states:
             look()
@@ -207,7 +207,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     from rich.table import Table
 
     from winkler.plot.series import middle_scale, told
-    from winkler.study.explain import plain_symbol
+    from winkler.study.language.explain import plain_symbol
 
     study = outcome.study
     if len(outcome.results) == 1:

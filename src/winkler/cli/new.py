@@ -13,7 +13,7 @@ __all__ = ["new"]
 
 
 def _of(slot: str, incomplete: str) -> list[str]:
-    from winkler.study.catalogue import CATALOGUE
+    from winkler.study.language.catalogue import CATALOGUE
 
     return [name for name in CATALOGUE[slot] if name.startswith(incomplete)]
 
@@ -56,11 +56,11 @@ def new(
     Example: winkler new indentation --profile cone --output cone.toml
     """
     from winkler.errors import InvalidInput, WinklerError, suggest
-    from winkler.study.catalogue import CATALOGUE
-    from winkler.study.reading import parse_study
-    from winkler.study.run import run
-    from winkler.study.single_file import write_whole
-    from winkler.study.template import template
+    from winkler.study.batch.run import run
+    from winkler.study.language.catalogue import CATALOGUE
+    from winkler.study.language.reading import parse_study
+    from winkler.study.language.template import template
+    from winkler.study.report.single_file import write_whole
 
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
         if name and name not in CATALOGUE[slot]:

@@ -14,7 +14,7 @@ from winkler.cli.saying import read_or_not, safe, say, say_json
 
 if TYPE_CHECKING:
     from winkler.errors import WinklerError
-    from winkler.study.outcome import Outcome
+    from winkler.study.batch.outcome import Outcome
 
 __all__ = ["may_overwrite", "run"]
 
@@ -48,20 +48,20 @@ def run(
     was if the same study is run again. Exit code 1 if an expectation is missed; if points of a sweep have no answer,
     the code of the first one, or 70 if winkler itself made a mistake at one of them.
 
-    Example: winkler run examples/studies/hertz.toml --output results/ball
+    Example: winkler run examples/studies/normal/hertz.toml --output results/ball
     """
     from winkler.cli import terminal
     from winkler.errors import Interrupted, InvalidInput, Mistake, WinklerError
-    from winkler.study.cluster import Cluster
-    from winkler.study.journal import Journal
-    from winkler.study.keeping import Keep
-    from winkler.study.pool import Machine
-    from winkler.study.reading import read_study
-    from winkler.study.reserving import reserved
-    from winkler.study.run import gather, named
-    from winkler.study.stopping import held
-    from winkler.study.sweep import journaled, solve_points
-    from winkler.study.writing import holds_results, placed, write_outcome
+    from winkler.study.batch.checkpoint import Keep
+    from winkler.study.batch.cluster import Cluster
+    from winkler.study.batch.journal import Journal
+    from winkler.study.batch.pool import Machine
+    from winkler.study.batch.run import gather, named
+    from winkler.study.batch.stopping import held
+    from winkler.study.batch.sweep import journaled, solve_points
+    from winkler.study.language.reading import read_study
+    from winkler.study.report.reserving import reserved
+    from winkler.study.report.writing import holds_results, placed, write_outcome
 
     started = time.perf_counter()
     if cluster and workers is not None:
@@ -132,7 +132,7 @@ def may_overwrite(folder: Path) -> bool:
 
 
 def _code(outcome: Outcome) -> int:
-    from winkler.study.run import first_failure
+    from winkler.study.batch.run import first_failure
 
     if outcome.failed:
         return first_failure(outcome.failed).code
@@ -145,7 +145,7 @@ def _code(outcome: Outcome) -> int:
 def _mistake(name: str, outcome: Outcome, folder: Path) -> WinklerError:
     """Return what is raised when the results are written and winkler is at fault for points without an answer."""
     from winkler.errors import Mistake
-    from winkler.study.run import first_failure, raised
+    from winkler.study.batch.run import first_failure, raised
 
     count = sum(point.code == Mistake.exit_code for point in outcome.failed)
     first = first_failure(outcome.failed)

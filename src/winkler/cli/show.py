@@ -13,7 +13,7 @@ __all__ = ["show"]
 
 def known(incomplete: str) -> list[str]:
     """Return the names that begin like `incomplete`, for the completion of the shell."""
-    from winkler.study.catalogue import CATALOGUE, kinds
+    from winkler.study.language.catalogue import CATALOGUE, kinds
 
     return [name for name in ("study", "materials", *CATALOGUE, *kinds()) if name.startswith(incomplete)]
 
@@ -36,7 +36,7 @@ def show(
     """
     from winkler.cli import materials
     from winkler.errors import InvalidInput, suggest
-    from winkler.study.catalogue import CATALOGUE, REFUSED, kinds
+    from winkler.study.language.catalogue import CATALOGUE, REFUSED, kinds
 
     # a word may name a group and a kind (force is one, load the other): the kind is meant, groups have no kind's name
     if as_json:
@@ -64,8 +64,8 @@ def _list(only: str) -> None:
     from rich.table import Table
 
     from winkler.cli.terminal import console
-    from winkler.study.catalogue import CATALOGUE
-    from winkler.study.explain import summary
+    from winkler.study.language.catalogue import CATALOGUE
+    from winkler.study.language.explain import summary
 
     table = Table("group", "kind", "what it is", box=box.SIMPLE_HEAD)
     for slot, lines in CATALOGUE.items():
@@ -84,11 +84,11 @@ def _kind(name: str) -> None:
     from rich.table import Table
 
     from winkler.cli.terminal import console
-    from winkler.study.catalogue import kinds, slot_of
-    from winkler.study.citing import cite
-    from winkler.study.explain import keys_of, plain_symbol, summary
-    from winkler.study.reading import parse_study
-    from winkler.study.template import example_text, whole_text
+    from winkler.study.language.catalogue import kinds, slot_of
+    from winkler.study.language.explain import keys_of, plain_symbol, summary
+    from winkler.study.language.reading import parse_study
+    from winkler.study.language.template import example_text, whole_text
+    from winkler.study.report.citing import cite
 
     out = console()
     out.print(f"{name} (a {slot_of(name)}): {summary(kinds()[name].cls)}")
@@ -119,7 +119,7 @@ def _study() -> None:
     from rich.table import Table
 
     from winkler.cli.terminal import console
-    from winkler.study.grammar import SECTIONS
+    from winkler.study.language.grammar import SECTIONS
 
     table = Table("section", "key", "meaning", box=box.SIMPLE_HEAD)
     for section, rows in SECTIONS.items():
@@ -131,8 +131,8 @@ def _study() -> None:
 
 def _json(name: str) -> None:
     from winkler.errors import InvalidInput
-    from winkler.study.catalogue import kinds, slot_of
-    from winkler.study.explain import completed, keys_of, summary
+    from winkler.study.language.catalogue import kinds, slot_of
+    from winkler.study.language.explain import completed, keys_of, summary
 
     if name and name not in kinds():
         raise InvalidInput(f"'{name}' is not a kind; `winkler show` lists every kind.")

@@ -20,15 +20,15 @@ def table(
 ) -> None:
     """Write force, stiffnesses and radius over the depth, up to the deepest load of a study, for other programs.
 
-    Example: winkler table examples/studies/hertz.toml --output ball.csv
+    Example: winkler table examples/studies/normal/hertz.toml --output ball.csv
     """
     import numpy as np
 
     from winkler.errors import InvalidInput
-    from winkler.io.law_table import write_law
-    from winkler.problems.contact_law import ContactLaw
-    from winkler.problems.indentation import Indentation
-    from winkler.study.reading import read_study
+    from winkler.io.tables.law_table import write_law
+    from winkler.problems.normal.indentation import Indentation
+    from winkler.problems.particles.contact_law import ContactLaw
+    from winkler.study.language.reading import read_study
 
     problem = read_study(study).problem
     if not isinstance(problem, Indentation):

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.text import Text
 
-    from winkler.study.outcome import Column, Outcome
+    from winkler.study.batch.outcome import Column, Outcome
 
 from winkler.cli.saying import safe
 
@@ -87,7 +87,7 @@ def answers(outcome: Outcome, out: Console) -> None:
     from rich import box
     from rich.table import Table
 
-    from winkler.study.explain import plain_symbol
+    from winkler.study.language.explain import plain_symbol
 
     swept = [axis.key for axis in outcome.study.sweep]
     table_ = outcome.table()

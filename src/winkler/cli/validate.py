@@ -12,9 +12,9 @@ from winkler.cli.saying import read_or_not, say, say_json
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from winkler.study.ledger import Entry
-    from winkler.study.ledger_page import Chapter
-    from winkler.study.outcome import Verdict
+    from winkler.study.batch.outcome import Verdict
+    from winkler.study.ledger.ledger import Entry
+    from winkler.study.ledger.ledger_page import Chapter
 
 __all__ = ["validate", "verdict_json", "verdict_table"]
 
@@ -38,8 +38,8 @@ def validate(
     """
     from winkler.cli import terminal
     from winkler.errors import InvalidInput
-    from winkler.study.ledger import case_files, ledger, remarks
-    from winkler.study.ledger_page import markdown
+    from winkler.study.ledger.ledger import case_files, ledger, remarks
+    from winkler.study.ledger.ledger_page import markdown
 
     files = case_files(cases or ())
     if not files:
@@ -58,7 +58,7 @@ def validate(
 @read_or_not()
 def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
     from winkler.cli.terminal import console
-    from winkler.study.ledger_page import chapters
+    from winkler.study.ledger.ledger_page import chapters
 
     out = console()
     parts = chapters(entries)
@@ -94,7 +94,7 @@ def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Ta
     from rich import box
     from rich.table import Table
 
-    from winkler.study.ledger_page import digits, shown, where
+    from winkler.study.ledger.ledger_page import digits, shown, where
 
     table = Table("quantity", "expected", "got", "digits", "tolerance", "", box=box.SIMPLE_HEAD)
     shown_points = iter(points)

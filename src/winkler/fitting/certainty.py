@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.fitting.checks import Flag
+from winkler.fitting.curves.checks import Flag
+from winkler.fitting.curves.noise import memory, memory_of_fit, spread
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.noise import memory, memory_of_fit, spread
 from winkler.fitting.task import Parameter
 from winkler.numerics.types import Array
 

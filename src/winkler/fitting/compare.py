@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import Fit
 from winkler.fitting.prediction import Model
-from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.viscoelastic import ViscoelasticIndentation
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value
 
 __all__ = ["AnyFit", "Comparison", "compare"]

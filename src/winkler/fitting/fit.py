@@ -3,7 +3,7 @@ r"""A model fitted to a measured force curve: numbers, how sure they are, and wh
 .. math:: F_i = F_\mathrm{model}(D_i - D_0) + F_0 + t\,(D_i-D_0) + e_i
 
 with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
-Least squares give the numbers; the noise's own memory (`winkler.fitting.noise`) gives their covariance.
+Least squares give the numbers; the noise's own memory (`winkler.fitting.curves.noise`) gives their covariance.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
-from winkler.fitting.checks import Flag, refuse
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.checks import Flag, refuse
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.outcome import Fit
 from winkler.fitting.prediction import Model, states_for
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start, solved
 from winkler.fitting.task import Prediction, Task, task
-from winkler.fitting.viscoelastic import viscoelastic_fit
-from winkler.fitting.viscoelastic_outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.viscoelastic.fit import viscoelastic_fit
+from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.loading import Depth
-from winkler.numerics.streaming import streamed
+from winkler.numerics.equations.streaming import streamed
 from winkler.numerics.types import Array, Quantity
-from winkler.problems.viscoelastic import ViscoelasticIndentation
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
 
@@ -96,7 +96,7 @@ def fit(
     Raises
     ------
     InvalidInput
-        If the curve is refused (see `winkler.fitting.checks`), or a path leads nowhere.
+        If the curve is refused (see `winkler.fitting.curves.checks`), or a path leads nowhere.
     OutsideValidity
         If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
     NotConverged

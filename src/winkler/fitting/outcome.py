@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.fitting.checks import Flag
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.checks import Flag
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import Estimate
 from winkler.fitting.prediction import Model
 from winkler.fitting.task import Task, task

@@ -13,14 +13,14 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.response import Answer, Response, response
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.types import Array
-from winkler.problems.adhesive import AdhesiveIndentation
-from winkler.problems.edge_states import EdgeStates, FarStates, ShortStates, states_of
-from winkler.problems.indentation import Indentation
+from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, states_of
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.normal.indentation import Indentation
 
 __all__ = ["Held", "Model", "Run", "attached", "comparable", "held_contact", "moved_force", "runs_of", "states_for"]
 

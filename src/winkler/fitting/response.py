@@ -18,12 +18,12 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.rising import Pair, Piece, Tabulated, tabulated
 from winkler.media.body_of import thickness_of
-from winkler.numerics.roots import rough_root
+from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
-from winkler.problems.closure import flat_radius
-from winkler.problems.edge_states import EdgeStates, end_of, force_under
-from winkler.problems.own_length import own_length
-from winkler.problems.stability import least_radius
+from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under
+from winkler.problems.adhesion.stability import least_radius
+from winkler.problems.normal.length_scale import own_length
+from winkler.problems.normal.solve_contact import flat_radius
 
 __all__ = ["Answer", "Response", "response"]
 

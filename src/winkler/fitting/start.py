@@ -12,14 +12,14 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.fitting.checks import Outline, outline
+from winkler.fitting.curves.checks import Outline, outline
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.prediction import Model, runs_of, states_for
 from winkler.fitting.response import Response, response
 from winkler.fitting.search import Search
 from winkler.fitting.task import OF_THE_CURVE, Parameter, Prediction, Task
 from winkler.numerics.types import Array
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
 __all__ = ["SHARES", "best_start", "bounds", "least", "solved"]
 

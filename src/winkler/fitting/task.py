@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.parameters import changed, found, unit_of
 from winkler.fitting.prediction import (
     Held,

@@ -10,20 +10,20 @@ import math
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.prediction import Model
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
 from winkler.loading import Depth
-from winkler.media.coated import CoatedHalfSpace
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.numerics.types import Array
-from winkler.problems import griffith
-from winkler.problems.adhesive import AdhesiveIndentation
+from winkler.problems.adhesion import griffith
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.pull_off import PullOff
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
-from winkler.problems.indentation import Indentation
-from winkler.problems.pull_off import PullOff
+from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
 from winkler.validity import Assumption, Note, Standing

@@ -18,7 +18,7 @@ from winkler.footprint import DISC, Ellipse, Round
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.medium import Medium
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.profiles.power import Paraboloid

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.convex import ConvexCurve, fit_convex
+from winkler.numerics.panels.convex_spline import ConvexCurve, fit_convex
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.smoothing import Spline, choose
 

@@ -20,8 +20,8 @@ from winkler.foundation.force_curve import FEWEST, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
 from winkler.given import affordable
 from winkler.limits import MEASURED_PLACES
-from winkler.numerics import abel
-from winkler.numerics.power_splines import PowerSplines
+from winkler.numerics.panels.power_splines import PowerSplines
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import frozen_array, value
@@ -110,7 +110,7 @@ class MeasuredBed:
     ) -> MeasuredBed:
         """Return the bed behind one measured or computed force curve.
 
-        A convex curve is fitted (`winkler.numerics.convex`), k is its slope, and a = k / (2 modulus).
+        A convex curve is fitted (`winkler.numerics.panels.convex_spline`), k is its slope, and a = k / (2 modulus).
 
         Parameters
         ----------

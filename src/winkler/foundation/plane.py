@@ -18,7 +18,7 @@ from winkler.media import body_of
 from winkler.media.body_of import Imprint
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
-from winkler.numerics import abel
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note

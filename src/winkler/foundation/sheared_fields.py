@@ -10,10 +10,10 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
 from winkler.materials.elastic import Elastic
-from winkler.media import shear_field
 from winkler.media.halfspace import HalfSpace
+from winkler.media.interior import shear_field
+from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
 from winkler.media.medium import Displacement
-from winkler.media.tensor import principal_of_tensor, von_mises_of_tensor
 from winkler.numerics.types import Array
 from winkler.values import value
 

@@ -11,7 +11,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.array_file import read_arrays, write_arrays
 from winkler.io.foreign import reader
-from winkler.problems.contacts import Contacts
+from winkler.problems.particles.contacts import Contacts
 
 __all__ = ["read_contacts", "write_contacts"]
 

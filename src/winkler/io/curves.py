@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curve import ForceCurve
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.archive_file import is_archive, refuse_large_archive
-from winkler.io.curve_table import is_curve_table, read_curve_table
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
 from winkler.io.memory import limited_memory
 from winkler.io.segments import directions
+from winkler.io.tables.curve_table import is_curve_table, read_curve_table
 from winkler.io.text_file import existing, refuse_large
 from winkler.limits import FILE_BYTES
 from winkler.values import value
@@ -76,8 +76,8 @@ def read_curve(
     Parameters
     ----------
     path : str or path
-        A text table (see `winkler.io.curve_table`), or with the extra ``afm`` what afmformats reads: JPK, NT-MDT,
-        Asylum, AFM workshop and others.
+        A text table (see `winkler.io.tables.curve_table`), or with the extra ``afm`` what afmformats reads: JPK,
+        NT-MDT, Asylum, AFM workshop and others.
     spring_constant : float, optional
         Of the cantilever [N/m]; needed where the file does not tell it, and taken in place of the file's.
     sensitivity : float, optional

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.fitting.directions import HELD, IN, OUT, found_directions
+from winkler.fitting.curves.directions import HELD, IN, OUT, found_directions
 from winkler.numerics.types import Array
 
 __all__ = ["directions"]

@@ -13,7 +13,7 @@ from winkler.io.height_matrix import FoundMap, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import content_of, existing
 from winkler.limits import TEXT_BYTES
-from winkler.profiles.topography import Topography
+from winkler.profiles.rough.topography import Topography
 from winkler.units import scale
 
 __all__ = ["read_topography"]

@@ -25,7 +25,7 @@ from winkler.given import affordable
 from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
-from winkler.problems.constriction_fields import CurrentFields, HeatFields
+from winkler.problems.conduction.fields import CurrentFields, HeatFields
 
 __all__ = ["write_vtk"]
 

@@ -14,7 +14,7 @@ from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
 from winkler.io.array_file import read_arrays, write_arrays
 from winkler.io.foreign import reader
-from winkler.problems.wear_states import FrettingState, WearState
+from winkler.problems.wear.states import FrettingState, WearState
 
 __all__ = ["read_wear", "write_wear"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from winkler.errors import InvalidInput
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.numerics.spectra import RelaxationSeries
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values import value
 
 __all__ = ["AtTemperature"]

@@ -17,7 +17,7 @@ from winkler.errors import InvalidInput, NotConverged
 from winkler.given import not_negative, poisson_ratio
 from winkler.limits import SLOWEST
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.numerics.spectra import RelaxationSeries
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.values import value
 

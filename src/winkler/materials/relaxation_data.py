@@ -16,7 +16,7 @@ from winkler.errors import InvalidInput
 from winkler.given import affordable, poisson_ratio
 from winkler.limits import MEASURED_TIMES
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep
+from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
 from winkler.values import value
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.given import poisson_ratio, positive_fields
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.numerics.spectra import RelaxationSeries
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values import value
 
 __all__ = ["KelvinVoigt", "Maxwell", "StandardSolid"]

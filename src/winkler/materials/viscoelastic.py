@@ -14,7 +14,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.given import affordable, not_negative, poisson_ratio, positive
 from winkler.limits import MOST_NUMBERS, TERMS
-from winkler.numerics.spectra import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
+from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
 

@@ -11,8 +11,8 @@ where h = g on a homogeneous (k = 0) or graded half-space, and on layers (k = 0)
           \varphi(x) = w(x) - \int_x^a \rho(x;t)\,w(t)\,\mathrm dt , \qquad w(x) = \varphi(x;x)\,g(x) .
 
 This h solves the Volterra equation :math:`h(a) - \int_0^a\rho(x;a)\,h(x)\,\mathrm dx = \varphi(a;a)\,g(a)` of the
-forward way without solving anything (see `winkler.numerics.fredholm`).  f, to 1e-11 of its greatest value, does not
-depend on the radius a up to which the springs are displaced; f', to about 1e-9 of the steepest slope.
+forward way without solving anything (see `winkler.numerics.transforms.fredholm`).  f, to 1e-11 of its greatest value,
+does not depend on the radius a up to which the springs are displaced; f', to about 1e-9 of the steepest slope.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.media.coated import LayeredMedium
-from winkler.media.coated_load import Carried, spread
-from winkler.media.graded import GradedHalfSpace
+from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.coated import LayeredMedium
+from winkler.media.layered.coated_load import Carried, spread
 from winkler.media.medium import Displacement, Medium
-from winkler.media.relaxing import RelaxingMedium
-from winkler.numerics import graded_abel
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 

@@ -13,10 +13,10 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
-from winkler.media import subsurface
+from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts
 from winkler.media.punch_field import BodyField
-from winkler.numerics import abel
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing

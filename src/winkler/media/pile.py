@@ -19,7 +19,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
-from winkler.numerics.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
 __all__ = ["Cluster", "Panel", "Pile", "pile"]

@@ -16,11 +16,11 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.media.body_of import Springs
-from winkler.media.coated import LayeredMedium
+from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
-from winkler.numerics.chebyshev import Panels, fit_panels
-from winkler.numerics.convex import ConvexCurve
-from winkler.numerics.roots import invert, rough_root
+from winkler.numerics.equations.roots import invert, rough_root
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
 from winkler.values import value
 

@@ -12,9 +12,9 @@ import math
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.interior.twist_field import twist_constants
 from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
-from winkler.media.twist_field import twist_constants
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

@@ -21,12 +21,12 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.media.body_of import exponent_of, surface_slope
-from winkler.media.coated import LayeredMedium
+from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
-from winkler.numerics.chebyshev import Panels, fit_panels
-from winkler.numerics.cosine import Response, transform
-from winkler.numerics.powered import gauss_jacobi
-from winkler.numerics.quadrature import gauss_legendre
+from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.transforms.cosine_transform import Response, transform
 from winkler.numerics.types import Array
 from winkler.values import value
 

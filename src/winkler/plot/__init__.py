@@ -6,23 +6,14 @@ from winkler.caches import with_fonts
 with_fonts()
 
 # sheets that tell draw() themselves what they draw
-from winkler.plot import (  # noqa: F401
-    conduction,
-    conduction_fields,
-    conduction_spots,
-    heating,
-    restored,
-    rolling,
-    rough_lines,
-    roughness,
-    surfaces,
-    viscoelastic,
-    viscoelastic_fits,
-    viscoelastic_solids,
-    viscoelastic_surfaces,
-    viscoelastic_tests,
-    wear,
-)
+from winkler.plot import restored
+from winkler.plot.conduction import constriction, fields, spots
 from winkler.plot.draw import draw
+from winkler.plot.heating import heating
+from winkler.plot.rolling import rolling
+from winkler.plot.rough import lines, roughness, surfaces
+from winkler.plot.viscoelastic import contacts, fits, material_tests, solids
+from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces
+from winkler.plot.wear import wear
 
 __all__ = ["draw"]

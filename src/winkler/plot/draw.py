@@ -13,34 +13,26 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curve import ForceCurve
-from winkler.fitting.oliver_pharr import OliverPharrSolution
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.outcome import Fit
+from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.plane import PlaneFoundation
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.loading import Force
-from winkler.media.coated import CoatedHalfSpace
-from winkler.media.depth_graded import DepthGradedHalfSpace
-from winkler.media.graded import GradedHalfSpace
+from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
-from winkler.media.relaxing import RelaxingMedium
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.plot import style
-from winkler.plot.body import draw_body, draw_contact
-from winkler.plot.curves import (
-    draw_curve,
-    draw_line_load,
-    draw_pressure,
-    force_depth,
-    load_curves,
-)
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.fits import fit_picture
-from winkler.plot.friction_damping import bimodal_sheet, damping_sheet, relaxation_sheet
-from winkler.plot.friction_impact import adhesive_impact_sheet, impact_sheet
-from winkler.plot.friction_sheets import (
+from winkler.plot.fitting.fits import fit_picture
+from winkler.plot.fitting.unloading import segments_sheet, unloading_sheet
+from winkler.plot.friction.damping import bimodal_sheet, damping_sheet, relaxation_sheet
+from winkler.plot.friction.sheets import (
     body_sheet,
     sheared_sheet,
     tangential_sheet,
@@ -48,6 +40,7 @@ from winkler.plot.friction_sheets import (
     torsion_sheet,
     twist_sheet,
 )
+from winkler.plot.impact.impact import adhesive_impact_sheet, impact_sheet
 from winkler.plot.medium import (
     body_is_known,
     draw_makeup,
@@ -57,31 +50,38 @@ from winkler.plot.medium import (
     typical_width,
 )
 from winkler.plot.method import Contact, draw_bed_makeup, headline
-from winkler.plot.outline import draw_profile
-from winkler.plot.particle import particle_sheet
-from winkler.plot.punches import draw_pressures, draw_steps
+from winkler.plot.normal.body import draw_body, draw_contact
+from winkler.plot.normal.curves import (
+    draw_curve,
+    draw_line_load,
+    draw_pressure,
+    force_depth,
+    load_curves,
+)
+from winkler.plot.normal.outline import draw_profile
+from winkler.plot.normal.punches import draw_pressures, draw_steps
+from winkler.plot.normal.springs import at_first_touch, draw_springs
+from winkler.plot.normal.stresses import draw_stress
+from winkler.plot.particles.elastic_plastic import particle_sheet
 from winkler.plot.sheets import SHEETS, contact_sheet
-from winkler.plot.springs import at_first_touch, draw_springs
-from winkler.plot.stresses import draw_stress
-from winkler.plot.unloading import segments_sheet, unloading_sheet
-from winkler.problems.adhesive import AdhesiveSolution
-from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
-from winkler.problems.adhesive_shear import AdhesiveShearSolution
-from winkler.problems.bimodal import BimodalDampingSolution
-from winkler.problems.damping import FrictionDampingSolution
-from winkler.problems.equilibrium import EquilibriumCurve
-from winkler.problems.impact import ImpactSolution
-from winkler.problems.impact_adhesive import AdhesiveImpactSolution
-from winkler.problems.indentation import Indentation, IndentationSolution
-from winkler.problems.particle import ParticleSolution
-from winkler.problems.pull_off import PullOffSolution
-from winkler.problems.relaxation import RelaxationDamperSolution
-from winkler.problems.spring_states import SpringState
-from winkler.problems.tangential import TangentialSolution
-from winkler.problems.tangential_states import TangentialState
-from winkler.problems.torsion import TorsionSolution
-from winkler.problems.torsion_states import TorsionState
-from winkler.problems.yielding import YieldOnsetSolution
+from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
+from winkler.problems.adhesion.equilibrium import EquilibriumCurve
+from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.adhesion.pull_off import PullOffSolution
+from winkler.problems.adhesion.shear import AdhesiveShearSolution
+from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
+from winkler.problems.friction.damping import FrictionDampingSolution
+from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
+from winkler.problems.friction.spring_states import SpringState
+from winkler.problems.friction.tangential import TangentialSolution
+from winkler.problems.friction.tangential_states import TangentialState
+from winkler.problems.friction.torsion import TorsionSolution
+from winkler.problems.friction.torsion_states import TorsionState
+from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
+from winkler.problems.impact.impact import ImpactSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.yielding import YieldOnsetSolution
+from winkler.problems.particles.elastic_plastic import ParticleSolution
 from winkler.profiles.profile import Shape
 from winkler.stairs import Staircase
 

@@ -16,9 +16,9 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.materials.layered import Layer
-from winkler.media.coated import CoatedHalfSpace
-from winkler.media.depth_graded import DepthGradedHalfSpace
-from winkler.media.graded import GradedHalfSpace
+from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style

@@ -14,18 +14,18 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.plot import style
-from winkler.plot.adhesive import intensity_told
-from winkler.plot.body import draw_contact
-from winkler.plot.curves import draw_curve, draw_line_load, draw_pressure, draw_surface, force_depth, surface
-from winkler.plot.equilibria import draw_around
+from winkler.plot.adhesion.cycles import intensity_told
+from winkler.plot.adhesion.equilibria import draw_around
 from winkler.plot.extent import around
 from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness
+from winkler.plot.normal.body import draw_contact
+from winkler.plot.normal.curves import draw_curve, draw_line_load, draw_pressure, draw_surface, force_depth, surface
+from winkler.plot.normal.springs import draw_springs
+from winkler.plot.normal.stresses import draw_stress
 from winkler.plot.series import series, told
-from winkler.plot.springs import draw_springs
-from winkler.plot.stresses import draw_stress
-from winkler.problems.adhesive import AdhesiveSolution
-from winkler.problems.edge_states import FarStates, states_of
-from winkler.problems.indentation import IndentationSolution
+from winkler.problems.adhesion.edge_states import FarStates, states_of
+from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.normal.indentation import IndentationSolution
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,10 +9,10 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, SurfaceFields
 from winkler.plot import style
-from winkler.plot.curves import draw_surface, draw_surface_pressure
 from winkler.plot.draw import draw
 from winkler.plot.extent import checked_extent
-from winkler.plot.stresses import draw_along, draw_field
+from winkler.plot.normal.curves import draw_surface, draw_surface_pressure
+from winkler.plot.normal.stresses import draw_along, draw_field
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture

@@ -8,19 +8,19 @@ import numpy as np
 
 from winkler.loading import Force
 from winkler.plot import style
-from winkler.plot.adhesive import draw_cycle, draw_sheared
-from winkler.plot.body import draw_contact
-from winkler.plot.equilibria import draw_around, draw_equilibrium, draw_last, draw_radii
+from winkler.plot.adhesion.cycles import draw_cycle, draw_sheared
+from winkler.plot.adhesion.equilibria import draw_around, draw_equilibrium, draw_last, draw_radii
 from winkler.plot.extent import around
 from winkler.plot.medium import body_is_known, draw_stiffness
 from winkler.plot.method import headline, line_load_of, pressure_of
+from winkler.plot.normal.body import draw_contact
+from winkler.plot.normal.springs import draw_springs
 from winkler.plot.series import told
-from winkler.plot.springs import draw_springs
-from winkler.problems.adhesive import AdhesiveSolution
-from winkler.problems.adhesive_cycle import AdhesiveCycleSolution
-from winkler.problems.adhesive_shear import AdhesiveShearSolution
-from winkler.problems.equilibrium import EquilibriumCurve
-from winkler.problems.pull_off import PullOffSolution
+from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
+from winkler.problems.adhesion.equilibrium import EquilibriumCurve
+from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.adhesion.pull_off import PullOffSolution
+from winkler.problems.adhesion.shear import AdhesiveShearSolution
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -18,9 +18,9 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.octaves import Octaves
-from winkler.numerics.roots import between, invert
-from winkler.numerics.settling import settled
+from winkler.numerics.equations.roots import between, invert
+from winkler.numerics.integrals.adaptive_quadrature import settled
+from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing

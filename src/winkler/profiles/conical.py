@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from winkler.given import positive_fields
-from winkler.numerics.abel import root_difference
+from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.check import angle
 from winkler.profiles.pieces import PowerPieces, Term

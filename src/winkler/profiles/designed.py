@@ -1,6 +1,6 @@
 r"""Bodies that were computed to order: a slope as Chebyshev series on panels, with the tolerance they were made to.
 
-What `winkler.problems.design` answers.  On every panel the slope f' is a polynomial of the radius; height and
+What `winkler.problems.normal.design` answers.  On every panel the slope f' is a polynomial of the radius; height and
 curvature are its integral and derivative, and the transform of a homogeneous half-space is a quadrature over the
 panels, kept on panels of its own.
 """
@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics import abel
-from winkler.numerics.chebyshev import Panels, fit_panels
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing

@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.given import positive_fields
-from winkler.numerics.bracketing import between
+from winkler.numerics.equations.bracketing import between
 from winkler.values import value
 
 __all__ = ["ContactEllipse", "CurvedBodies"]

@@ -1,8 +1,8 @@
 r"""A profile written as a formula of r, with exact derivatives.
 
-The text is read by `winkler.numerics.expression`: no code in it is ever executed.  Powers among its addends have the
-closed-form transform :math:`g = \sum_i \kappa_{p_i} c_i x^{p_i}`; the rest is transformed by quadrature of its slope,
-with
+The text is read by `winkler.numerics.equations.expression`: no code in it is ever executed.  Powers among its addends
+have the closed-form transform :math:`g = \sum_i \kappa_{p_i} c_i x^{p_i}`; the rest is transformed by quadrature of
+its slope, with
 
 .. math:: \int_0^x g = x\,g(x) - \int_0^x \frac{r^2 f'(r)}{\sqrt{x^2-r^2}}\,dr ,
 
@@ -17,9 +17,9 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics import abel
-from winkler.numerics.expression import Expression
-from winkler.numerics.taylor import power_sum
+from winkler.numerics.equations.expression import Expression
+from winkler.numerics.equations.taylor import power_sum
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.formula_parts import (
     BESIDE,

@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.expression import Expression
-from winkler.numerics.taylor import Terms
+from winkler.numerics.equations.expression import Expression
+from winkler.numerics.equations.taylor import Terms
 from winkler.numerics.types import Array
 from winkler.profiles.power import PowerLaw
 

@@ -21,8 +21,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.given import affordable
 from winkler.limits import MEASURED_PLACES
-from winkler.numerics.abel import root_difference
-from winkler.numerics.chebyshev import Panels, fit_panels
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose

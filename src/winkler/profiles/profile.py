@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Protocol
 
-from winkler.numerics import abel
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.validity import Note
 

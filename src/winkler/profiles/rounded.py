@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.given import positive_fields
-from winkler.numerics.abel import root_difference
+from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.values import value

@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from winkler.given import positive_fields
-from winkler.numerics.struve import struve
+from winkler.numerics.panels.struve import struve
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.values import value

@@ -15,11 +15,11 @@ import numpy as np
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.media.coated import CoatedHalfSpace
 from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.medium import Medium
-from winkler.media.proportional import RelaxingInProportion
-from winkler.media.viscoelastic import ViscoelasticHalfSpace
+from winkler.media.relaxing.proportional import RelaxingInProportion
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["coefficient_of", "dundurs", "mismatch", "sliding_note", "sticking_note", "stuck_stiffening"]

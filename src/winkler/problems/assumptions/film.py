@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from winkler.foundation.bed import Bed
 from winkler.materials.elastic import Elastic
-from winkler.media.coated import CoatedHalfSpace
-from winkler.media.relaxing import RelaxingMedium
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["film_notes", "film_strain"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.foundation.bed import Bed
-from winkler.media.relaxing import RelaxingMedium
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 

@@ -1,0 +1,1 @@
+"""Measured force curves: segments, noise, corrections and checks."""

@@ -1,0 +1,102 @@
+r"""From what a machine reads to force and travel of the tip.
+
+A cantilever of the spring constant :math:`k_c` bends by the deflection :math:`\delta = sV`, with the sensitivity s of
+its detector; the force is :math:`F = k_c\,\delta` and the tip travels :math:`D-\delta`.  On a sample that does not give
+way :math:`\delta = D`, which is how s is found.  The frame of a nanoindenter gives way like a spring, too.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.numerics.types import Array, ArrayLike
+
+__all__ = ["deflection_sensitivity", "force_from_deflection", "on_frame", "tip_travel"]
+
+FEWEST = 5
+
+
+def _positive(word: str, number: float, unit: str) -> None:
+    if not (isinstance(number, int | float) and 0.0 < number < math.inf):
+        raise InvalidInput(f"{word} is {number!r}; it must be positive and finite, in {unit}.")
+
+
+def force_from_deflection(deflection: ArrayLike, sensitivity: float, spring_constant: float) -> Array:
+    """Return the force of a cantilever.
+
+    Parameters
+    ----------
+    deflection : array_like
+        Signal of the detector [V], rising when the tip is pushed away from the sample.
+    sensitivity : float
+        [m/V].
+    spring_constant : float
+        [N/m].
+
+    Returns
+    -------
+    ndarray
+        F_N [N].
+    """
+    _positive("sensitivity", sensitivity, "m/V")
+    _positive("spring_constant", spring_constant, "N/m")
+    return np.asarray(spring_constant * sensitivity * np.asarray(deflection, dtype=float))
+
+
+def deflection_sensitivity(position: ArrayLike, deflection: ArrayLike) -> float:
+    """Return the sensitivity of a detector from contact with a sample that does not give way.
+
+    Parameters
+    ----------
+    position, deflection : array_like, (n,)
+        Positions [m] and signals [V] in contact alone.
+
+    Returns
+    -------
+    float
+        [m/V], by least squares of the signal against the position.
+
+    Raises
+    ------
+    InvalidInput
+        If there are fewer than five points, or the signal does not rise with the position.
+    """
+    x, y = np.asarray(position, dtype=float), np.asarray(deflection, dtype=float)
+    if x.shape != y.shape or x.ndim != 1 or x.size < FEWEST:
+        raise InvalidInput(
+            f"sensitivity: positions have the shape {x.shape}, signals {y.shape}; give at least {FEWEST} of each."
+        )
+    about = x - x.mean()
+    slope = float(about @ y) / max(float(about @ about), 1e-300)
+    if not slope > 0.0:
+        raise InvalidInput(f"reversed: the signal changes by {slope:.3g} V/m; in contact it must rise: change a sign.")
+    return 1.0 / slope
+
+
+def tip_travel(curve: ForceCurve) -> ForceCurve:
+    """Return the curve over the travel of the tip, the deflection of the machine subtracted.
+
+    The noise of the force then is in the position, too: fits do better with the curve as it was measured.
+    """
+    position = curve.position - curve.compliance * curve.force
+    return dataclasses.replace(curve, position=position, machine_stiffness=math.inf)
+
+
+def on_frame(curve: ForceCurve, frame_compliance: float) -> ForceCurve:
+    """Return the curve with the compliance of the frame that holds indenter and sample, added to what is known of it.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    frame_compliance : float
+        [m/N], not negative.
+    """
+    if not (isinstance(frame_compliance, int | float) and 0.0 <= frame_compliance < math.inf):
+        raise InvalidInput(f"frame_compliance is {frame_compliance!r}; it must be zero or positive, in m/N.")
+    compliance = curve.compliance + frame_compliance
+    return dataclasses.replace(curve, machine_stiffness=1.0 / compliance if compliance > 0.0 else math.inf)

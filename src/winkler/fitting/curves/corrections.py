@@ -1,0 +1,208 @@
+r"""Corrections of a force curve: baseline, drift, drag.  Each is one step that is taken on purpose.
+
+Functions that look (`free_line`, `drift_rate`, `drag_force`) return a number; functions that correct (`without_...`)
+return a new curve.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.checks import outline
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = [
+    "FreeLine",
+    "drag_force",
+    "drift_rate",
+    "free_line",
+    "free_part",
+    "without_baseline",
+    "without_drag",
+    "without_drift",
+    "without_force_drift",
+]
+
+FEWEST = 10
+MARGIN = 0.1
+"""Part of the way before contact that is not counted as free: attraction may begin there."""
+
+
+@value
+class FreeLine:
+    """A straight line through the free part of a curve.
+
+    Parameters
+    ----------
+    origin : float
+        Position [m] at which `baseline` holds.
+    baseline : float
+        Force there [N].
+    tilt : float
+        Change of force with position [N/m].
+    noise : float
+        Standard deviation of the force about the line [N].
+    """
+
+    origin: float
+    baseline: float
+    tilt: float
+    noise: float
+
+    def at(self, position: Array) -> Array:
+        """Return the line's force at positions [N]."""
+        return np.asarray(self.baseline + self.tilt * (position - self.origin))
+
+
+def free_part(curve: ForceCurve) -> ForceCurve:
+    """Return the points that are surely out of contact: before first touch, a tenth of the way kept clear.
+
+    Raises
+    ------
+    InvalidInput
+        If there are fewer than ten.
+    """
+    free = np.zeros(curve.count, dtype=bool)
+    for direction in (1.0, -1.0):
+        mine = curve.direction == direction
+        if np.count_nonzero(mine) < FEWEST:
+            continue
+        way = curve.chosen(mine)
+        strokes = outline(way)
+        end = strokes.contact_point
+        if strokes.pull > 0.0:  # a sticky tip stays in contact beyond first touch
+            end = min(end, float(way.position[way.force < strokes.baseline - 0.5 * strokes.pull].min(initial=end)))
+        start = float(way.position.min())
+        if strokes.before >= FEWEST:
+            free |= mine & (curve.position < start + (1.0 - MARGIN) * (end - start))
+    if np.count_nonzero(free) < FEWEST:
+        raise InvalidInput(
+            f"no_baseline: curve '{curve.name}' has {int(np.count_nonzero(free))} points out of contact; at least "
+            f"{FEWEST} are needed to find its baseline."
+        )
+    return curve.chosen(free)
+
+
+def free_line(curve: ForceCurve) -> FreeLine:
+    """Return the straight line through the points out of contact.
+
+    Raises
+    ------
+    InvalidInput
+        If there are too few.
+    """
+    free = free_part(curve)
+    origin = float(free.position.mean())
+    along = free.position - origin
+    spread = float(along @ along)
+    tilt = float(along @ free.force) / spread if spread > 0.0 else 0.0
+    baseline = float(free.force.mean())
+    left = free.force - baseline - tilt * along
+    return FreeLine(origin, baseline, tilt, float(np.sqrt(left @ left / (free.count - 2))))
+
+
+def without_baseline(curve: ForceCurve, line: FreeLine) -> ForceCurve:
+    """Return a curve whose free part lies at zero force."""
+    return _with(curve, curve.position, curve.force - line.at(curve.position))
+
+
+def drift_rate(hold: ForceCurve) -> float:
+    """Return how fast the position drifts while the force is held [m/s].
+
+    Raises
+    ------
+    InvalidInput
+        If the times are unknown, or the same.
+    """
+    return _rate(hold, hold.position)
+
+
+def without_drift(curve: ForceCurve, rate: float) -> ForceCurve:
+    """Return a curve whose positions do not drift, counted from its first time.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    rate : float
+        [m/s], as `drift_rate` finds it.
+
+    Raises
+    ------
+    InvalidInput
+        If the times are unknown.
+    """
+    return _with(curve, curve.position - rate * _elapsed(curve), curve.force)
+
+
+def without_force_drift(curve: ForceCurve, rate: float) -> ForceCurve:
+    """Return a curve whose forces do not drift, counted from its first time.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    rate : float
+        [N/s].
+
+    Raises
+    ------
+    InvalidInput
+        If the times are unknown.
+    """
+    return _with(curve, curve.position, curve.force - rate * _elapsed(curve))
+
+
+def drag_force(curve: ForceCurve) -> float:
+    """Return the force of the liquid on the moving tip [N]: half of what approach and retraction differ by when free.
+
+    Both ways must have the same speed.  Positive: it pushes against the motion.
+
+    Raises
+    ------
+    InvalidInput
+        If one way is missing, or has too few free points.
+    """
+    free = free_part(curve)
+    ways = []
+    for word, inward in (("approach", 1.0), ("retract", -1.0)):
+        mine = free.direction == inward
+        if np.count_nonzero(mine) < FEWEST:
+            raise InvalidInput(
+                f"drag: curve '{curve.name}' has {int(np.count_nonzero(mine))} free points on {word}; at least "
+                f"{FEWEST} are needed on either way."
+            )
+        ways.append(float(np.median(free.force[mine])))
+    return 0.5 * (ways[0] - ways[1])
+
+
+def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
+    """Return a curve without the drag of a liquid, which changes its sign with the direction.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    drag : float
+        [N], as `drag_force` finds it.
+    """
+    return _with(curve, curve.position, curve.force - drag * curve.direction)
+
+
+def _with(curve: ForceCurve, position: Array, force: Array) -> ForceCurve:
+    return ForceCurve(position, force, curve.machine_stiffness, curve.time, curve.direction, curve.name)
+
+
+def _elapsed(curve: ForceCurve) -> Array:
+    if not curve.timed:
+        raise InvalidInput(f"drift: curve '{curve.name}' has no times; give them, or correct nothing.")
+    return np.asarray(curve.time - curve.time[0])
+
+
+def _rate(curve: ForceCurve, column: Array) -> float:
+    elapsed = _elapsed(curve)
+    about = elapsed - elapsed.mean()
+    spread = float(about @ about)
+    if spread == 0.0:
+        raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a stretch of time.")
+    return float(about @ column) / spread

@@ -1,0 +1,224 @@
+r"""A measured force curve: where the machine stood, and with what force it was pressed back.
+
+The machine moves towards the sample by D; its cantilever or frame of the stiffness :math:`k_m` gives way, and so the
+depth is
+
+.. math:: d = D - D_0 - F/k_m
+
+with the contact point :math:`D_0`.  A curve is kept as it was measured; `winkler.fitting.curves.corrections` returns
+corrected ones.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.directions import found_directions
+from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
+from winkler.numerics.types import Array
+from winkler.values import value
+
+__all__ = ["ForceCurve"]
+
+FEWEST = 2
+
+
+def _nothing() -> Array:
+    return np.zeros(0)
+
+
+@value
+class ForceCurve:
+    """Position and force of one measurement, in the order in which they were taken.
+
+    Parameters
+    ----------
+    position : ndarray, (n,)
+        D [m], how far the stage, piezo or indenter has moved towards the sample, from any zero.
+    force : ndarray, (n,)
+        F_N [N], compression positive.
+    machine_stiffness : float, optional
+        k_m [N/m] of the cantilever or frame; infinite (unless given) where `position` already is the travel of the tip.
+    time : ndarray, (n,) or (0,), optional
+        [s], never falling; empty (unless given) where it is unknown.
+    direction : ndarray, (n,), optional
+        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it is found from position
+        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` overrules it.
+    name : str, optional
+        Where the curve comes from.
+
+    Raises
+    ------
+    InvalidInput
+        If lengths differ, a number is not finite, time runs backwards, or there are fewer than two points.
+
+    Examples
+    --------
+    >>> position, force = [0.0, 1e-9, 2e-9, 1e-9, 0.0], [0.0, 0.0, 3e-9, 0.0, 0.0]
+    >>> curve = ForceCurve(position, force, machine_stiffness=6.0)
+    >>> curve.approach.count, curve.retract.count
+    (3, 2)
+    >>> round(float(curve.depth(contact_point=1e-9)[2]), 15)
+    5e-10
+    """
+
+    position: Array
+    force: Array
+    machine_stiffness: float = math.inf
+    time: Array = dataclasses.field(default_factory=_nothing)
+    direction: Array = dataclasses.field(default_factory=_nothing)
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        for word, unit in (("position", "m"), ("force", "N"), ("time", "s"), ("direction", "+1, 0 or -1")):
+            object.__setattr__(self, word, _column(word, unit, getattr(self, word)))
+        if self.position.size < FEWEST:
+            raise InvalidInput(f"ForceCurve: there are {self.position.size} points; give at least {FEWEST}.")
+        if not self.direction.size:
+            object.__setattr__(self, "direction", _directions(self.position, self.force))
+        for word in ("force", "time", "direction"):
+            count = getattr(self, word).size
+            if count != self.position.size and not (word == "time" and count == 0):
+                raise InvalidInput(
+                    f"ForceCurve: position has {self.position.size} points, {word} has {count}; give one for each."
+                )
+        if not np.all(np.isin(self.direction, (-1.0, 0.0, 1.0))):
+            raise InvalidInput("ForceCurve: direction holds other numbers than +1 (in), 0 (held) and -1 (out).")
+        if np.any(np.diff(self.time) < 0.0):
+            index = int(np.argmax(np.diff(self.time) < 0.0)) + 1
+            raise InvalidInput(f"ForceCurve: time runs backwards at index {index}; give the points as they were taken.")
+        stiffness = self.machine_stiffness
+        if isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness > 0.0:
+            raise InvalidInput(
+                f"ForceCurve: machine_stiffness is {stiffness!r}; it must be positive, in N/m, or infinite where the "
+                "position already is the travel of the tip."
+            )
+        object.__setattr__(self, "machine_stiffness", float(stiffness))
+
+    @property
+    def count(self) -> int:
+        """How many points there are."""
+        return int(self.position.size)
+
+    @property
+    def timed(self) -> bool:
+        """Whether the times are known."""
+        return bool(self.time.size)
+
+    @property
+    def compliance(self) -> float:
+        """1/k_m [m/N], zero where the position is the travel of the tip."""
+        return 1.0 / self.machine_stiffness
+
+    def depth(self, contact_point: float) -> Array:
+        """Return d = D - D_0 - F/k_m [m] for the position D_0 [m] of first touch."""
+        return np.asarray(self.position - contact_point - self.compliance * self.force)
+
+    def chosen(self, which: Array) -> ForceCurve:
+        """Return the curve of some of the points.
+
+        Parameters
+        ----------
+        which : ndarray
+            Truth values ``(n,)``, or indices.
+
+        Raises
+        ------
+        InvalidInput
+            If fewer than two points are chosen.
+        """
+        which = np.flatnonzero(which) if np.asarray(which).dtype == bool else np.asarray(which, dtype=int)
+        if which.size < FEWEST:
+            raise InvalidInput(f"curve '{self.name}': {which.size} points are chosen; at least {FEWEST} make a curve.")
+        time = self.time[which] if self.timed else _nothing()
+        return ForceCurve(
+            self.position[which], self.force[which], self.machine_stiffness, time, self.direction[which], self.name
+        )
+
+    @property
+    def segments(self) -> tuple[Segment, ...]:
+        """Loading, holds, partial unloadings and the last unloading, in the order in which they were measured."""
+        return segments_of(self.direction, self.force)
+
+    def with_segments(self, stated: Sequence[tuple[str, int]]) -> ForceCurve:
+        """Return the curve with the segments that are stated, whatever was found.
+
+        Parameters
+        ----------
+        stated : sequence of (str, int)
+            "loading", "hold" or "unloading", and the index of its first point; each lasts until the next one begins.
+
+        Raises
+        ------
+        InvalidInput
+            If a kind is unknown, or the first points do not begin at 0 and grow.
+
+        Examples
+        --------
+        >>> curve = ForceCurve([0.0, 1.0, 2.0, 2.0, 1.0, 0.0], [0.0, 1.0, 2.0, 1.9, 0.9, 0.0])
+        >>> told = curve.with_segments([("loading", 0), ("hold", 2), ("unloading", 4)])
+        >>> [(segment.kind.value, segment.first, segment.last) for segment in told.segments]
+        [('loading', 0, 1), ('hold', 2, 3), ('last unloading', 4, 5)]
+        """
+        return dataclasses.replace(self, direction=stated_directions(stated, self.count))
+
+    @property
+    def approach(self) -> ForceCurve:
+        """The points where the tip goes in."""
+        return self._part(1.0, "approach")
+
+    @property
+    def hold(self) -> ForceCurve:
+        """The points where the tip is held."""
+        return self._part(0.0, "hold")
+
+    @property
+    def retract(self) -> ForceCurve:
+        """The points where the tip comes out."""
+        return self._part(-1.0, "retract")
+
+    @property
+    def parts(self) -> tuple[ForceCurve, ...]:
+        """The stretches of one direction, in the order in which they were measured; single points are left out."""
+        turns = np.flatnonzero(np.diff(self.direction)) + 1
+        stretches = np.split(np.arange(self.count), turns)
+        return tuple(self.chosen(stretch) for stretch in stretches if stretch.size >= FEWEST)
+
+    def _part(self, direction: float, word: str) -> ForceCurve:
+        which = self.direction == direction
+        if np.count_nonzero(which) < FEWEST:
+            raise InvalidInput(
+                f"curve '{self.name}' has no {word}; it holds {int(np.sum(self.direction > 0))} points going in, "
+                f"{int(np.sum(self.direction == 0))} held and {int(np.sum(self.direction < 0))} coming out."
+            )
+        return self.chosen(which)
+
+
+def _column(word: str, unit: str, given: object) -> Array:
+    try:
+        column = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"ForceCurve: {word} is no list of numbers; give numbers in {unit}.") from None
+    if column.ndim != 1:
+        raise InvalidInput(f"ForceCurve: {word} has the shape {column.shape}; give one list of numbers in {unit}.")
+    bad = np.flatnonzero(~np.isfinite(column))
+    if bad.size:
+        raise InvalidInput(
+            f"ForceCurve: {word} is {column[bad[0]]} at index {bad[0]}{f' and {bad.size - 1} more' * (bad.size > 1)}; "
+            "leave such points out."
+        )
+    column = np.array(column)
+    column.flags.writeable = False
+    return column
+
+
+def _directions(position: Array, force: Array) -> Array:
+    """Return the directions that position and force show; nothing where they do not belong together."""
+    direction = found_directions(position, force) if position.size == force.size else np.zeros(position.size)
+    direction.flags.writeable = False
+    return direction

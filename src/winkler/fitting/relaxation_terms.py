@@ -1,0 +1,83 @@
+"""How many relaxation times a curve can tell: fits of one term, two, and so on, weighed against each other."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.compare import Comparison, compare
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.materials.viscoelastic import Prony
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.types import Quantity
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+
+__all__ = ["compare_terms"]
+
+MOST = 8
+
+
+def compare_terms(
+    curve: ForceCurve,
+    model: ViscoelasticIndentation,
+    *,
+    free: Mapping[str, Any] | Iterable[str],
+    most: int = 5,
+    noise: Quantity = 0.0,
+    time_limit: float = math.inf,
+) -> Comparison:
+    """Fit solids of one to `most` relaxation times to a curve, and tell which one it speaks for.
+
+    Times begin evenly in their logarithm, between the shortest step of the curve's time and its whole length, and stay
+    there unless they are free.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    model : ViscoelasticIndentation
+        With a `Prony` as the first body; its moduli and times are replaced.
+    free : mapping or iterable of str
+        As for `winkler.fitting.fit.fit`; whole rows, such as "bed.medium.first.shears".
+    most : int, optional
+        The greatest number of terms, up to 8.
+    noise : float or ndarray, optional
+        As for `fit`.
+    time_limit : float, optional
+        The longest that one of the fits may take [s].
+
+    Returns
+    -------
+    Comparison
+        Models named "1 term", "2 terms", ...
+
+    Raises
+    ------
+    InvalidInput
+        If the first body is no `Prony`, the curve has no times, or `most` is out of range.
+    OutsideValidity
+        If no number of terms can be fitted.
+    """
+    medium = model.bed.medium
+    if not isinstance(medium, ViscoelasticHalfSpace) or not isinstance(medium.first, Prony):
+        raise InvalidInput("compare_terms: the first body is no Prony; give Prony(...), whose terms are counted.")
+    if isinstance(most, bool) or not isinstance(most, int) or not 1 <= most <= MOST:
+        raise InvalidInput(f"compare_terms: most is {most!r}; give a whole number from 1 to {MOST}.")
+    if not curve.timed or not np.ptp(curve.time) > 0.0:
+        raise InvalidInput(f"compare_terms: curve '{curve.name}' has no times, and a solid that relaxes needs them.")
+    kept = free if isinstance(free, Mapping) else tuple(free)
+    steps = np.diff(curve.time)
+    shortest, longest = 3.0 * float(np.median(steps[steps > 0.0])), float(np.ptp(curve.time))
+    solid = medium.first
+    whole = float(np.sum(solid.shears)) or solid.relaxed_shear
+    models = {}
+    for count in range(1, most + 1):
+        inner = np.geomspace(shortest, longest, count + 2)[1:-1]
+        one = dataclasses.replace(solid, shears=np.full(count, whole / count), relaxation_times=inner)
+        bed: Any = dataclasses.replace(model.bed, medium=dataclasses.replace(medium, first=one))  # type: ignore[type-var]
+        models[f"{count} term{'s' * (count > 1)}"] = (dataclasses.replace(model, bed=bed), kept)
+    return compare(curve, models, noise=noise, time_limit=time_limit)

@@ -1,0 +1,1 @@
+"""Oliver and Pharr's analysis of unloading curves."""

@@ -1,0 +1,292 @@
+r"""Oliver and Pharr's reading of an unloading curve: stiffness, contact depth, area, modulus, hardness.
+
+The upper part of the unloading is fitted by :math:`F = B(h-h_f)^m`; its slope at the greatest depth is the stiffness S.
+The contact depth and the modulus are
+
+.. math:: h_c = h_{max} - \epsilon\,\frac{F_{max}}S, \qquad E_r = \frac{\sqrt\pi}{2\beta}\,\frac S{\sqrt{A(h_c)}},
+          \qquad H = \frac{F_{max}}{A(h_c)} ,
+
+with the area A of the tip's cross-section at the height :math:`h_c`, and for a body of revolution that unloads with the
+exponent m
+
+.. math:: \epsilon = m\left(1 - \frac{2(m-1)\,\Gamma\bigl(\frac m{2(m-1)}\bigr)}
+          {\sqrt\pi\,\Gamma\bigl(\frac1{2(m-1)}\bigr)}\right) :
+
+3/4 for a paraboloid, 0.727 for a cone.  For an elastic contact of either shape the reading is exact.
+
+The unloading is the last one of the curve's `segments`, from (nearly) the greatest force; holds do not enter the fit.
+The peak is where it begins: after a hold, force and depth are those measured at the end of the hold; after a turn, the
+depth is that of the turn, and the force that of the fitted law there.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.segments import SegmentKind
+from winkler.fitting.unloading.contact_reading import Tip, contact_reading, intercept_factor
+from winkler.fitting.unloading.unloading_law import fitted_power_law
+from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["OliverPharr", "OliverPharrSolution"]
+
+FEWEST = 10
+STEP = 1e-6
+END_OF_HOLD = 0.1
+"""Part of a hold at whose end the peak is read."""
+
+
+@value
+class OliverPharr:
+    """An unloading curve and the tip that made it.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        What was measured; the last unloading of its `segments` is read.  Where these were found wrongly, state them:
+        ``curve.with_segments([("loading", 0), ("hold", 120), ("unloading", 180)])``.
+    profile : Profile or CalibratedArea
+        The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), of which A(h_c) is all that is needed, or
+        any profile.
+    contact_point : float, optional
+        Position of first touch [m]; zero unless given.
+    upper, lower : float, optional
+        Parts of the greatest force between which the unloading is fitted [-].
+    shape_factor : float, optional
+        beta [-], 1 for bodies of revolution; about 1.034 is often taken for a Berkovich pyramid.
+
+    References
+    ----------
+    W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564
+    G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386
+    """
+
+    curve: ForceCurve
+    profile: Tip
+    contact_point: float = 0.0
+    upper: float = 0.98
+    lower: float = 0.4
+    shape_factor: float = 1.0
+
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.CURVE, Assumption.SHAPE, Assumption.RESPONSE))
+
+    def __post_init__(self) -> None:
+        if not 0.0 <= self.lower < self.upper <= 1.0:
+            raise InvalidInput(
+                f"OliverPharr: the limits of the fitted part are {self.upper!r} and {self.lower!r}; "
+                "give 1 >= upper > lower >= 0, parts of the greatest force."
+            )
+        if not 0.0 < self.shape_factor < math.inf:
+            raise InvalidInput(f"OliverPharr: shape_factor is {self.shape_factor!r}; it must be positive.")
+
+    def solve(self) -> OliverPharrSolution:
+        """Return stiffness, depth, area, modulus and hardness, with their standard errors.
+
+        Raises
+        ------
+        InvalidInput
+            If nothing comes out, or too few points lie between the limits.
+        OutsideValidity
+            If the contact depth is not positive, or beyond the profile.
+        NotConverged
+            If no power law fits the unloading.
+        """
+        way = self._unloading()
+        law = fitted_power_law(way.depth, way.force, self._between(way.force))
+        chosen = self._between(law.fitted / math.exp(law.numbers[0]))
+        law = fitted_power_law(way.depth, way.force, chosen)
+        numbers = self._read(law.numbers, way)
+        turned = np.empty((numbers.size, law.numbers.size))
+        for i in range(law.numbers.size):
+            step = np.zeros(law.numbers.size)
+            step[i] = STEP
+            ahead, behind = (self._read(law.numbers + sign * step, way) for sign in (1.0, -1.0))
+            turned[:, i] = (ahead - behind) / (2.0 * STEP)
+        errors = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", turned, law.covariance, turned), 0.0))
+        fitted = math.exp(law.numbers[0]) * way.highest
+        return OliverPharrSolution(
+            self,
+            way.highest if way.held else fitted,
+            way.deepest,
+            exponent=float(numbers[0]),
+            final_depth=float(numbers[1]),
+            stiffness=float(numbers[2]),
+            contact_depth=float(numbers[3]),
+            area=float(numbers[4]),
+            modulus=float(numbers[5]),
+            hardness=float(numbers[6]),
+            standard_errors=errors,
+            scatter=law.scatter * way.highest,
+            fitted_force=fitted,
+            fitted_points=way.points[chosen],
+        )
+
+    @property
+    def unloading(self) -> Array:
+        """Indices of the points of the last unloading in the curve, holds within it left out."""
+        parts = [part for part in self.curve.segments if part.kind is SegmentKind.LAST_UNLOADING]
+        return np.concatenate([np.arange(part.first, part.last + 1) for part in parts]) if parts else np.arange(0)
+
+    @property
+    def peak_hold(self) -> Array:
+        """Indices of the points at which the tip was held just before the last unloading; empty if it was not."""
+        way = self.unloading
+        held = [part for part in self.curve.segments if way.size and part.last == way[0] - 1]
+        hold = [part for part in held if part.kind is SegmentKind.HOLD]
+        return np.arange(hold[0].first, hold[0].last + 1) if hold else np.arange(0)
+
+    def _unloading(self) -> _Unloading:
+        """Return the last unloading in parts of its peak."""
+        points, hold = self.unloading, self.peak_hold
+        if points.size < FEWEST:
+            raise InvalidInput(
+                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; look at its "
+                "segments, and state them by with_segments where they were found wrongly."
+            )
+        depth, force = self.curve.depth(self.contact_point), self.curve.force
+        end = hold[-max(1, int(END_OF_HOLD * hold.size)) :] if hold.size else np.array([max(points[0] - 1, 0)])
+        if not hold.size:
+            points = np.union1d(end, points)
+        deepest, highest = float(np.median(depth[end])), float(np.median(force[end]))
+        if not highest > 0.0 or not deepest > 0.0:
+            raise InvalidInput(
+                f"OliverPharr: at the peak, {deepest:.3g} m deep, the force is {highest:.3g} N; both must be positive: "
+                "look at signs and contact_point."
+            )
+        return _Unloading(points, depth[points] / deepest, force[points] / highest, deepest, highest, bool(hold.size))
+
+    def _between(self, share: Array) -> Array:
+        """Return the points between the limits."""
+        chosen = (share <= self.upper) & (share >= self.lower)
+        if np.count_nonzero(chosen) < FEWEST:
+            raise InvalidInput(
+                f"OliverPharr: {int(np.count_nonzero(chosen))} points lie between {self.lower:g} and {self.upper:g} of "
+                f"the greatest force; at least {FEWEST} are needed."
+            )
+        return np.asarray(chosen)
+
+    def _read(self, law: Array, way: _Unloading) -> Array:
+        """Return m, h_f, S, h_c, A, E_r and H from the numbers of the power law."""
+        top, final, exponent = math.exp(law[0]) * way.highest, float(law[1]), 1.0 + math.exp(law[2])
+        slope = exponent * top / ((1.0 - final) * way.deepest)
+        force = way.highest if way.held else top
+        found = contact_reading(
+            slope,
+            force,
+            way.deepest,
+            self.profile,
+            intercept=intercept_factor(exponent),
+            shape_factor=self.shape_factor,
+        )
+        read = (found.contact_depth, found.area, found.modulus, found.hardness)
+        return np.array([exponent, final * way.deepest, slope, *read])
+
+
+def _rate(time: Array, column: Array) -> float:
+    """Return the slope of a straight line through a column over time."""
+    about = time - time.mean()
+    spread = float(about @ about)
+    return float(about @ column) / spread if spread else 0.0
+
+
+class _Unloading(NamedTuple):
+    """The last unloading: indices in the curve, depths and forces in parts of the peak, and the peak [m, N]."""
+
+    points: Array
+    depth: Array
+    force: Array
+    deepest: float
+    highest: float
+    held: bool
+
+
+@value
+class OliverPharrSolution:
+    """What an unloading curve says.
+
+    Parameters
+    ----------
+    problem : OliverPharr
+        What was asked.
+    force : float
+        Force at the peak [N], where the unloading begins: measured at the end of a hold, or that of the fitted law.
+    depth : float
+        Depth at the peak [m].
+    exponent : float
+        m of the unloading [-].
+    final_depth : float
+        h_f [m], where the fitted unloading ends.
+    stiffness : float
+        S [N/m] at the peak.
+    contact_depth : float
+        h_c [m].
+    area : float
+        Projected area of contact [m^2].
+    modulus : float
+        Reduced modulus E_r [Pa], that of the pair.
+    hardness : float
+        [Pa].
+    standard_errors : ndarray, (7,)
+        Of exponent, final_depth, stiffness, contact_depth, area, modulus, hardness, in their units: from the scatter of
+        the unloading alone.
+    scatter : float
+        Standard deviation of the forces about the power law [N].
+    fitted_force : float
+        Force of the fitted law at the peak's depth [N].
+    fitted_points : ndarray
+        Indices of the points of the curve that were fitted.
+    """
+
+    problem: OliverPharr
+    force: float
+    depth: float
+    exponent: float
+    final_depth: float
+    stiffness: float
+    contact_depth: float
+    area: float
+    modulus: float
+    hardness: float
+    standard_errors: Array
+    scatter: float
+    fitted_force: float
+    fitted_points: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the reading can be trusted: pile-up, creep, exponent, area, number of points."""
+        return unloading_notes(
+            UnloadingFacts(
+                final_share=self.final_depth / self.depth,
+                exponent=self.exponent,
+                creep_share=self._creep_share(),
+                force=self.force,
+                fitted_force=self.fitted_force,
+                points=self.fitted_points.size,
+                error_share=float(self.standard_errors[5]) / self.modulus,
+                contact_depth=self.contact_depth,
+                tip=self.problem.profile,
+                shape_factor=self.problem.shape_factor,
+            )
+        )
+
+    def _creep_share(self) -> float:
+        """Return the creep rate at the end of the hold, over that of the unloading, in parts of the compliance [-]."""
+        curve, hold = self.problem.curve, self.problem.peak_hold
+        end, start = (
+            hold[-max(FEWEST, hold.size // 4) :],
+            self.fitted_points.astype(int)[: max(2, self.fitted_points.size // 2)],
+        )
+        if not curve.timed or end.size < FEWEST:
+            return math.nan
+        creep = _rate(curve.time[end], curve.depth(self.problem.contact_point)[end])
+        unloading = _rate(curve.time[start], curve.force[start])
+        return creep * self.stiffness / abs(unloading) if unloading else math.nan

@@ -1,0 +1,68 @@
+r"""The power law of an unloading, F = T ((h - h_f)/(1 - h_f))^m, fitted with its covariance.
+
+Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  Noise with a memory makes
+the covariance larger, see `winkler.fitting.curves.noise`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.fitting.curves.noise import memory, spread
+from winkler.numerics.types import Array
+
+__all__ = ["PowerLaw", "fitted_power_law"]
+
+LONGEST = 200
+
+
+class PowerLaw(NamedTuple):
+    """Numbers (ln of the force at the top, h_f, ln(m - 1)), their covariance, scatter, and the force at all depths."""
+
+    numbers: Array
+    covariance: Array
+    scatter: float
+    fitted: Array
+
+
+def fitted_power_law(all_depths: Array, forces: Array, chosen: Array) -> PowerLaw:
+    """Return the fitted law F = T ((h - h_f)/(1 - h_f))^m, everything in parts of the greatest."""
+    from scipy.optimize import least_squares
+
+    depth, force = all_depths[chosen], forces[chosen]
+    least = float(depth.min())
+
+    def law(numbers: Array, depth: Array = depth) -> tuple[Array, Array]:
+        share = (depth - numbers[1]) / (1.0 - numbers[1])
+        power = 1.0 + np.exp(numbers[2])
+        value_ = np.exp(numbers[0]) * np.maximum(share, 1e-12) ** power
+        log = np.log(np.maximum(share, 1e-12))
+        final = value_ * power * (1.0 / (1.0 - numbers[1]) - 1.0 / np.maximum(depth - numbers[1], 1e-12))
+        return value_, np.stack([value_, final, value_ * log * (power - 1.0)], axis=1)
+
+    best = None
+    for share in (0.0, 0.5, 0.9):
+        start = np.array([0.0, min(share * least, least - 1e-6), math.log(0.5)])
+        found = least_squares(
+            lambda at: law(at)[0] - force,
+            start,
+            jac=lambda at: law(at)[1],
+            bounds=([-5.0, -10.0, -12.0], [5.0, least - 1e-9, 3.0]),
+            x_scale="jac",
+            max_nfev=LONGEST,
+            ftol=1e-14,
+            xtol=1e-14,
+            gtol=1e-15,
+        )
+        if best is None or found.cost < best.cost:
+            best = found
+    if best is None or not best.success:
+        raise NotConverged("OliverPharr: no power law fits the unloading; fit another part of it (upper, lower).")
+    kept = memory(best.fun)
+    covariance, used = spread(law(best.x)[1], kept.correlations)
+    scatter = math.sqrt(2.0 * best.cost / max(depth.size - used, 1.0))
+    return PowerLaw(best.x, scatter**2 * covariance, scatter, law(best.x, all_depths)[0])

@@ -1,0 +1,240 @@
+r"""How far Oliver and Pharr's reading of an unloading can be trusted.
+
+Each note compares one number with its limit: the depth that remains with the greatest (pile-up), the creep at the end
+of the hold with the unloading, the exponent with what effective indenter shapes give, the fitted law with the measured
+peak, the contact depth with the calibration of the tip, and the number of points with what a fit needs.
+
+Creep adds to the apparent compliance: with its rate :math:`\dot h_c` at the end of the hold, and the unloading rate
+:math:`\dot F` there,
+
+.. math:: \frac1S = \frac1{S_\mathrm{fitted}} + \frac{\dot h_c}{|\dot F|} .
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.fitting.unloading.contact_reading import CalibratedArea, Tip, polynomial
+from winkler.profiles.area import AreaFunction
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["UnloadingFacts", "unloading_notes"]
+
+READING = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564"
+REVIEW = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3"
+PILE_UP = "A. Bolshakov, G. M. Pharr, J. Mater. Res. 13 (1998) 1049-1058, doi:10.1557/JMR.1998.0146"
+CREEP = "G. Feng, A. H. W. Ngan, J. Mater. Res. 17 (2002) 660-668, doi:10.1557/JMR.2002.0094"
+SHAPES = "G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386"
+
+PILED = 0.7
+"""Share of the greatest depth that remains, above which pile-up may hide in the area."""
+LEAST_CREEP, MOST_CREEP = 0.01, 0.1
+EXPONENTS = (1.2, 1.6)
+POSSIBLE = (1.0 + 1e-3, 2.2)
+"""Exponents beyond these belong to no indenter: a flat punch has 1, a cone 2."""
+PEAK = 0.02
+"""Part by which the fitted law may miss the measured peak."""
+FEW_POINTS = 50
+LOOKED_AT = np.geomspace(1e-6, 1.0, 2000)
+"""Parts of the contact depth at which the area function is looked at."""
+
+
+class UnloadingFacts(NamedTuple):
+    """What the notes compare.
+
+    Parameters
+    ----------
+    final_share : float
+        h_f/h of the peak [-].
+    exponent : float
+        m [-].
+    creep_share : float
+        Part by which creep makes the stiffness too large [-]; nan where hold or times are missing.
+    force, fitted_force : float
+        At the peak, as reported and by the fitted law [N].
+    points : int
+        Fitted points.
+    error_share : float
+        Standard error of the modulus, in parts of it.
+    contact_depth : float
+        h_c [m].
+    tip : Profile or CalibratedArea
+    shape_factor : float
+        beta [-].
+    """
+
+    final_share: float
+    exponent: float
+    creep_share: float
+    force: float
+    fitted_force: float
+    points: int
+    error_share: float
+    contact_depth: float
+    tip: Tip
+    shape_factor: float
+
+
+def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
+    """Return the notes of a reading."""
+    return (
+        _pile_up(facts),
+        _creep(facts),
+        _exponent(facts),
+        *_peak(facts),
+        *_area(facts),
+        _shape(facts),
+        _points(facts),
+    )
+
+
+def _pile_up(facts: UnloadingFacts) -> Note:
+    share = facts.final_share
+    said = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
+    if share < PILED:
+        return Note(
+            Assumption.RESPONSE,
+            Standing.ASYMPTOTIC,
+            f"{said}; below {PILED:g} little piles up, however the material hardens.",
+            PILE_UP,
+        )
+    return Note(
+        Assumption.RESPONSE,
+        Standing.OUTSIDE,
+        f"{said}; above {PILED:g} material that hardens little piles up at the edge, the area may be up to 60 % too "
+        "small, and hardness and modulus too large: measure the area of the impression.",
+        PILE_UP,
+    )
+
+
+def _creep(facts: UnloadingFacts) -> Note:
+    share = facts.creep_share
+    if math.isnan(share):
+        return Note(
+            Assumption.CURVE,
+            Standing.APPROXIMATE,
+            "Creep: there is no hold before the unloading, or no times, so creep and drift cannot be judged; they add "
+            "the ratio of their rate to that of the unloading to the compliance.",
+            CREEP,
+        )
+    size = abs(share)
+    standing = (
+        Standing.OUTSIDE if size >= MOST_CREEP else Standing.APPROXIMATE if size >= LEAST_CREEP else Standing.ASYMPTOTIC
+    )
+    advice = "hold longer, or unload faster" if size >= LEAST_CREEP else "small enough"
+    return Note(
+        Assumption.CURVE,
+        standing,
+        f"Creep: at the rate with which the hold ended, creep and drift make the stiffness {share:+.1%} wrong: "
+        f"{advice}.",
+        CREEP,
+    )
+
+
+def _exponent(facts: UnloadingFacts) -> Note:
+    low, high = EXPONENTS
+    said = f"Exponent: the unloading has m = {facts.exponent:.3g}"
+    if low <= facts.exponent <= high:
+        return Note(
+            Assumption.CURVE,
+            Standing.ASYMPTOTIC,
+            f"{said}, within {low:g} to {high:g} as impressions of sharp tips give.",
+            SHAPES,
+        )
+    possible = POSSIBLE[0] < facts.exponent < POSSIBLE[1]
+    return Note(
+        Assumption.CURVE,
+        Standing.APPROXIMATE if possible else Standing.OUTSIDE,
+        f"{said}, where impressions of sharp tips give {low:g} to {high:g}: "
+        + (
+            "a wholly elastic contact may, otherwise look at drift, adhesion, contact point and frame."
+            if possible
+            else "no shape of a tip unloads like that; look at drift, creep, contact point and segments."
+        ),
+        SHAPES,
+    )
+
+
+def _peak(facts: UnloadingFacts) -> tuple[Note, ...]:
+    miss = facts.fitted_force / facts.force - 1.0
+    if abs(miss) <= PEAK:
+        return ()
+    return (
+        Note(
+            Assumption.CURVE,
+            Standing.OUTSIDE,
+            f"Peak: the fitted law misses the force measured at the peak by {miss:+.1%}; creep, drift or a wrong "
+            "segment bends the unloading: look at the segments, or fit another part (upper, lower).",
+            READING,
+        ),
+    )
+
+
+def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
+    tip, depth = facts.tip, facts.contact_depth
+    if not isinstance(tip, CalibratedArea | AreaFunction):
+        return (
+            Note(
+                Assumption.SHAPE,
+                Standing.APPROXIMATE,
+                f"Area: that of an ideal {type(tip).__name__}; a real tip is blunt, which counts the more, the smaller "
+                "the depth.",
+                REVIEW,
+            ),
+        )
+    heights = depth * np.append(LOOKED_AT, 1.0 + 1e-6)
+    areas = np.array([polynomial(tip.coefficients, float(height)) for height in heights])
+    falling = heights[1:][np.diff(areas) <= 0.0]
+    notes = []
+    if falling.size and falling[-1] >= depth:
+        notes.append(
+            Note(
+                Assumption.SHAPE,
+                Standing.OUTSIDE,
+                f"Area: the area function shrinks at the contact depth {depth:.3g} m, which no tip does.",
+                READING,
+            )
+        )
+    elif falling.size:
+        notes.append(
+            Note(
+                Assumption.SHAPE,
+                Standing.ASYMPTOTIC,
+                f"Area: the area function shrinks at depths of {falling[0]:.2g} to {falling[-1]:.2g} m and is no tip "
+                "there; only the contact depth counts.",
+                READING,
+            )
+        )
+    low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
+    if low == 0.0 and high == math.inf:
+        said, standing = "it is not known at which depths the area function was calibrated", Standing.APPROXIMATE
+    elif low <= depth <= high:
+        said, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
+    else:
+        said = f"the area function was calibrated from {low:.3g} to {high:.3g} m only, and is extrapolated"
+        standing = Standing.OUTSIDE
+    notes.append(Note(Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {said}.", READING))
+    return tuple(notes)
+
+
+def _shape(facts: UnloadingFacts) -> Note:
+    return Note(
+        Assumption.RESPONSE,
+        Standing.APPROXIMATE,
+        f"Shape factor: beta = {facts.shape_factor:g} was taken; pyramids have about 1.02 to 1.08, and the modulus "
+        "goes with 1/beta.",
+        REVIEW,
+    )
+
+
+def _points(facts: UnloadingFacts) -> Note:
+    return Note(
+        Assumption.CURVE,
+        Standing.ASYMPTOTIC if facts.points >= FEW_POINTS else Standing.APPROXIMATE,
+        f"Points: {facts.points} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
+        + ("." if facts.points >= FEW_POINTS else f"; below {FEW_POINTS} that error itself is rough."),
+        "covariance of the fit, with the memory of the noise",
+    )

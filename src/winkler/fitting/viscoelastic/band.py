@@ -1,0 +1,64 @@
+"""What a fit says about the relaxation G(t) itself, with the interval that the numbers' errors leave it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.fitting.parameters import changed
+from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.viscoelastic.task import OF_A_TIMED_CURVE
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.viscoelastic.march import relaxation_of
+
+__all__ = ["Band", "relaxation_band", "watched"]
+
+STEP = 1e-3
+
+
+class Band(NamedTuple):
+    """A modulus over time, and the ends of its interval [Pa], each ``(m,)``."""
+
+    modulus: Array
+    low: Array
+    high: Array
+
+
+def watched(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
+    """Return the sampling interval and the time in contact [s], outside of which a curve tells nothing."""
+    time = found.curve.time
+    steps = np.diff(time)
+    touched = np.flatnonzero(found.radius > 0.0)
+    return float(np.median(steps[steps > 0.0])), float(time[touched[-1]] - time[touched[0]])
+
+
+def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confidence: float = 0.95) -> Band:
+    """Return E*(t) of the fitted contact, phi(t) of a medium that relaxes in proportion, with its interval.
+
+    The errors of the numbers are carried on to first order, in the logarithm of the modulus.
+
+    Parameters
+    ----------
+    found : ViscoelasticFit or CreepFit
+    time : array_like, (m,)
+        Since a step [s], positive.
+    confidence : float, optional
+        Between 0 and 1.
+
+    Returns
+    -------
+    Band
+    """
+    t = np.asarray(time, dtype=float)
+    here = relaxation_of("relaxation_band", found.model.bed).at(t)
+    own = [index for index, name in enumerate(found.names) if name not in OF_A_TIMED_CURVE]
+    slopes = np.zeros((t.size, len(found.names)))
+    for index in own:
+        number = float(found.values[index])
+        step = STEP * min(abs(number) or 1.0, float(found.standard_errors[index]) / STEP or STEP)
+        moved = changed(found.model, {found.names[index]: number - step})
+        slopes[:, index] = (np.log(here) - np.log(relaxation_of("relaxation_band", moved.bed).at(t))) / step
+    variance = np.einsum("ti,ij,tj->t", slopes, found.covariance, slopes)
+    width = found.quantile(confidence) * np.sqrt(np.maximum(variance, 0.0))
+    return Band(here, here * np.exp(-width), here * np.exp(width))

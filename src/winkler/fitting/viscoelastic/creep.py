@@ -1,0 +1,163 @@
+r"""Forces drive a relaxing contact, and positions are fitted; on the way to the contact, forces.
+
+Out of contact a force tells no position, but it tells the baseline; near first touch a little noise of the force is a
+long way.  So of the points on the way in that bear less than a tenth of the greatest force, the force at the measured
+position is fitted, and of all others the position under the measured force.  Both misfits count by the noise they have,
+
+.. math:: \sigma_{D,i}^2 = \sigma_D^2 + (\sigma_F/k_i)^2, \qquad \sigma_{F,i}^2 = \sigma_F^2 + (k_i\,\sigma_D)^2 ,
+
+with the stiffness :math:`k_i` of contact and machine in a row: a point weighs the same either way.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.fitting.viscoelastic.response import Answered, ElasticTable, elastic_table, forces, positions
+from winkler.fitting.viscoelastic.task import Driven, Told
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.numerics.springs.exponential_sums import CreepSeries
+from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+
+__all__ = ["LEAST_NOISE", "SHARE", "Under"]
+
+SHARE = 0.1
+"""Part of the greatest force from which on positions are fitted."""
+LEAST_NOISE = 1e-6
+"""Noise is not taken for less than this part of the range."""
+SMOOTH = 100
+"""Depths are smoothed over this part of the points at either side."""
+UNBIASED = 2
+"""Steps that take the lean of least squares away."""
+REST = 0.1
+"""Part of the scatter of positions that is theirs at least, whatever the noise of the force explains."""
+
+
+class Under(Driven):
+    """The forces drive, positions are fitted; forces on the way to the contact."""
+
+    @property
+    def measured(self) -> Array:
+        """The positions [m]."""
+        return self.curve.position
+
+    @property
+    def by_force(self) -> Array:
+        """At which points the force is fitted ``(n,)``."""
+        return np.asarray(self.per_force > 0.0)
+
+    def told(self, numbers: dict[str, float]) -> Told:
+        """Return the positions with drift and the way the machine gives.
+
+        Where the force is fitted, the position is the measured one, less the misfit of the force times `per_force`.
+        """
+        borne, place = self.curve.force - self.line(numbers), self.place(numbers)
+        table, creep = self._table(numbers), self._creep(numbers)
+        contact, early = Answered(borne, borne, borne), self.by_force
+        if early.any():  # the motion drives so far
+            last = int(np.flatnonzero(early)[-1]) + 1
+            series = relaxation_of("fit", self.with_numbers(numbers).bed)
+            contact = forces(table, series, self.curve.time[:last], place[:last], last, self.curve.compliance)
+            contact = Answered(*(np.concatenate([part, borne[last:]]) for part in contact))
+        most = float(np.max(borne, where=early, initial=0.0))  # no trial presses harder than what was measured there
+        driving = np.where(early, np.minimum(contact.force, most), borne)
+        depth = positions(table, creep, self.curve.time, driving)
+        if not np.all(np.isfinite(depth)):
+            raise OutsideValidity(
+                "fit: the solid sinks in farther than twice the way of the machine; give bounds or starts nearer to "
+                "the answer."
+            )
+        beyond = self.curve.position - place
+        fitted = np.where(
+            early,
+            self.curve.position - self.per_force * (borne - contact.force),
+            beyond + depth + self.curve.compliance * borne,
+        )
+        answered = Answered(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, depth))
+        return Told(fitted, answered)
+
+    def weighed(self, coordinates: Array, force_noise: float, noise: Array) -> Under:
+        """Return the question with weights by the noise of positions and forces, at coordinates near the answer.
+
+        Parameters
+        ----------
+        coordinates : ndarray, (p,)
+        force_noise : float
+            Standard deviation of the force out of contact [N].
+        noise : ndarray
+            Standard deviation of the positions [m], ``()`` or ``(n,)``; zero: read from the residuals.
+        """
+        early = self.by_force
+        if not early.any():
+            return self
+        numbers = self.numbers(coordinates)
+        told = self.told(numbers)
+        depth = _smooth(
+            np.maximum(told.contact.depth, 0.0)
+        )  # weights that follow the noise would favour one side of it
+        give = self.curve.compliance + self._creep(numbers).glassy * _give(self._table(numbers), depth)
+        own = np.asarray(noise, dtype=float)
+        if not own.any():
+            counted = ~early & (self.weights > 0.0)
+            whole = np.mean((self.curve.position - told.predicted)[counted] ** 2)
+            of_forces = np.mean((force_noise * give[counted]) ** 2)
+            own = np.sqrt(np.maximum(whole - of_forces, REST**2 * whole))
+            own = np.maximum(own, LEAST_NOISE * np.ptp(self.curve.position))
+        own = np.broadcast_to(own, early.shape)
+        typical = float(np.mean(own))
+        with np.errstate(divide="ignore"):
+            stiffness = 1.0 / give
+        late = typical / np.hypot(own, force_noise * np.where(early, 0.0, give))
+        per_force = typical / np.hypot(force_noise, own * np.where(early, stiffness, 0.0))
+        return self._replace(
+            weights=np.where(self.weights > 0.0, np.where(early, 1.0, late), 0.0),
+            per_force=np.where(early, per_force, 0.0),
+        )
+
+    def unbiased(self, coordinates: Array) -> Array:
+        """Return coordinates that do not follow the noise of what drives, from those of least squares.
+
+        The noise of a force is in the position that it predicts and in its derivatives alike; their product does not
+        vanish in the mean, and least squares lean to one side.  With the derivatives J' along the smoothed curve
+        instead, :math:`J'^T r = 0` holds in the mean at the truth (an instrumental variable).
+        """
+        curve = self.curve
+        smooth = dataclasses.replace(curve, position=_smooth(curve.position), force=_smooth(curve.force))
+        steady = self._replace(curve=smooth)
+        low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
+        high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
+        for _ in range(UNBIASED):
+            instrument = steady.jacobian(coordinates)
+            inner, goal = instrument.T @ self.jacobian(coordinates), instrument.T @ self.residuals(coordinates)
+            size = np.sqrt(np.maximum(np.abs(np.diag(inner)), np.finfo(float).tiny))
+            step = np.linalg.lstsq(inner / np.outer(size, size), goal / size, rcond=None)[0] / size
+            coordinates = np.clip(coordinates + step, low, high)
+        return coordinates
+
+    def _table(self, numbers: dict[str, float]) -> ElasticTable:
+        travel = float(np.ptp(self.curve.position)) + float(np.max(np.abs(self.curve.depth(0.0))) * 1e-12)
+        farthest = float(np.max(self.place(numbers), where=self.by_force, initial=0.0))
+        return elastic_table(elastic_like(self.with_numbers(numbers).bed), max(2.0 * travel, farthest))
+
+    def _creep(self, numbers: dict[str, float]) -> CreepSeries:
+        medium = self.with_numbers(numbers).bed.medium
+        assert isinstance(medium, RelaxingMedium)
+        return medium.creep
+
+
+def _smooth(numbers: Array) -> Array:
+    wide = 1 + 2 * (numbers.size // SMOOTH)
+    padded = np.pad(numbers, wide // 2, mode="edge")
+    return np.convolve(padded, np.full(wide, 1.0 / wide), mode="valid")
+
+
+def _give(table: ElasticTable, depth: Array) -> Array:
+    """Return by how much a contact at E* = 1 Pa gives way to a little force [m/N]; without end out of contact."""
+    root = np.sqrt(np.maximum(depth, 0.0) / table.deepest)
+    slope = np.interp(root, np.linspace(0.0, 1.0, table.slope.size), table.slope)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(root > 0.0, 2.0 * root * table.deepest / slope, np.inf)

@@ -1,0 +1,139 @@
+"""What a curve cannot tell about a relaxing solid: times outside of what was watched, terms that fall together.
+
+too_slow, too_fast
+    A time is longer than the contact was watched, or shorter than the sampling.
+collapsed
+    Two times cannot be told apart; fewer terms say the same.
+vanished
+    A term bears hardly anything.
+span
+    The series of a power law does not cover what was measured.
+drag
+    Both ways differ out of contact: a liquid drags at the cantilever, and nothing that is free describes it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.checks import Flag
+from winkler.fitting.curves.corrections import drag_force, free_line
+from winkler.fitting.viscoelastic.start import TIMES, window
+from winkler.fitting.viscoelastic.task import Driven
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+
+__all__ = ["unidentified"]
+
+APART = 1.5
+"""Times that differ by less are one."""
+LITTLE = 5e-3
+"""Part of all moduli below which a term bears nothing."""
+STANDS_OUT = 3.0
+FEW = 10
+SLIGHT = 1e-3
+"""Part of the range of forces below which a drag changes nothing."""
+
+
+def unidentified(task: Driven, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
+    """Return what a curve cannot tell about the fitted solid.
+
+    Parameters
+    ----------
+    task : Driven
+    numbers, errors : dict of str to float
+        The fitted numbers, and their standard errors.
+    """
+    return [*_outside(task, numbers), *_together(numbers, errors), *_vanished(numbers), *_span(task, numbers),
+            *_drag(task, numbers)]  # fmt: skip
+
+
+def _times(numbers: dict[str, float]) -> dict[str, float]:
+    return {name: n for name, n in numbers.items() if name.rpartition(".")[2].partition("[")[0] in TIMES}
+
+
+def _outside(task: Driven, numbers: dict[str, float]) -> list[Flag]:
+    sampling, watched = window(task)
+    flags = []
+    for name, time in _times(numbers).items():
+        if time > watched:
+            flags.append(
+                Flag(
+                    "too_slow",
+                    f"{name} is {time:.3g} s, but the contact was watched for {watched:.3g} s only: its time and "
+                    "modulus are guesses, and what relaxes later is counted as elastic.",
+                )
+            )
+        elif time < sampling:
+            flags.append(
+                Flag(
+                    "too_fast",
+                    f"{name} is {time:.3g} s, shorter than the {sampling:.3g} s between two points: only the product "
+                    "of time and modulus, a viscosity, is told.",
+                )
+            )
+    return flags
+
+
+def _together(numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
+    rows = sorted(((n, name) for name, n in _times(numbers).items() if name.endswith("]")))
+    flags = []
+    for (short, first), (long, second) in zip(rows[:-1], rows[1:], strict=True):
+        unsure = 2.0 * math.hypot(errors[first] / short, errors[second] / long)
+        if math.log(long / short) < max(math.log(APART), unsure):
+            flags.append(
+                Flag(
+                    "collapsed",
+                    f"{first} and {second} are {short:.3g} s and {long:.3g} s, one time within their errors; take one "
+                    "term less.",
+                )
+            )
+    return flags
+
+
+def _vanished(numbers: dict[str, float]) -> list[Flag]:
+    moduli = {name: n for name, n in numbers.items() if name.rpartition(".")[2].startswith("shears[")}
+    whole = sum(moduli.values())
+    return [
+        Flag("vanished", f"{name} is {n / whole:.2g} of all of them; take one term less.")
+        for name, n in moduli.items()
+        if n < LITTLE * whole
+    ]
+
+
+def _span(task: Driven, numbers: dict[str, float]) -> list[Flag]:
+    medium = task.with_numbers(numbers).bed.medium
+    assert isinstance(medium, RelaxingMedium)
+    shortest, longest = medium.span
+    sampling, watched = window(task)
+    if shortest == 0.0 or (shortest <= sampling and longest >= watched):
+        return []
+    return [
+        Flag(
+            "span",
+            f"The solid is known between {shortest:.3g} s and {longest:.3g} s, the curve tells of {sampling:.3g} s to "
+            f"{watched:.3g} s; widen shortest and longest.",
+        )
+    ]
+
+
+def _drag(task: Driven, numbers: dict[str, float]) -> list[Flag]:
+    curve = task.curve
+    ways = [np.count_nonzero(curve.direction == way) >= FEW for way in (1.0, -1.0)]
+    if "drag" in numbers or not all(ways):
+        return []
+    try:
+        half, noise = drag_force(curve), free_line(curve.approach).noise
+    except InvalidInput:  # too few free points to tell
+        return []
+    if abs(half) < STANDS_OUT * noise / math.sqrt(FEW) or abs(half) < SLIGHT * float(np.ptp(curve.force)):
+        return []
+    return [
+        Flag(
+            "drag",
+            f"Out of contact both ways differ by {2.0 * half:.3g} N: a liquid drags at the cantilever; free drag, or "
+            "correct it.",
+        )
+    ]

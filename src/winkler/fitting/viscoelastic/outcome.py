@@ -1,0 +1,169 @@
+"""What the fit of a relaxing contact has found: forces along a motion, or positions under forces."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.fitting.curves.checks import Flag
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.outline import FEWEST, outline
+from winkler.fitting.estimate import Estimate
+from winkler.fitting.trust import free_notes
+from winkler.numerics.types import Array
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.problems.viscoelastic.march import elastic_like
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["CreepFit", "ViscoelasticFit"]
+
+QUASISTATIC = Note(
+    Assumption.CURVE,
+    Standing.APPROXIMATE,
+    "Machine and liquid: the cantilever follows without inertia, and what a liquid drags at it is proportional to the "
+    "velocity of its base, if drag is free; an adhesive pull is no part of the model.",
+    "assumptions of the fit",
+)
+
+
+@value
+class _RelaxingFit(Estimate):
+    """What the fit of a contact that relaxes has found, whether forces or positions were fitted."""
+
+    curve: ForceCurve
+    model: ViscoelasticIndentation
+    names: tuple[str, ...]
+    values: Array
+    standard_errors: Array
+    correlation: Array
+    lows: Array
+    highs: Array
+    logarithmic: tuple[bool, ...]
+    noise: float
+    weights: Array
+    scatter: float
+    effective_count: float
+    predicted: Array
+    depth: Array
+    radius: Array
+    flags: tuple[Flag, ...]
+
+    @property
+    def touched(self) -> Array:
+        """Where the tip is in contact ``(n,)``."""
+        return np.asarray(self.radius > 0.0)
+
+    @property
+    def _on_logarithm(self) -> tuple[bool, ...]:
+        return self.logarithmic
+
+    @property
+    def _contact_notes(self) -> tuple[Note, ...]:
+        bed = self.model.bed
+        return (*bed.notes, *contact_notes(elastic_like(bed), self.depth, self.radius))
+
+
+@value
+class ViscoelasticFit(_RelaxingFit):
+    """What the forces along a measured motion say about a solid that relaxes.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        The points that were fitted.
+    model : ViscoelasticIndentation
+        With the fitted numbers, along the fitted depths.
+    names : tuple of str, (p,)
+        What was varied.
+    values : ndarray, (p,)
+        The fitted numbers, in SI units.
+    standard_errors : ndarray, (p,)
+        In the same units; the noise's memory is counted in.
+    correlation : ndarray, (p, p)
+        Of the numbers' errors.
+    lows, highs : ndarray, (p,)
+        Bounds that were set.
+    logarithmic : tuple of bool, (p,)
+        Of which numbers the logarithm was varied.
+    noise : float
+        Standard deviation of the forces [N]: as given, else of the free points, else the scatter.
+    weights : ndarray, (n,)
+        What the residuals were multiplied with; 1 for even noise.
+    scatter : float
+        Standard deviation of the weighted residuals [N].
+    effective_count : float
+        Number of independent points that the curve is worth.
+    predicted : ndarray, (n,)
+        Fitted forces with the baseline [N].
+    depth, radius : ndarray, (n,)
+        Fitted d, below zero out of contact, and a [m].
+    flags : tuple of Flag
+        What speaks against the numbers.
+    """
+
+    @property
+    def residuals(self) -> Array:
+        """Measured less fitted forces [N]."""
+        return np.asarray(self.curve.force - self.predicted)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the fitted contact can be trusted."""
+        error = self.scatter / max(float(np.ptp(self.curve.force)), 1e-300)
+        moved = np.any(self.curve.direction != 0.0)
+        free = free_notes(self.curve, self.radius > 0.0, error) if moved else []
+        return (*self._contact_notes, *free, QUASISTATIC)
+
+
+@value
+class CreepFit(_RelaxingFit):
+    """What the positions under measured forces say about a solid that creeps.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        Its forces drive and the positions were fitted; on the way to a tenth of the greatest force, the forces.
+    model : ViscoelasticIndentation
+        With the fitted numbers, under the forces of the contact.
+    names : tuple of str, (p,)
+        What was varied.
+    values : ndarray, (p,)
+        The fitted numbers, in SI units.
+    standard_errors : ndarray, (p,)
+        In the same units; the noise's memory is counted in.
+    correlation : ndarray, (p, p)
+        Of the numbers' errors.
+    lows, highs : ndarray, (p,)
+        Bounds that were set.
+    logarithmic : tuple of bool, (p,)
+        Of which numbers the logarithm was varied.
+    noise : float
+        Standard deviation of the positions [m]: as given, else the scatter of those that were fitted.
+    weights : ndarray, (n,)
+        What the residuals were multiplied with; less than 1 where the noise of the force adds to that of the position.
+    scatter : float
+        Standard deviation of the weighted residuals [m].
+    effective_count : float
+        Number of independent points that the curve is worth.
+    predicted : ndarray, (n,)
+        Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
+        the force for one of the position.
+    depth, radius : ndarray, (n,)
+        Fitted d and a [m].
+    flags : tuple of Flag
+        What speaks against the numbers.
+    """
+
+    @property
+    def residuals(self) -> Array:
+        """Measured less fitted positions [m]."""
+        return np.asarray(self.curve.position - self.predicted)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the fitted contact can be trusted."""
+        if np.count_nonzero(self.curve.direction > 0.0) < FEWEST:
+            return (*self._contact_notes, QUASISTATIC)
+        error = outline(self.curve.approach).noise / max(float(np.ptp(self.curve.force)), 1e-300)
+        return (*self._contact_notes, *free_notes(self.curve, self.radius > 0.0, error), QUASISTATIC)

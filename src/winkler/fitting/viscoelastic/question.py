@@ -1,0 +1,114 @@
+"""The question that a fit of a relaxing contact asks: what is free, what drives, and what every point weighs."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.parameters import each
+from winkler.fitting.task import FREELY, asked
+from winkler.fitting.viscoelastic.creep import LEAST_NOISE, SHARE, Under
+from winkler.fitting.viscoelastic.task import Driven, Pressed
+from winkler.loading import Depth
+from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+
+__all__ = ["driven_task"]
+
+ALPHA = (1e-3, 0.999)
+"""Bounds of the exponent of a solid."""
+SMOOTH = 100
+"""The velocity is smoothed over this part of the points."""
+STANDS_OUT = 5.0
+"""Positions are fitted from a force on that is so many times its noise, at least."""
+
+
+def _velocity(curve: ForceCurve) -> Array:
+    """Return the velocity of the machine [m/s], smoothed within each stretch of one direction, zero while held."""
+    velocity = np.zeros(curve.count)
+    turns = np.flatnonzero(np.diff(curve.direction)) + 1
+    for stretch in np.split(np.arange(curve.count), turns):
+        time, position = curve.time[stretch], curve.position[stretch]
+        if curve.direction[stretch[0]] == 0.0 or stretch.size < 3 or not np.all(np.diff(time) > 0.0):
+            continue
+        wide = max(1, stretch.size // SMOOTH)
+        high = np.minimum(np.arange(stretch.size) + wide, stretch.size - 1)
+        low = np.maximum(np.arange(stretch.size) - wide, 0)
+        velocity[stretch] = (position[high] - position[low]) / (time[high] - time[low])
+    return velocity
+
+
+def driven_task(
+    curve: ForceCurve, model: ViscoelasticIndentation, free: dict[str, Any], noise: Array, strokes: Outline | None
+) -> Driven:
+    """Return a fit as a task.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        With times, one way in, held or not, and at most one way out.
+    model : ViscoelasticIndentation
+        Its path is only a placeholder: of depths, and forces are fitted; of forces, and positions are.
+    free : dict
+        As for `winkler.fitting.task.task`; the name of a row means each of its numbers.
+    noise : ndarray
+        Standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known.
+    strokes : Outline or None
+        What the way in looks like; none where there is no way in.
+
+    Raises
+    ------
+    InvalidInput
+        If a name leads nowhere, its bounds contradict themselves, or the way out is to be told from forces.
+    """
+    if not free:
+        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.relaxed_shear'.")
+    strength = float(np.ptp(curve.force))
+    span = float(np.ptp(curve.position)) or float(np.abs(curve.position).max())
+    lasting = float(np.ptp(curve.time))
+    if not (strength > 0.0 or span > 0.0) or not lasting > 0.0:
+        raise InvalidInput(f"fit: the curve '{curve.name}' has no range of forces or times; nothing can be fitted.")
+    strength = strength or float(np.abs(curve.force).max())
+    velocity = _velocity(curve)
+    fastest = float(np.abs(velocity).max()) or span / lasting
+    scales = {
+        "contact_point": 0.1 * span,
+        "baseline": strength,
+        "tilt": strength / span,
+        "drift": span / lasting,
+        "drag": strength / fastest,
+    }
+    wanted = {path: given for name, given in free.items() for path in (each(model, name) if "." in name else (name,))}
+    weights = np.array(np.broadcast_to(np.mean(noise) / noise if noise.any() else 1.0, curve.position.shape))
+    exponents = {name: ALPHA for name in wanted if name.startswith("bed.medium.") and name.endswith(".exponent")}
+    parameters = asked(model, wanted, scales, FREELY | exponents)
+    nothing = np.zeros(curve.count)
+    if isinstance(model.path.normal, Depth):
+        return Pressed(curve, model, parameters, weights, velocity, nothing)
+    if np.any(curve.direction < 0.0):
+        raise InvalidInput(
+            "fit: forces drive a contact only while it grows; leave out the points that come out, or fit forces."
+        )
+    question = Under(curve, model, parameters, weights, velocity, nothing)
+    return question if strokes is None else _with_the_way_in(question, strokes, noise)
+
+
+def _with_the_way_in(question: Under, strokes: Outline, noise: Array) -> Under:
+    """Return the question that asks for forces where the contact bears little, roughly weighed."""
+    curve = question.curve
+    borne = curve.force - strokes.baseline
+    little = borne < max(SHARE * float(borne.max()), STANDS_OUT * strokes.noise)
+    many = np.count_nonzero(little[: 1 + int(np.argmax(borne))])  # as many as bear little, whatever their own noise
+    early = np.arange(curve.count) < many
+    late = np.flatnonzero(~early)
+    rough = np.abs(np.diff(curve.position[late], 2)) if late.size > 2 else np.zeros(1)
+    own = float(np.mean(noise)) or float(np.median(rough)) / (0.6745 * np.sqrt(6.0))
+    own = max(own, LEAST_NOISE * float(np.ptp(curve.position)))
+    of_force = max(strokes.noise, LEAST_NOISE * float(np.ptp(curve.force)))
+    return question._replace(
+        weights=np.where(early, 1.0, question.weights), per_force=np.where(early, own / of_force, 0.0)
+    )

@@ -1,0 +1,1 @@
+"""Measured numbers in text tables."""

@@ -1,0 +1,60 @@
+"""Gradings in tables: Young's modulus, and perhaps Poisson's ratio, measured at depths below the surface."""
+
+from __future__ import annotations
+
+import math
+import os
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
+from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.materials.depth_grading import TabulatedGrading
+
+__all__ = ["read_grading"]
+
+DEPTH = Column("depth", ("depth", "z"), "m", "um")
+YOUNG = Column("Young's modulus", ("young", "e", "modulus"), "Pa", "GPa")
+POISSON = Column("Poisson's ratio", ("poisson", "nu"), "")
+
+
+@reader("a grading")
+def read_grading(path: str | os.PathLike[str], *, poisson: float = math.nan) -> TabulatedGrading:
+    """Read a grading from a table with the columns depth (z), young (E, modulus) and, if measured, poisson (nu).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``depth [um], young [GPa], poisson``; depths begin with 0 at the
+        surface and ascend, and the body is homogeneous below the last one.
+    poisson : float, optional
+        Poisson's ratio [-] at every depth, above -1 and at most 0.5: for a table that has no such column.
+
+    Returns
+    -------
+    TabulatedGrading
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, what it holds is no grading, or poisson is told twice or not at all.
+    """
+    told = names_columns(path, (DEPTH, YOUNG, POISSON))
+    if told and not math.isnan(poisson):
+        raise InvalidInput(
+            f"{path}: the table has a column of Poisson's ratios, and poisson = {poisson:g} was given "
+            "as well; leave one of them out."
+        )
+    table = read_table(path, (DEPTH, YOUNG, POISSON) if told else (DEPTH, YOUNG))
+    if not told and math.isnan(poisson):
+        raise InvalidInput(
+            f"{path}: the table has no column of Poisson's ratios (poisson, nu); add it, or give "
+            "poisson, which then holds at every depth."
+        )
+    depths, youngs = table.values[:, 0], table.values[:, 1]
+    poissons = table.values[:, 2] if told else np.full(depths.shape, poisson)
+    try:
+        return TabulatedGrading(depths, youngs, poissons)
+    except InvalidInput as error:
+        raise InvalidInput(f"{table.path}: {error}") from None

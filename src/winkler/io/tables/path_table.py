@@ -1,0 +1,78 @@
+"""Paths in tables: a time in every row, and beside it what is prescribed across and along the surface."""
+
+from __future__ import annotations
+
+import os
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
+from winkler.io.tables.table import Column, names_columns, read_table
+from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
+from winkler.path import Path
+
+__all__ = ["read_path"]
+
+TIME = Column("time", ("time", "t"), "s", "ms")
+NORMAL: dict[type[Depth] | type[Force], tuple[Column, ...]] = {
+    Depth: (Column("depth", ("depth", "d"), "m", "um"),),
+    Force: (Column("normal force", ("force", "normal_force", "normal force", "f_n"), "N"),),
+}
+LATERAL: dict[type[Shift] | type[ShearForce] | type[Angle] | type[Torque], tuple[Column, ...]] = {
+    Shift: (Column("shift", ("shift", "u_x", "ux"), "m", "um"),),
+    ShearForce: (Column("shear force", ("shear_force", "shear force", "f_x", "fx"), "N"),),
+    Angle: (Column("angle", ("angle", "phi"), "rad", "deg"),),
+    Torque: (Column("torque", ("torque", "m_z", "mz"), "N m"),),
+}
+SECOND: dict[type, Column] = {
+    Shift: Column("shift along y", ("shift_y", "shift y", "u_y", "uy"), "m", "um"),
+    ShearForce: Column("shear force along y", ("shear_force_y", "shear force y", "f_y", "fy"), "N"),
+}
+"""The second direction in the plane, beside the first."""
+
+
+@reader("a path")
+def read_path(path: str | os.PathLike[str]) -> Path:
+    """Read a path from a table with the columns time (t), depth (d) or force, and what moves the bodies sideways.
+
+    Sideways one of shift (u_x), shear_force (f_x), angle (phi), torque (m_z), or none; in the plane shift and shift_y
+    (u_y), or shear_force and shear_force_y (f_y).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``time [s], force [N], shift [um]``; other columns are ignored.
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, a load is missing or told in two ways, or what it holds is no path.
+    """
+    normals = [kind for kind, columns in NORMAL.items() if names_columns(path, columns)]
+    laterals = [kind for kind, columns in LATERAL.items() if names_columns(path, columns)]
+    if len(normals) != 1:
+        told = "both a depth and a normal force" if normals else "neither a depth nor a normal force"
+        raise InvalidInput(
+            f"{path}: the table has {told}; a path needs one of both, such as '{TIME.example}, "
+            f"{NORMAL[Force][0].example}, {LATERAL[Shift][0].example}'."
+        )
+    if len(laterals) > 1:
+        words = " and ".join(LATERAL[kind][0].word for kind in laterals)
+        raise InvalidInput(f"{path}: the table has columns of {words}; only one of them can drive the bodies sideways.")
+    columns = [TIME, *NORMAL[normals[0]]]
+    for kind in laterals:
+        columns += LATERAL[kind]
+        if kind in SECOND and names_columns(path, (SECOND[kind],)):
+            columns.append(SECOND[kind])
+    table = read_table(path, columns)
+    normal = normals[0](table.values[:, 1])
+    sideways = table.values[:, 2:]
+    try:
+        if not laterals:
+            return Path(table.values[:, 0], normal)
+        return Path(table.values[:, 0], normal, laterals[0](sideways if sideways.shape[1] == 2 else sideways[:, 0]))
+    except InvalidInput as error:
+        raise InvalidInput(f"{table.path}: {error}") from None

@@ -1,0 +1,120 @@
+r"""Measured profiles in tables: a radius and a height in every row.
+
+A scan across the apex, with negative radii, is folded onto one flank: the apex x0 is the vertex of the parabola fitted
+to a window that is symmetric about x0, and :math:`r=|x-x_0|`.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
+from winkler.io.tables.table import Column, read_table
+from winkler.numerics.types import Array
+from winkler.profiles.measured import Measured
+
+__all__ = ["read_profile"]
+
+UNEVEN = 0.05
+"""Largest difference (root mean square) between the flanks of a scan, against its height."""
+RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")
+HEIGHT = Column("height", ("height", "h", "z", "f"), "m", "nm")
+
+
+@reader("a profile")
+def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measured:
+    """Read a measured profile from a table with the columns radius (r, x) and height (h, z, f).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``radius [um], height [nm]``; columns with other names are ignored.
+        Negative radii make it a scan across the apex, which is folded onto one flank; flanks that differ by more than
+        5 % of the height are refused.
+    peak : bool, optional
+        Whether heights are largest at the apex, as in a topography of a tip that points upwards; their sign is then
+        changed.  By default they rise away from the apex.
+
+    Returns
+    -------
+    Measured
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or what it holds is no profile.
+    """
+    table = read_table(path, (RADIUS, HEIGHT))
+    x, f = table.values[:, 0], table.values[:, 1] * (-1.0 if peak else 1.0)
+    try:
+        return Measured(np.abs(x - _apex(x, f)) if np.any(x < 0.0) else x, f)
+    except InvalidInput as error:
+        raise InvalidInput(f"{table.path}: {error}") from None
+
+
+def _parabola(x: Array, f: Array, degree: int) -> Array:
+    """Return the coefficients of the parabola fitted to points, highest power first."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", np.exceptions.RankWarning)
+        try:
+            return np.asarray(np.polyfit(x, f, degree))
+        except np.exceptions.RankWarning:
+            raise InvalidInput(
+                "all points of the scan but a few lie at one place; remove those that are far away."
+            ) from None
+
+
+def _apex(x: Array, f: Array) -> float:
+    """Return where the apex of a scan lies."""
+    first, last = float(np.min(x)), float(np.max(x))
+    if np.unique(x).size > 2 and _parabola((x - first) / (last - first), f, 2)[0] < 0.0:
+        raise InvalidInput(
+            "the heights of the scan fall away from the apex; change their sign, or call read_profile(path, peak=True)."
+        )
+    centre = lowest = float(x[np.argmin(f)])
+    low, high = first, last
+    while high - low > 1e-9 * (last - first):
+        half = min(centre - first, last - centre)
+        near = np.abs(x - centre) <= half
+        sides = np.count_nonzero(x[near] < centre), np.count_nonzero(x[near] > centre)
+        if min(sides) < 2 or np.unique(x[near]).size < 5:
+            break
+        bend, tilt, _ = _parabola((x[near] - centre) / half, f[near], 2)
+        step = -0.5 * tilt / bend if bend > 0.0 else math.inf
+        if abs(step) < 1e-9:
+            low = high = centre
+        elif not abs(step) <= 1.0:
+            break
+        else:  # towards the vertex, but never back over a place that it left on the other side
+            low, high = (centre, high) if step > 0.0 else (low, centre)
+            vertex = centre + half * step
+            centre = vertex if low < vertex < high else 0.5 * (low + high)
+    else:
+        _compare_flanks(x - centre, f)
+        return centre
+    raise InvalidInput(
+        f"no apex was found near x = {lowest:.6g} m, where the scan is lowest; a scan needs both flanks and five "
+        "points around the apex, or give one flank with distances from the axis."
+    )
+
+
+def _compare_flanks(x: Array, f: Array) -> None:
+    """Refuse a scan whose flanks differ, as those of a tilted one do: by more than their scatter, in a parabola."""
+    order = np.argsort(x)
+    x, f = x[order], f[order]
+    left, common = x < 0.0, np.abs(x) <= min(-x[0], x[-1])
+    span = float(np.ptp(f[common]))
+    f = f / span if span > 0.0 else f  # squares of large heights have no number
+    r, end = x[common & ~left], f[common & ~left]
+    lead = _parabola(r / r[-1], end - np.interp(r, -x[left][::-1], f[left][::-1]), min(2, r.size - 1))
+    uneven = float(np.sqrt(np.mean(np.polyval(lead, r / r[-1]) ** 2)))
+    if uneven > UNEVEN:
+        raise InvalidInput(
+            f"the two flanks of the scan differ by {uneven:.0%} of its height; level the scan, or give one flank with "
+            "distances from the axis."
+        )

@@ -1,0 +1,136 @@
+"""Measured viscoelastic solids in tables: relaxation or creep over time, storage and loss over frequency.
+
+Rheometers measure shear, machines for strips and bars tension; Poisson's ratio turns one into the other.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
+from winkler.io.tables.table import Column, Table, names_columns, read_table
+from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
+
+__all__ = ["read_creep", "read_dynamic", "read_relaxation"]
+
+T = TypeVar("T", RelaxationData, CreepData, DynamicData)
+
+TIME = Column("time", ("time", "t"), "s", "s")
+FREQUENCY = Column("frequency", ("frequency", "f"), "Hz")
+ANGULAR = Column("angular frequency", ("angular_frequency", "angular frequency", "omega"), "rad/s")
+SHEAR = Column("shear modulus", ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation"), "Pa", "kPa")
+YOUNG = Column("Young's modulus", ("young", "e", "e(t)", "young's modulus", "tensile modulus"), "Pa", "kPa")
+COMPLIANCE = Column("shear compliance", ("compliance", "j", "j(t)", "shear compliance"), "1/Pa")
+TENSILE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
+STORAGE = Column("storage modulus in shear", ("storage_shear", "storage", "g'", "storage modulus"), "Pa", "kPa")
+LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "loss modulus"), "Pa", "kPa")
+STRETCHED = Column("storage modulus in tension", ("tensile_storage", "e'", "tensile storage modulus"), "Pa", "MPa")
+LOST = Column("loss modulus in tension", ("tensile_loss", "e''", 'e"', "tensile loss modulus"), "Pa", "MPa")
+
+
+@reader("a relaxation")
+def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> RelaxationData:
+    """Read a measured relaxation from a table with the columns time (t) and shear (g), or young (e).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.
+    poisson : float, optional
+        nu [-], above -1 and at most 0.5.
+
+    Returns
+    -------
+    RelaxationData
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or what it holds is no relaxation.
+    """
+    table, stretched = _read(path, (TIME, SHEAR), (TIME, YOUNG))
+    time, modulus = table.values.T
+    return _made(RelaxationData, table, (time, modulus / (_stretch(poisson) if stretched else 1.0)), poisson)
+
+
+@reader("a creep")
+def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepData:
+    """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.
+    poisson : float, optional
+        nu [-], above -1 and at most 0.5.
+
+    Returns
+    -------
+    CreepData
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or what it holds is no creep.
+    """
+    table, stretched = _read(path, (TIME, COMPLIANCE), (TIME, TENSILE))
+    time, compliance = table.values.T
+    return _made(CreepData, table, (time, compliance * (_stretch(poisson) if stretched else 1.0)), poisson)
+
+
+@reader("storage and loss")
+def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> DynamicData:
+    """Read measured storage and loss from a table over frequency (f) or angular_frequency (omega).
+
+    Parameters
+    ----------
+    path : str or path
+        The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
+        ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.
+    poisson : float, optional
+        nu [-], above -1 and at most 0.5.
+
+    Returns
+    -------
+    DynamicData
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or what it holds is no storage and loss.
+    """
+    over = ANGULAR if names_columns(path, (ANGULAR,)) else FREQUENCY
+    table, stretched = _read(path, (over, STORAGE, LOSS), (over, STRETCHED, LOST))
+    frequency, storage, loss = table.values.T
+    turns = 2.0 * math.pi * frequency if over is FREQUENCY else frequency
+    part = _stretch(poisson) if stretched else 1.0
+    return _made(DynamicData, table, (turns, storage / part, loss / part), poisson)
+
+
+def _read(
+    path: str | os.PathLike[str], sheared: tuple[Column, ...], stretched: tuple[Column, ...]
+) -> tuple[Table, bool]:
+    """Return the columns of shear or, where the table has those alone, of tension; and whether it was tension."""
+    tension = names_columns(path, stretched) and not names_columns(path, sheared)
+    return read_table(path, stretched if tension else sheared), tension
+
+
+def _stretch(poisson: float) -> float:
+    """Return Young's modulus over the shear modulus."""
+    if not -1.0 < poisson <= 0.5:
+        raise InvalidInput(f"poisson is {poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
+    return 2.0 * (1.0 + poisson)
+
+
+def _made(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
+    order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
+    try:
+        return kind(*(row[order] for row in rows), poisson=poisson)
+    except InvalidInput as error:
+        raise InvalidInput(f"{table.path}: {error}") from None

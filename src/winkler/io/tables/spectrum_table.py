@@ -1,0 +1,93 @@
+r"""Measured power spectra in tables: a wave number (or wavelength, or spatial frequency) and a density in every row."""
+
+from __future__ import annotations
+
+import math
+import os
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import reader
+from winkler.io.tables.scan_table import is_scan, read_scan
+from winkler.io.tables.table import Column, Table, names_columns, read_table
+from winkler.profiles.rough.line_scan import spectrum_of_lines
+from winkler.profiles.rough.spectrum import PowerSpectrum
+
+__all__ = ["read_spectrum"]
+
+WAVE_NUMBER = Column(
+    "wave number", ("wave_number", "wave number", "wavenumber", "wavevector", "wave vector", "q"), "1/m", "1/um"
+)
+TURNED = Column(WAVE_NUMBER.word, WAVE_NUMBER.names, "rad/m", "rad/um")
+WAVELENGTH = Column("wavelength", ("wavelength", "lambda"), "m", "um")
+FREQUENCY = Column("spatial frequency", ("spatial_frequency", "spatial frequency", "frequency", "f"), "1/m", "1/um")
+DENSITY = Column("density", ("density", "psd", "c", "c(q)", "power spectral density"), "m^4", "um^4")
+OF_LINES = Column(DENSITY.word, DENSITY.names, "m^3", "um^3")
+PER = ("wave number", "frequency")
+
+
+@reader("a spectrum")
+def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectrum:
+    r"""Read the measured power spectrum of an isotropic surface, or of scans along lines on it, from a table.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, with a column wave_number (q), wavelength (lambda) or spatial_frequency (f), and one of density (psd,
+        c).  Units stand in its header, as in ``wave_number [1/um], density [um^4]``; rows may rise or fall, and other
+        columns are ignored.  A density in m^3, um^3 and so on is that of line scans, two-sided (half of a one-sided
+        one); the surface is then taken to be isotropic, where the density rises it is levelled, and beyond its last
+        number it is continued as a power law, so that the last octave is a guess.  A scan itself, places and heights,
+        is taken as well (`read_scan`).
+    per : str, optional
+        What the density is counted per, since programs differ by 2 pi for every direction: "wave number", as in
+        Persson's papers, or "frequency", which is (2 pi)^2 times as much for a surface, as SurfaceTopography and
+        contact.engineering write it, also over wave numbers.  Unless given, it is what the first column counts.
+
+    Returns
+    -------
+    PowerSpectrum
+        Of the surface, per wave number.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read, or what it holds is no spectrum.
+
+    Notes
+    -----
+    Per wave number, :math:`\langle h^2\rangle=\int C\,\mathrm d^2q`; per frequency,
+    :math:`\langle h^2\rangle=\int C\,\mathrm d^2f=(2\pi)^{-2}\int C\,\mathrm d^2q`.
+    """
+    if per and per not in PER:
+        raise InvalidInput(f"read_spectrum: per is {per!r}; give 'wave number' or 'frequency'.")
+    if is_scan(path):
+        return read_scan(path).spectrum
+    places = next((column for column in (WAVELENGTH, FREQUENCY) if names_columns(path, (column, DENSITY))), WAVE_NUMBER)
+    table, directions = _table(path, places)
+    given, density = table.values.T
+    if np.any(given <= 0.0):
+        line = int(table.lines[np.argmax(given <= 0.0)])
+        raise InvalidInput(f"{table.path}, line {line}: the {places.word} is not positive; delete the line.")
+    q = given if places is WAVE_NUMBER else 2.0 * math.pi * (1.0 / given if places is WAVELENGTH else given)
+    order = np.argsort(q, kind="stable")
+    counted = per or ("frequency" if places is FREQUENCY else "wave number")
+    density = density[order] / (2.0 * math.pi) ** (directions if counted == "frequency" else 0)
+    try:
+        return (PowerSpectrum if directions == 2 else spectrum_of_lines)(q[order], density)
+    except InvalidInput as error:
+        raise InvalidInput(f"{table.path}: {error}") from None
+
+
+def _table(path: str | os.PathLike[str], places: Column) -> tuple[Table, int]:
+    """Return two columns, and of how many directions the density is: its unit tells."""
+    columns = (places, TURNED) if places is WAVE_NUMBER else (places,)  # wave numbers are written in 1/m and in rad/m
+    reasons = []
+    for density, directions in ((DENSITY, 2), (OF_LINES, 1)):
+        for column in columns:
+            try:
+                return read_table(path, (column, density)), directions
+            except InvalidInput as error:
+                reasons.append(error)
+    raise reasons[0] from None

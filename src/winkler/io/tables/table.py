@@ -1,0 +1,279 @@
+r"""Tables of measured numbers.
+
+A table is a text file (UTF-8, or Latin-1 as older instruments write it) with one row of numbers per line; cells are
+separated by tabs, semicolons, commas or spaces.  Above the numbers stands a header that names columns and units::
+
+    # tip 7, scanned 2024-05-02            lines above the header and behind # are not read
+    radius [um], height [nm]               or  r (um);f (nm)  or  radius_um  height_nm  or a row of units below
+
+Nothing is guessed or left out silently: what cannot be read is refused with its line.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from array import array
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.content import LARGEST
+from winkler.errors import InvalidInput
+from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, number_in
+from winkler.io.text_file import head_of, headed, lines_of
+from winkler.numerics.types import Array
+from winkler.units import scale
+from winkler.values import value
+
+__all__ = ["Column", "Table", "names_columns", "read_table"]
+
+SEPARATORS = ("\t", ";", ",", None)
+COMMENT = "#% \t"
+
+
+@value
+class Column:
+    """A column that is wanted from a table.
+
+    Parameters
+    ----------
+    word : str
+        What it is, for messages.
+    names : tuple of str
+        Names in the header by which it is known, in lower case.
+    unit : str
+        SI unit in which it is wanted; empty for a plain number, which needs no unit in the header.
+    usual : str, optional
+        A unit that people write, for messages; the SI unit unless given.
+    """
+
+    word: str
+    names: tuple[str, ...]
+    unit: str
+    usual: str = ""
+
+    @property
+    def example(self) -> str:
+        """How it may stand in a header."""
+        unit = self.usual or self.unit
+        return f"{self.names[0]} [{unit}]" if unit else self.names[0]
+
+
+@value
+class Table:
+    """Columns read from a file.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+    values : ndarray, (rows, columns)
+        Numbers in SI units, in the order in which the columns were asked for.
+    lines : ndarray, (rows,)
+        The line of the file, counted from 1, on which each row stands.
+    """
+
+    path: str
+    values: Array
+    lines: Array
+
+
+class _Header(NamedTuple):
+    line: int
+    separator: str | None
+    cells: tuple[str, ...]
+    places: tuple[int, ...]
+    units: tuple[str, ...]
+
+
+def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table:
+    """Read columns of numbers from a text file with a header.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    columns : sequence of Column
+        What is wanted; each must be found once, with a unit that fits.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read; the message names the line.
+    """
+    shown = str(path)
+    lines = lines_of(path, _needs(columns))
+    head = headed(lines, shown)
+    header = _header(head, columns, shown)
+    separator = _separator(lines, header)
+    numbers, places, absent = array("d"), array("d"), list[int]()
+    for index in range(header.line, len(lines)):
+        line = lines[index].partition("#")[0]
+        if not line.strip():
+            continue
+        cells = cells_of(line, separator)
+        while len(cells) > len(header.cells) and not cells[-1]:
+            cells.pop()
+        if len(cells) != len(header.cells):
+            hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
+            size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
+            raise InvalidInput(f"{shown}, line {index + 1}: {size}{hint}.")
+        try:
+            if "_" in line:
+                raise ValueError("float() reads 1_000")
+            row = [float(cells[place]) for place in header.places]
+        except ValueError:
+            row = [
+                number_in(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places
+            ]
+        if not all(map(math.isfinite, row)):
+            absent.append(index + 1)
+        numbers.extend(row)
+        places.append(index + 1)
+    if absent:
+        listed = ", ".join(map(str, absent[:5])) + (f" and {len(absent) - 5} more" if len(absent) > 5 else "")
+        few = "line" if len(absent) == 1 else "lines"
+        raise InvalidInput(f"{shown}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
+    if not places:
+        raise InvalidInput(f"{shown}: there are no numbers below the header in line {header.line}.")
+    factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
+    with np.errstate(over="ignore"):
+        values = np.array(numbers).reshape(-1, len(columns)) / factors
+    computable = np.all(np.abs(values) <= LARGEST, axis=1)
+    if not np.all(computable):
+        place = places[int(np.argmin(computable))]
+        raise InvalidInput(f"{shown}, line {place}: a number is too large to be computed with in SI units; check it.")
+    return Table(shown, values, np.array(places))
+
+
+def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
+    """Return whether the header of a table names all of these columns.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    columns : sequence of Column
+        What is looked for.
+
+    Raises
+    ------
+    InvalidInput
+        If the file cannot be read.
+    """
+    texts = [
+        line.lstrip(COMMENT).rstrip() for line in head_of(path, _needs(columns)) if _may_name(line.lower(), columns)
+    ]
+    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS]
+    return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
+
+
+def _may_name(line: str, columns: Sequence[Column]) -> bool:
+    """Return whether a line holds the letters of every column's name; rows of numbers are told quickly."""
+    return all(any(name in line for name in column.names) for column in columns)
+
+
+def _example(columns: Sequence[Column]) -> str:
+    return ", ".join(column.example for column in columns)
+
+
+def _needs(columns: Sequence[Column]) -> str:
+    return f"a header such as '{_example(columns)}', and numbers below"
+
+
+def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
+    """Return the first line in which every column is named."""
+    for index, line in enumerate(lines):
+        text = line.lstrip(COMMENT).rstrip()
+        for separator in SEPARATORS if text else ():
+            cells = cells_of(text, separator)
+            found = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
+            if not all(found):
+                continue
+            found = [
+                _fitting(cells, places, column) if len(places) > 1 else places
+                for column, places in zip(columns, found, strict=True)
+            ]
+            for column, places in zip(columns, found, strict=True):
+                if len(places) > 1:
+                    listed = " and ".join(f"'{cells[place]}'" for place in places)
+                    raise InvalidInput(
+                        f"{shown}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
+                    )
+            units = tuple(
+                named(cells[places[0]], column.names)[1] for column, places in zip(columns, found, strict=True)
+            )
+            header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in found), units)
+            return _with_units(header, lines, columns, shown)
+    raise InvalidInput(f"{shown}: {_without_header(lines, columns)}.")
+
+
+def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
+    """Return the places whose unit fits, if there is one such: instruments repeat a depth in m and in volts."""
+    fitting = []
+    for place in places:
+        try:
+            scale(named(cells[place], column.names)[1], column.unit)
+        except InvalidInput:
+            continue
+        fitting.append(place)
+    return fitting if len(fitting) == 1 else places
+
+
+def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
+    """Take units that are not in the header from the row below it, and check that all fit."""
+    where = f"{shown}, line {header.line}"
+    needs = [bool(column.unit) for column in columns]
+    given = zip(header.places, header.units, needs, strict=True)
+    bare = [header.cells[place] for place, unit, need in given if need and not unit]
+    if bare:
+        below = cells_of(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
+        wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
+        missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
+        if not wanted or any(missing):
+            listed = " and ".join(f"'{name}'" for name in bare)
+            example = _example(columns)
+            raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{example}'.")
+        header = header._replace(line=header.line + 1, units=tuple(wanted))
+        where = f"{shown}, line {header.line}"
+    plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
+    for column, unit in zip(columns, plain, strict=True):
+        scale(unit, column.unit, what=f"{where}, {column.word}")
+    return header._replace(units=plain)
+
+
+def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
+    """Return why no header was found."""
+    example = _example(columns)
+    above: list[str] = []
+    for index, line in enumerate(lines):
+        text = line.lstrip(COMMENT).rstrip()
+        splits = [cells_of(text, separator) for separator in SEPARATORS]
+        if text == line.strip() and any(
+            any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
+        ):
+            if not above:
+                return f"numbers begin in line {index + 1} without a header above them; write one, as '{example}'"
+            break
+        if text:
+            above = next((cells for cells in splits if len(cells) > 1), [text])
+    missing = [column for column in columns if not any(named(cell, column.names)[0] for cell in above)]
+    wanted = " and no ".join(f"{column.word} ({', '.join(column.names)})" for column in missing)
+    listed = ", ".join(f"'{cell[:40]}'" for cell in above[:20] if cell)
+    return f"the header has no {wanted}, there are {listed}; name the columns, as in '{example}'"
+
+
+def _separator(lines: Sequence[str], header: _Header) -> str | None:
+    """Return what separates the cells of the numbers: as in the header, or otherwise if the first row says so."""
+    first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
+    for separator in (header.separator, *SEPARATORS):
+        cells = cells_of(first.partition("#")[0], separator)
+        if len(cells) == len(header.cells) and all(is_number(cells[place]) for place in header.places):
+            return separator
+    return header.separator

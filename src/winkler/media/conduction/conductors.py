@@ -1,0 +1,99 @@
+"""Pairs of conducting bodies, and what lies between their surfaces."""
+
+from __future__ import annotations
+
+from winkler.errors import InvalidInput
+from winkler.laws.film import SurfaceFilm, ThermalInterface
+from winkler.materials.conducting_body import ConductingBody, Plated, Rod, surface_of
+from winkler.materials.conductor import ElectricalConductor, ThermalConductor
+from winkler.media.conduction.disc_resistance import Resistances, conduction_notes, disc_resistances
+from winkler.numerics.types import Array
+from winkler.validity import Note
+from winkler.values import value
+
+__all__ = ["ElectricalConductors", "HeatConductors"]
+
+CLEAN = SurfaceFilm()
+PERFECT = ThermalInterface()
+
+
+@value
+class ElectricalConductors:
+    """Two bodies that conduct electric current.
+
+    Parameters
+    ----------
+    first : ElectricalConductor, Plated or Rod
+        The body below, z > 0.
+    second : ElectricalConductor, Plated or Rod
+        The body above, z < 0.
+    film : SurfaceFilm, optional
+        Between them; none unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If a body does not conduct current.
+    """
+
+    first: ConductingBody
+    second: ConductingBody
+    film: SurfaceFilm = CLEAN
+
+    def __post_init__(self) -> None:
+        _check("ElectricalConductors", ElectricalConductor, self.first, self.second)
+
+    def resistances(self, radius: Array) -> Resistances:
+        """Return what stands in the way of a current [ohm] through discs of the given radii `(m,)` [m]."""
+        return disc_resistances(self.first, self.second, self.film.area_resistance, radius)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed of the bodies and the film."""
+        return conduction_notes(self.first, self.second, self.film.area_resistance)
+
+
+@value
+class HeatConductors:
+    """Two bodies that conduct heat.
+
+    Parameters
+    ----------
+    first : ThermalConductor, Plated or Rod
+        The body below, z > 0.
+    second : ThermalConductor, Plated or Rod
+        The body above, z < 0.
+    interface : ThermalInterface, optional
+        How well heat passes between the surfaces; without resistance unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If a body is given as a conductor of current.
+    """
+
+    first: ConductingBody
+    second: ConductingBody
+    interface: ThermalInterface = PERFECT
+
+    def __post_init__(self) -> None:
+        _check("HeatConductors", ThermalConductor, self.first, self.second)
+
+    def resistances(self, radius: Array) -> Resistances:
+        """Return what stands in the way of heat [K/W] through discs of the given radii `(m,)` [m]."""
+        return disc_resistances(self.first, self.second, self.interface.area_resistance, radius)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed of the bodies and the interface."""
+        return conduction_notes(self.first, self.second, self.interface.area_resistance)
+
+
+def _check(owner: str, wanted: type, first: ConductingBody, second: ConductingBody) -> None:
+    for word, body in (("first", first), ("second", second)):
+        known = isinstance(body, ElectricalConductor | ThermalConductor | Plated | Rod)
+        if not known or not isinstance(surface_of(body), wanted):
+            made = type(surface_of(body)).__name__ if known else type(body).__name__
+            raise InvalidInput(
+                f"{owner}: {word} is made of {made}; give {wanted.__name__}, or Plated or Rod made of it."
+            )

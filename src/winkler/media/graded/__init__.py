@@ -1,0 +1,1 @@
+"""Half-spaces whose modulus follows a power of the depth."""

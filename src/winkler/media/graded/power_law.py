@@ -1,0 +1,267 @@
+r"""Half-spaces whose modulus follows a power of the depth: springs that stiffen or soften away from the middle.
+
+With :math:`E(z) = E_0 (z/c_0)^k` in one body, or in both with the same k, the springs have the stiffness
+
+.. math:: c_N(x) = E^*\Big(\frac x{c_0}\Big)^k , \qquad k(a) = \frac{2E^*a^{1+k}}{(1+k)\,c_0^k} , \qquad
+          \frac1{E^*} = \sum_i\frac{1-\nu_i^2}{h_N(k,\nu_i)\,E_{0,i}}
+
+per length, and everything the method does for a homogeneous half-space stays exact with the exponents of
+`winkler.numerics.transforms.graded_abel`.  With :math:`\beta = \sqrt{(1+k)(1-k\nu/(1-\nu))}`
+
+.. math:: h_N = \frac{2(1+k)\cos(k\pi/2)\,\Gamma(1+\frac k2)}
+                {\sqrt\pi\,C\,\beta\sin(\beta\pi/2)\,\Gamma(\frac{1+k}2)} , \qquad
+          C = \frac{2^{1+k}\,\Gamma(\frac{3+k+\beta}2)\,\Gamma(\frac{3+k-\beta}2)}{\pi\,\Gamma(2+k)} .
+
+Gibson's limit k = 1, nu = 1/2 is included: h_N = pi/2, p = (2/3)(E_0/c_0) u at every point, Winkler's foundation.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import Rigid
+from winkler.materials.graded import PowerLawGraded
+from winkler.media.graded.profile import transform
+from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.punch_field import BodyField
+from winkler.numerics.transforms import graded_abel
+from winkler.numerics.transforms.abel_intervals import root_difference
+from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
+from winkler.numerics.types import Array
+from winkler.profiles.profile import Profile
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["GradedHalfSpace"]
+
+Body = PowerLawGraded | Rigid
+RIGID = Rigid()
+BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods Geomech. 9 (1985) 369-381"
+
+
+@value
+class GradedHalfSpace:
+    """Two half-spaces whose Young's modulus follows the same power of the depth, or one such and a rigid body.
+
+    Parameters
+    ----------
+    first : PowerLawGraded or Rigid
+        The body below, z > 0.
+    second : PowerLawGraded or Rigid, optional
+        The body above, z < 0; rigid unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If both bodies are rigid, one is of another kind, or the exponents differ.
+
+    References
+    ----------
+    A. E. Giannakopoulos, S. Suresh, Int. J. Solids Struct. 34 (1997) 2357-2428 (parts I and II)
+
+    Examples
+    --------
+    >>> soil = PowerLawGraded(young=30e6, depth_scale=1.0, exponent=0.5, poisson=0.3)
+    >>> round(GradedHalfSpace.between(soil).modulus / 1e6, 6)  # E_0 h_N / (1 - nu^2)
+    37.628857
+    """
+
+    first: Body
+    second: Body = RIGID
+
+    def __post_init__(self) -> None:
+        for word, body in (("first", self.first), ("second", self.second)):
+            if not isinstance(body, PowerLawGraded | Rigid):
+                raise InvalidInput(
+                    f"GradedHalfSpace: {word} is a {type(body).__name__}; give PowerLawGraded(young, depth_scale, "
+                    "exponent, poisson) or Rigid()."
+                )
+        if not self._graded:
+            raise InvalidInput("GradedHalfSpace: both bodies are rigid; at least one must be a PowerLawGraded.")
+        if len({body.exponent for body in self._graded}) > 1:
+            first, second = (body.exponent for body in self._graded)
+            raise InvalidInput(
+                f"GradedHalfSpace: the bodies have the exponents {first:g} and {second:g}; their springs are known "
+                "only if both exponents are the same, or one body is rigid."
+            )
+
+    @classmethod
+    def between(cls, first: Body, second: Body = RIGID) -> GradedHalfSpace:
+        """Return the medium between two bodies; the second is rigid unless given."""
+        return cls(first, second)
+
+    @property
+    def _graded(self) -> list[PowerLawGraded]:
+        return [body for body in (self.first, self.second) if isinstance(body, PowerLawGraded)]
+
+    @property
+    def exponent(self) -> float:
+        """k [-], of both bodies."""
+        return self._graded[0].exponent
+
+    @property
+    def depth_scale(self) -> float:
+        """c_0 [m] to which the moduli refer: that of the first graded body."""
+        return self._graded[0].depth_scale
+
+    def _young(self, body: PowerLawGraded) -> float:
+        """Return E_0 [Pa] of a body at the common depth scale; exact for equal exponents."""
+        return float(body.young * (self.depth_scale / body.depth_scale) ** self.exponent)
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa], 1/E* = sum of (1 - nu^2) / (h_N E_0)."""
+        k = self.exponent
+        return 1.0 / math.fsum(
+            (1.0 - body.poisson) * (1.0 + body.poisson) / (normal_factor(k, body.poisson) * self._young(body))
+            for body in self._graded
+        )
+
+    @property
+    def shear_modulus(self) -> float:
+        """G* [Pa], 1/G* = sum of [(1+k)^2 (1-nu^2) / (beta^2 h_N E_0) + (1+nu) / (E_0 cos(k pi/2))] / 2."""
+        k = self.exponent
+        if k == 1.0:
+            raise OutsideValidity(
+                "GradedHalfSpace: Gibson's solid (exponent 1) has no tangential stiffness at all, its surface has no "
+                "modulus; give an exponent below 1 for tangential problems."
+            )
+        return 2.0 / math.fsum(
+            (
+                (1.0 + k) ** 2
+                * (1.0 - body.poisson)
+                * (1.0 + body.poisson)
+                / (root_squared(k, body.poisson) * normal_factor(k, body.poisson))
+                + (1.0 + body.poisson) / _cosine(k)
+            )
+            / self._young(body)
+            for body in self._graded
+        )
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """The assumptions."""
+        return (
+            Note(
+                Assumption.RESPONSE,
+                Standing.EXACT,
+                "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant Poisson "
+                "ratio: for one round contact the springs give the three-dimensional solution itself.",
+                BOOKER,
+            ),
+            Note(
+                Assumption.RESPONSE,
+                Standing.ASYMPTOTIC,
+                "The power law gives the surface itself the modulus "
+                + ("zero" if self.exponent > 0.0 else "infinity" if self.exponent < 0.0 else "of the bulk")
+                + "; a real grading follows it over a range of depths that must contain the contact radius.",
+                "A. E. Giannakopoulos, S. Suresh, Int. J. Solids Struct. 34 (1997) 2357-2392",
+            ),
+        )
+
+    def gap(self, profile: Profile, x: Array) -> Array:
+        """g(x) [m]."""
+        return transform(profile, self.exponent).gap(np.asarray(x, dtype=float))
+
+    def gap_slope(self, profile: Profile, x: Array) -> Array:
+        """g'(x) [-]; above a kink b of f it holds b jump x^-k (x^2 - b^2)^((k-1)/2)."""
+        return transform(profile, self.exponent).gap_slope(np.asarray(x, dtype=float))
+
+    def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
+        """``(b, b jump)``: the strength b jump is the same for every k, the power above the kink is not."""
+        return tuple((b, b * jump) for b, jump in profile.kinks)
+
+    def gap_load(self, profile: Profile, radius: Array) -> Array:
+        """2 E* / c_0^k times the integral of x^k g from 0 to `radius` [N]."""
+        whole = transform(profile, self.exponent).gap_integral(np.asarray(radius, dtype=float))
+        return 2.0 * self._surface_modulus * whole
+
+    @property
+    def _surface_modulus(self) -> float:
+        """E* / c_0^k [Pa m^-k]."""
+        return float(self.modulus / self.depth_scale**self.exponent)
+
+    def punch_stiffness(self, radius: Array) -> Array:
+        """k(a) = 2 E* a^(1+k) / ((1+k) c_0^k) [N/m]."""
+        n = 1.0 + self.exponent
+        return np.asarray(2.0 * self._surface_modulus * np.asarray(radius, dtype=float) ** n / n)
+
+    def punch_pressure(self, r: Array, radius: Array) -> Array:
+        """p1(r; a) = (E* / c_0^k) (a^2 - r^2)^((k-1)/2) / pi [Pa/m]."""
+        return np.asarray(self._surface_modulus / np.pi * root_difference(radius, r) ** (self.exponent - 1.0))
+
+    def punch_facts(self, radius: float) -> PunchFacts:
+        """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
+        return PunchFacts(pulls=False, least=0.0, most=1.0, telling=True)
+
+    def _stiffness(self, modulus: float, x: Array) -> Array:
+        x, k = np.asarray(x, dtype=float), self.exponent
+        if k >= 0.0:
+            return np.asarray(modulus * (x / self.depth_scale) ** k)
+        safe = np.where(x > 0.0, x, 1.0)
+        return np.where(x > 0.0, modulus * (safe / self.depth_scale) ** k, math.inf)
+
+    def normal_stiffness(self, x: Array) -> Array:
+        """c_N(x) = E* (x/c_0)^k [Pa]; infinite at x = 0 if k < 0."""
+        return self._stiffness(self.modulus, x)
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) = k c_N / x [Pa/m], for x > 0."""
+        return np.asarray(self.exponent * self.normal_stiffness(x) / np.asarray(x, dtype=float))
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) = G* (x/c_0)^k [Pa]; infinite at x = 0 if k < 0."""
+        return self._stiffness(self.shear_modulus, x)
+
+    def pressure(self, displacement: Displacement, r: Array) -> Array:
+        """p(r) [Pa]: flat punches with the pressure (a^2 - r^2)^((k-1)/2), superposed.
+
+        Of a kink of the displacement only place and strength are used: in every graded medium the slope just above it
+        holds -strength x^-k (x^2 - b^2)^((k-1)/2), with the same strength b times jump of f'.
+        """
+        return self._surface_modulus * graded_pressure(
+            displacement.slope, displacement.kinks, displacement.edge, displacement.radius, self.exponent, r
+        )
+
+    def displacement(self, displacement: Displacement, r: Array) -> Array:
+        """The displacement of the surface [m], inside and outside the contact, sum over both bodies."""
+        edges = [b for b, _ in displacement.kinks]
+        return graded_abel.surface(displacement.value, edges, self.exponent, r, displacement.radius)
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Refused: the stresses below the surface of a graded body are not known to winkler."""
+        raise OutsideValidity(
+            "The stresses inside a GradedHalfSpace are not known to winkler: below the surface the power law has no "
+            "closed flat-punch field; ask for the surface (without z), or sample the grading by a layered medium."
+        )
+
+
+def _cosine(k: float) -> float:
+    """Return cos(k pi/2), exact to the last digit near k = 1."""
+    return math.sin(0.5 * math.pi * (1.0 - abs(k)))
+
+
+def root_squared(k: float, poisson: float) -> float:
+    """Return beta^2 = (1 + k)(1 - k nu / (1 - nu))."""
+    # written so that nothing cancels at nu = 1/2, k -> 1
+    return (1.0 + k) * ((1.0 - k) * poisson + (1.0 - 2.0 * poisson)) / (1.0 - poisson)
+
+
+def normal_factor(k: float, poisson: float) -> float:
+    """Return h_N(k, nu): how much stiffer than a homogeneous body with E_0; one for k = 0."""
+    if k == 1.0:
+        return 0.5 * math.pi  # nu = 1/2: beta and cos(k pi/2) vanish together
+    beta = math.sqrt(root_squared(k, poisson))
+    lgamma = math.lgamma
+    growth = (
+        lgamma(1.0 + 0.5 * k)
+        + lgamma(2.0 + k)
+        - lgamma(0.5 * (1.0 + k))
+        - lgamma(0.5 * (3.0 + k + beta))
+        - lgamma(0.5 * (3.0 + k - beta))
+    )
+    shape = 2.0 * (1.0 + k) * _cosine(k) * math.pi / (math.sqrt(math.pi) * 2.0 ** (1.0 + k))
+    return float(shape) * math.exp(growth) / (beta * math.sin(0.5 * math.pi * beta))

@@ -1,0 +1,1 @@
+"""Stresses and displacements inside homogeneous bodies."""

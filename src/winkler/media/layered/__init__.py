@@ -1,0 +1,1 @@
+"""Layered bodies, and bodies graded in depth in any way."""

@@ -1,0 +1,238 @@
+r"""Coated bodies: any number of bonded layers on a half-space or a rigid base.
+
+A stack answers a pressure wave :math:`\hat p\,J_0(\xi r)` with the compliance
+:math:`C(\xi) = \frac{2}{E^*\xi}(1+M(\xi))`, :math:`M\to0` for short waves, which feel the uppermost layer alone.  M is
+all that the method needs to know: from it follow the flat punches (`winkler.numerics.transforms.fredholm`), from these
+:math:`k(a) = 2E^*\int_0^a\varphi\,\mathrm dx`, the springs :math:`c_N = E^*\varphi(a;a)^2` and g(a).  The equations
+are exact, the numbers good to about ten digits, whatever the thickness; films squeezed to many times their thickness
+lose some of them.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.layered import Layer
+from winkler.media.interior import subsurface
+from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
+from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.layers import NormalResponse, TangentialResponse
+from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.punch_field import BodyField
+from winkler.numerics.transforms import abel, fredholm
+from winkler.numerics.transforms.cosine_transform import Response
+from winkler.numerics.types import Array
+from winkler.profiles.profile import Profile
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["CoatedHalfSpace", "LayeredMedium"]
+
+RIGID = Rigid()
+BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
+
+
+class SurfaceResponse(Response, Protocol):
+    """A response that tells what the shortest waves feel."""
+
+    @property
+    def modulus(self) -> float:
+        """E* or G* [Pa] of the surface and the other body."""
+        ...
+
+
+class LayeredMedium:
+    """What all media have in common whose surface compliance is known: subclasses tell it, and what is inside."""
+
+    second: Solid
+
+    @property
+    def response(self) -> SurfaceResponse:
+        """How the pair answers a pressure."""
+        raise NotImplementedError
+
+    @property
+    def tangential_response(self) -> SurfaceResponse:
+        """How the pair answers a shear load, averaged over its angle with the wave."""
+        raise NotImplementedError
+
+    @property
+    def thickness(self) -> float:
+        """Depth below which nothing changes any more [m]."""
+        raise NotImplementedError
+
+    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+        """Stresses and displacements in the first body; arrays of one shape."""
+        raise NotImplementedError
+
+    @property
+    def modulus(self) -> float:
+        """E* [Pa] of the uppermost layer and the other body: what the narrowest contacts feel."""
+        return self.response.modulus
+
+    @property
+    def shear_modulus(self) -> float:
+        """G* [Pa] of the uppermost layer and the other body."""
+        return self.tangential_response.modulus
+
+    def gap(self, profile: Profile, x: Array) -> Array:
+        """g(x) [m]."""
+        return flat_punch.gap(self.response, profile, x)
+
+    def gap_slope(self, profile: Profile, x: Array) -> Array:
+        """g'(x) [-]."""
+        return flat_punch.gap_slope(self.response, profile, x)
+
+    def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
+        """``(b, b jump / phi(b; b))``: above a jump of f' at b, g' holds strength / sqrt(x^2 - b^2)."""
+        return flat_punch.kinks(self.response, profile)
+
+    def gap_load(self, profile: Profile, radius: Array) -> Array:
+        """The integral of k'(x) g(x) from 0 to `radius` [N]."""
+        return 2.0 * self.modulus * flat_punch.gap_load(self.response, profile, radius)
+
+    def punch_stiffness(self, radius: Array) -> Array:
+        """k(a) [N/m]."""
+        return 2.0 * self.modulus * fredholm.area(self.response, radius)
+
+    def punch_pressure(self, r: Array, radius: Array) -> Array:
+        """p1(r; a) [Pa/m]."""
+        return np.asarray(
+            self.modulus / np.pi * fredholm.push(self.response, r, radius) / abel.root_difference(radius, r)
+        )
+
+    def punch_facts(self, radius: float) -> PunchFacts:
+        """Whether a flat punch up to this radius [m] pulls, and how the surface moves outside; sampled."""
+        return punch_facts.facts(self.response, radius)
+
+    def normal_stiffness(self, x: Array) -> Array:
+        """c_N(x) = k'(x)/2 [Pa]."""
+        return self.modulus * fredholm.edge(self.response, x) ** 2
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """c_N'(x) [Pa/m]."""
+        return 2.0 * self.modulus * fredholm.edge(self.response, x) * fredholm.edge_slope(self.response, x)
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """c_T(x) [Pa], approximately: the part of the displacement that turns with the angle is left out."""
+        response = self.tangential_response
+        return response.modulus * fredholm.edge(response, x) ** 2
+
+    def pressure(self, displacement: Displacement, r: Array) -> Array:
+        """p(r) [Pa]: flat punches superposed."""
+        response = self.response
+        return self.modulus * abel.pressure(
+            displacement.slope,
+            displacement.kinks,
+            displacement.edge,
+            displacement.radius,
+            r,
+            lambda r, x: fredholm.push(response, r, x),
+            response.precision,
+        )
+
+    def displacement(self, displacement: Displacement, r: Array) -> Array:
+        """The displacement of the surface [m], inside and outside the contact, sum over both bodies."""
+        return coated_load.surface(displacement, self.response, r)
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements in the layers and their base (`below`), or in the other body."""
+        second = self.second
+        load = Carried(displacement, self.response)
+        r, z = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
+        if below:
+            return self.inside(load, r, z)
+        if not isinstance(second, Elastic):
+            raise OutsideValidity(
+                "The second body (z < 0) is rigid; there is no stress field in it: ask for the other side."
+            )
+        return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
+
+
+@value
+class CoatedHalfSpace(LayeredMedium):
+    """Bonded, isotropic layers on a half-space or a rigid base, against a homogeneous body.
+
+    Parameters
+    ----------
+    layers : sequence of Layer
+        From the surface down, at least one.
+    on : Elastic or Rigid
+        What carries them: an infinitely deep substrate, or a base that does not deform.
+    second : Elastic or Rigid, optional
+        The other body, z < 0; rigid unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no layer, or something is not of these kinds.
+
+    References
+    ----------
+    J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232;
+    M. Hess, Machines 11 (2023) 474.
+
+    Examples
+    --------
+    >>> rubber = Elastic(young=1e6, poisson=0.5)
+    >>> film = CoatedHalfSpace([Layer(rubber, thickness=1e-3)], on=Rigid())
+    >>> round(float(film.punch_stiffness(np.array(1e-3)) / (2 * film.modulus * 1e-3)), 4)  # Hayes 1972: 3.609
+    3.6187
+    """
+
+    layers: tuple[Layer, ...]
+    on: Solid
+    second: Solid = RIGID
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.layers, tuple) or not self.layers:
+            raise InvalidInput(
+                "CoatedHalfSpace: layers must be a list of at least one Layer(solid, thickness); for a body without "
+                "layers give HalfSpace."
+            )
+        for index, layer in enumerate(self.layers):
+            if not isinstance(layer, Layer):
+                raise InvalidInput(
+                    f"CoatedHalfSpace: layers[{index}] is a {type(layer).__name__}; give Layer(solid, thickness)."
+                )
+        for word, body in (("on", self.on), ("second", self.second)):
+            if not isinstance(body, Elastic | Rigid):
+                raise InvalidInput(
+                    f"CoatedHalfSpace: {word} is a {type(body).__name__}; give Elastic(young, poisson) or Rigid()."
+                )
+
+    @property
+    def response(self) -> NormalResponse:
+        """How the pair answers a pressure."""
+        return NormalResponse(self.layers, self.on, self.second)
+
+    @property
+    def tangential_response(self) -> TangentialResponse:
+        """How the pair answers a shear load, averaged over its angle with the wave."""
+        return TangentialResponse(self.layers, self.on, self.second)
+
+    @property
+    def thickness(self) -> float:
+        """Of all layers together [m]."""
+        return sum(layer.thickness for layer in self.layers)
+
+    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+        """Stresses and displacements in the layers and their base; arrays of one shape."""
+        return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        return (
+            Note(
+                Assumption.RESPONSE,
+                Standing.EXACT,
+                "Frictionless contact of perfectly bonded, isotropic, linear elastic layers: k and g follow from the "
+                "flat punches of the stack without approximation, for one round contact.",
+                BARBER,
+            ),
+        )

@@ -1,0 +1,188 @@
+r"""Stresses and displacements inside a stack of layers, by Hankel integrals over what differs from a half-space.
+
+The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay through the layers as `winkler.media.layered.layers`
+tells.  In the uppermost layer the field of a homogeneous half-space under the same pressure is known without an
+integral over waves (`winkler.media.interior.subsurface`); what the interfaces add dies out like
+:math:`e^{-\xi(2h-z)}`, so that points on and just below the surface are as good as all others.  Deeper layers lie at
+least h below the load and need no such help.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import j0, j1
+
+from winkler.errors import OutsideValidity
+from winkler.materials.elastic import Elastic, Solid
+from winkler.materials.layered import Layer
+from winkler.media.interior import subsurface
+from winkler.media.layered import layers as stack
+from winkler.media.layered.coated_load import Carried
+from winkler.media.punch_field import BodyField
+from winkler.numerics.panels.sqrt_panels import doubled, nodes
+from winkler.numerics.transforms.cosine_transform import DEEP, LOWEST, wave_numbers
+from winkler.numerics.types import Array
+
+__all__ = ["State", "Waves", "field", "half_space_decay", "superposed", "waves_of"]
+
+PHASE = 10.0
+"""Largest phase of a wave over one panel of the quadrature."""
+CHUNK = 1_000_000
+MOST = 1e9
+"""More pairs of wave numbers and springs than this are refused: the contact is too wide for the uppermost layer."""
+
+
+class Waves(NamedTuple):
+    """Wave numbers, and quadrature weights times xi times the transform of the pressure."""
+
+    xi: Array
+    weights: Array
+
+
+class State(NamedTuple):
+    """Amplitudes at one depth per pressure of 1: displacements times xi, tractions; and the solid there."""
+
+    moved: Array
+    loaded: Array
+    solid: Elastic
+
+
+def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
+    """Return stresses and displacements inside the coated body.
+
+    Parameters
+    ----------
+    load : Carried
+        The pressure.
+    layers, on
+        The stack.
+    modulus : float
+        E* of the uppermost layer and the counterpart [Pa].
+    r, z : ndarray
+        Of one shape [m]; a point on an interface belongs to the upper layer.
+
+    Raises
+    ------
+    OutsideValidity
+        If a point lies in a rigid base, or the contact is hundreds of times wider than the uppermost layer is thick.
+    """
+    shape, r, z = np.shape(r), np.ravel(r), np.ravel(z)
+    bottoms = np.cumsum([layer.thickness for layer in layers])
+    if not isinstance(on, Elastic) and np.any(z > bottoms[-1]):
+        raise OutsideValidity(
+            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of coating; ask for points in it."
+        )
+    result = np.zeros((6, r.size))
+    if load.radius > 0.0 and r.size:
+        waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DEEP / load.response.length)
+        upper = z <= bottoms[0]
+        if upper.any():
+            top = layers[0].solid
+            own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
+            result[:, upper] = own
+        for depth, state, end in _states(layers, on, bottoms, np.unique(z), waves.xi):
+            (members,) = np.nonzero(z == depth)
+            result[:, members] += superposed(state, Waves(*(part[:end] for part in waves)), r[members])
+    return BodyField(*(part.reshape(shape) for part in result))
+
+
+def waves_of(load: Carried, modulus: float, farthest: float, end: float) -> Waves:
+    """Return the pressure as a superposition of waves with wave numbers up to `end`, for radii up to `farthest`."""
+    response, a = load.response, load.radius
+    xi, weights = wave_numbers(LOWEST / response.span, PHASE / (a + farthest), end)
+    kinks = np.array([b for b, strength in load.kinks if b < a])
+    steps = np.arange(1.0, np.ceil(a * end / PHASE)) * (PHASE / end)
+    edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), steps[steps < a]]))
+    x, shares = (part[0] for part in nodes(edges[None], kinks, 24))
+    if xi.size * x.size > MOST:
+        raise OutsideValidity(
+            f"The contact of {a:.3g} m is too wide for the uppermost layer of {response.length:.3g} m to compute the "
+            "stresses inside; the surface fields are known, and for the stresses thicker layers can be taken together."
+        )
+    q = shares * load.value(x)
+    step = max(1, CHUNK // x.size)
+    transform = np.concatenate([np.cos(np.outer(xi[i : i + step], x)) @ q for i in range(0, xi.size, step)])
+    return Waves(xi, weights * xi * transform * (modulus / np.pi))
+
+
+def _states(
+    layers: tuple[Layer, ...], on: Solid, bottoms: Array, depths: Array, xi: Array
+) -> Iterator[tuple[float, State, int]]:
+    """Yield, depth by depth, the amplitudes and how many wave numbers matter."""
+    climbs = stack.rise(layers, on, xi)
+    tops = np.concatenate([[0.0], bottoms])
+    surface = np.zeros((xi.size, 2, 1))
+    surface[:, 1] = -1.0
+    arrived = [surface]
+    for step in climbs:
+        arrived.append(step.decay @ arrived[-1])
+    for depth in depths:
+        index = int(np.searchsorted(bottoms, depth))
+        start = depth - tops[index]
+        if index == len(layers):
+            assert isinstance(on, Elastic)
+            loaded = half_space_decay(xi * start, on.poisson) @ arrived[index]
+            moved = stack.half_space(on.poisson) / (2.0 * on.shear) @ loaded
+            yield float(depth), State(moved[..., 0], loaded[..., 0], on), _enough(xi, depth)
+            continue
+        solid = layers[index].solid
+        twice = 2.0 * solid.shear
+        below = _below(climbs, on, index, xi)
+        here = stack.climb(twice * below, xi * (bottoms[index] - depth), solid.poisson)
+        loaded = stack.climb(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
+        moved = here.compliance @ loaded / twice
+        if index == 0:
+            own = half_space_decay(xi * start, solid.poisson) @ surface
+            loaded, moved = loaded - own, moved - stack.half_space(solid.poisson) @ own / twice
+        end = _enough(xi, 2.0 * bottoms[0] - depth if index == 0 else depth)
+        yield float(depth), State(moved[..., 0], loaded[..., 0], solid), end
+
+
+def _below(climbs: list[stack.Climb], on: Solid, index: int, xi: Array) -> Array:
+    """Return the compliance at the lower face of a layer."""
+    if index + 1 < len(climbs):
+        return climbs[index + 1].compliance
+    if isinstance(on, Elastic):
+        return np.broadcast_to(stack.half_space(on.poisson) / (2.0 * on.shear), (xi.size, 2, 2))
+    return np.zeros((xi.size, 2, 2))
+
+
+def half_space_decay(x: Array, poisson: float) -> Array:
+    """Return the tractions at x below the surface of a half-space per tractions on it."""
+    _, down = stack.decaying(x, poisson)
+    _, top = stack.decaying(np.zeros(1), poisson)
+    return np.asarray(np.exp(-x)[:, None, None] * (down @ np.linalg.inv(top)))
+
+
+def _enough(xi: Array, distance: float) -> int:
+    return int(np.searchsorted(xi, 2.0 * DEEP / distance))
+
+
+def superposed(state: State, waves: Waves, r: Array) -> Array:
+    """Return the six parts of a `BodyField` at one depth."""
+    end = waves.xi.size
+    twice, poisson = 2.0 * state.solid.shear, state.solid.poisson
+    strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights
+    shear, axial = state.loaded[:end, 0] * waves.weights, state.loaded[:end, 1] * waves.weights
+    n = poisson / (1.0 - poisson)
+    common = n * (twice * strain + axial)
+    result = np.empty((6, r.size))
+    step = max(1, CHUNK // max(end, 1))
+    for start in range(0, r.size, step):
+        part = slice(start, start + step)
+        phase = np.outer(r[part], waves.xi)
+        zeroth, first = j0(phase), j1(phase)
+        ratio = np.where(phase > 1e-8, first / np.where(phase > 1e-8, phase, 1.0), 0.5)
+        bend = ratio @ (twice * strain)
+        result[:, part] = (
+            zeroth @ (common + twice * strain) - bend,
+            zeroth @ common + bend,
+            zeroth @ axial,
+            first @ shear,
+            first @ (strain / waves.xi),
+            zeroth @ (lift / waves.xi),
+        )
+    return result

@@ -1,0 +1,113 @@
+r"""Half-spaces whose stiffness changes with depth in any way, to a stated tolerance.
+
+A stiffness k(a) is a least energy, so it rises wherever the compliance falls: if two bodies differ in
+:math:`C(\xi)` by less than a part :math:`\varepsilon` at every wave number, every k(a) differs by less than
+:math:`\varepsilon`.  The body is cut into cells until C moves by less than the tolerance
+(`winkler.media.layered.depth_climb`); they get thinner towards the surface, in proportion to the depth, because
+narrow contacts feel the very top alone.
+"""
+
+from __future__ import annotations
+
+import functools
+
+from winkler.errors import InvalidInput
+from winkler.materials.depth_grading import DepthGrading
+from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.media.layered import depth_interior
+from winkler.media.layered.coated import LayeredMedium
+from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
+from winkler.media.punch_field import BodyField
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["DepthGradedHalfSpace"]
+
+RIGID = Rigid()
+TIGHTEST, LOOSEST = 1e-7, 1e-2
+
+
+@value
+class DepthGradedHalfSpace(LayeredMedium):
+    """A half-space graded in depth, against a homogeneous body.
+
+    Parameters
+    ----------
+    grading : ExponentialGrading, SigmoidalGrading, TabulatedGrading or another DepthGrading
+        E(z) and nu(z), constant far below.
+    second : Elastic or Rigid, optional
+        The other body; rigid unless given.
+    tolerance : float, optional
+        Relative error of every k(a), between 1e-7 and 1e-2.
+
+    Raises
+    ------
+    InvalidInput
+        If something is not of these kinds.
+    NotConverged
+        When asked for a result: if more than 3000 cells would be needed.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from winkler.materials.depth_grading import ExponentialGrading
+    >>> medium = DepthGradedHalfSpace(ExponentialGrading(1e9, 3e9, depth_scale=1e-3, poisson=0.3))
+    >>> round(float(medium.punch_stiffness(np.array(1e-3)) / (2.0 * medium.modulus * 1e-3)), 5)
+    2.06285
+    """
+
+    grading: DepthGrading
+    second: Solid = RIGID
+    tolerance: float = 1e-6
+
+    def __post_init__(self) -> None:
+        for word in ("young_at", "poisson_at", "settled_at"):
+            if not callable(getattr(self.grading, word, None)):
+                raise InvalidInput(
+                    f"DepthGradedHalfSpace: grading is a {type(self.grading).__name__}; give ExponentialGrading, "
+                    "SigmoidalGrading or TabulatedGrading."
+                )
+        if not isinstance(self.second, Elastic | Rigid):
+            raise InvalidInput(
+                f"DepthGradedHalfSpace: second is a {type(self.second).__name__}; give Elastic(young, poisson) or "
+                "Rigid()."
+            )
+        number = self.tolerance
+        if isinstance(number, bool) or not isinstance(number, int | float) or not TIGHTEST <= number <= LOOSEST:
+            raise InvalidInput(
+                f"DepthGradedHalfSpace: tolerance is {number!r}; give a number between {TIGHTEST:g} and {LOOSEST:g}."
+            )
+
+    @functools.cached_property
+    def response(self) -> NormalDepthResponse:
+        """How the pair answers a pressure."""
+        return NormalDepthResponse(self.grading, self.second, self.tolerance)
+
+    @functools.cached_property
+    def tangential_response(self) -> TangentialDepthResponse:
+        """How the pair answers a shear load."""
+        return TangentialDepthResponse(self.grading, self.second, self.tolerance)
+
+    @property
+    def thickness(self) -> float:
+        """Depth below which the grading has settled, to the tolerance [m]."""
+        return self.grading.settled_at(self.tolerance)
+
+    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+        """Stresses and displacements in the graded body; arrays of one shape."""
+        return depth_interior.field(load, self.grading, self.tolerance, self.modulus, r, z)
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        return (
+            Note(
+                Assumption.RESOLUTION,
+                Standing.ASYMPTOTIC,
+                f"The graded body is cut into cells so thin that every stiffness k(a) is known to "
+                f"{self.tolerance:.0e}; frictionless, isotropic, linear elastic.",
+                "refinement of the cells until the surface compliance moves by less",
+            ),
+        )

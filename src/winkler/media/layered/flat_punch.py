@@ -1,0 +1,242 @@
+r"""What a body of revolution is for a layered medium: the moments of its homogeneous transform with flat punches.
+
+With h the transform of the profile for a homogeneous half-space, and rho, phi the flat punches of
+`winkler.numerics.transforms.fredholm`
+
+.. math:: g(a)\,\varphi(a;a) = h(a) - \int_0^a \rho(x;a)\,h(x)\,\mathrm dx, \qquad
+          \int_0^a k'\,g\,\mathrm dx = 2E^*\int_0^a \varphi(x;a)\,h(x)\,\mathrm dx .
+
+Both integrals are kept as polynomials of a, octave by octave and from kink to kink, cached by value.  A power of the
+radius has no length of its own: its integrals are kept for a layer of thickness one and serve all thicknesses.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Hashable
+from typing import cast
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.media.layered.smooth_moments import smooth_moments
+from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
+from winkler.numerics.transforms import fredholm, punch_tables
+from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, stretched
+from winkler.numerics.types import Array
+from winkler.profiles.conical import Cone
+from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.profile import Profile
+
+__all__ = ["gap", "gap_load", "gap_slope", "kinks"]
+
+LOWEST = -60
+"""Octaves below this are the uppermost layer alone."""
+RULES = (16, 32, 64, 128)
+SETTLED = 2e-13
+LAST = 1e-9
+CHUNK = 200_000
+
+
+def gap(response: Response, profile: Profile, x: Array) -> Array:
+    """Return g(x) [m]; infinite where the homogeneous transform is, at the end of a profile that is vertical there."""
+    x = np.asarray(x, dtype=float)
+    own = np.array(profile.gap(x))
+    finite = np.isfinite(own)
+    here = x[finite]
+    own[finite] = (own[finite] - _moments(response, profile, here)[0]) / fredholm.edge(response, _held(profile, here))
+    return own
+
+
+def gap_slope(response: Response, profile: Profile, x: Array) -> Array:
+    """Return g'(x) [-]; infinite where that of the homogeneous transform is."""
+    x = np.asarray(x, dtype=float)
+    own = np.array(profile.gap_slope(x))
+    finite = np.isfinite(own)
+    here = x[finite]
+    lost, lost_slope, _ = _moments(response, profile, here)
+    place = _held(profile, here)
+    edge, edge_slope = fredholm.edge(response, place), fredholm.edge_slope(response, place)
+    g = (profile.gap(here) - lost) / edge
+    falling = np.where(edge_slope == 0.0, 0.0, g * edge_slope)
+    own[finite] = (own[finite] - lost_slope - falling) / edge
+    return own
+
+
+def kinks(response: Response, profile: Profile) -> tuple[tuple[float, float], ...]:
+    """Return ``(x, strength)`` where g is not smooth: the moments are, so that only the edge divides b jump."""
+    return tuple(
+        (b, b * jump / float(fredholm.edge(response, _held(profile, np.asarray(b)))) if jump else 0.0)
+        for b, jump in profile.kinks
+    )
+
+
+def gap_load(response: Response, profile: Profile, x: Array) -> Array:
+    """Return the integral of k' g from 0 to x, over 2 E* [m^2]."""
+    return np.asarray(_moments(response, profile, np.asarray(x, dtype=float))[2])
+
+
+def _end(profile: Profile) -> float:
+    return min(profile.reach, profile.rim)
+
+
+def _held(profile: Profile, x: Array) -> Array:
+    return np.minimum(x, _end(profile))
+
+
+def _power(profile: Profile) -> tuple[float, float]:
+    """Return c and n of a profile c r^n; zeros if it is none."""
+    match profile:
+        case PowerLaw(coefficient, exponent):
+            return coefficient, exponent
+        case Paraboloid(radius):
+            return 0.5 / radius, 2.0
+        case Cone(half_angle):
+            return 1.0 / math.tan(half_angle), 1.0
+        case _:
+            return 0.0, 0.0
+
+
+def _moments(response: Response, profile: Profile, x: Array) -> Array:
+    """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
+    own, unit = in_own_lengths(response)
+    coefficient, exponent = _power(profile)
+    if exponent == 0.0:
+        return _moments_of(response if unit == 1.0 else stretched(cast(Hashable, own), unit), profile, x)
+    height = coefficient * unit**exponent
+    scales = np.array([height, height / unit, height * unit]).reshape(3, *([1] * x.ndim))
+    return np.asarray(scales * _moments_of(own, _unit_power(exponent), x / unit))
+
+
+@functools.lru_cache(maxsize=64)
+def _unit_power(exponent: float) -> PowerLaw:
+    return PowerLaw(1.0, exponent)
+
+
+def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
+    """Return the same of a profile in the lengths of the response."""
+    flat = _held(profile, x).ravel()
+    octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
+    result = np.zeros((3, flat.size))
+    waiting = np.ones(flat.size, dtype=bool)
+    whole = (octaves > LOWEST) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
+    tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
+    for octave in np.unique(tabled[whole]):
+        (members,) = np.nonzero(whole & (tabled == octave))
+        found, holds = smooth_moments(response, profile, int(octave), flat[members])
+        result[:, members[holds]] = found[:, holds]
+        waiting[members[holds]] = False
+    for octave in np.unique(octaves[waiting]):
+        (members,) = np.nonzero(waiting & (octaves == octave))
+        if octave == LOWEST:
+            result[2, members] = profile.gap_integral(flat[members])
+            continue
+        steep = flat[members] > _tame(cast(Hashable, profile))
+        for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
+            if chosen.size:
+                result[:, chosen] = moments(response, profile, int(octave), flat[chosen])
+    return result.reshape(3, *x.shape)
+
+
+@functools.lru_cache(maxsize=256)
+def _tame(body: Hashable) -> float:
+    """Return up to where the moments are tabulated: not quite to the equator of a sphere, where it is vertical."""
+    profile = cast(Profile, body)
+    end = _end(profile)
+    if not math.isfinite(end):
+        return end
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope = float(profile.gap_slope(np.array([end]))[0])
+    return end if math.isfinite(slope) else 0.97 * end
+
+
+def _tabulated(response: Response, profile: Profile, octave: int, a: Array) -> Array:
+    return _octave(cast(Hashable, response), cast(Hashable, profile), octave)(a)
+
+
+def _directly(response: Response, profile: Profile, octave: int, a: Array) -> Array:
+    return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
+
+
+@functools.lru_cache(maxsize=512)
+def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
+    response, profile = cast(Response, given), cast(Profile, body)
+    high = punch_tables.first_radius(response) * 2.0**octave
+    low, high = 0.5 * high, min(high, _tame(body))
+    kinks = np.array([b for b, _ in profile.kinks if b < high])
+    steps = [table.high for table in punch_tables.tables(response, octave) if low < table.high < high]
+    edges = np.unique(np.concatenate([[low, high], kinks[kinks > low], steps]))
+    noise = _noise(profile) / SETTLED
+
+    def tolerances(values: Array) -> Array:
+        size = float(np.max(np.abs(profile.gap(edges[:-1])))) + float(np.max(np.abs(values[0]))) + noise
+        whole = np.max(np.abs(values[2])) + noise * high
+        return np.array([SETTLED * size, 10.0 * SETTLED * size / low, SETTLED * whole]) + 1e-300
+
+    panels = punch_tables.tables(response, octave)[-1].panels
+    return fit(lambda a: _integrated(response, profile, a, panels), edges, kinks, tolerances)
+
+
+def _noise(profile: Profile) -> float:
+    """Return what rounding may do to g [m]: a shape of many pieces knows g to that of its first piece."""
+    if not profile.kinks:
+        return 0.0
+    return 4.0 * float(np.finfo(float).eps * np.abs(profile.gap(np.array([profile.kinks[0][0]]))[0]))
+
+
+def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -> Array:
+    """Integrate over the springs of contacts with radii a ``(m,)`` of one octave, which has these panels of x/a."""
+    kinks = np.array([b for b, _ in profile.kinks if b < np.max(a)])
+    inner, end = doubled(list(kinks), float(np.max(a))), _end(profile)
+    if np.max(a) > 0.5 * end > 0.5 * _tame(cast(Hashable, profile)):  # where the profile ends it is vertical
+        inner = np.concatenate([inner, end * (1.0 - 0.5 ** np.arange(1, 49))])
+    edges = np.concatenate([np.minimum(inner, a[:, None]), a[:, None] * panels], axis=1)
+    edges.sort(axis=1)
+    most = float(np.max(np.abs(profile.gap(np.minimum(a, np.nextafter(end, 0.0)))))) + _noise(profile) / SETTLED
+    last: Array | None = None
+    change = math.inf
+    for count in RULES:
+        step = max(1, CHUNK // (edges.shape[1] * count))
+        current = np.concatenate(
+            [
+                _sums(response, profile, a[i : i + step], edges[i : i + step], kinks, count)
+                for i in range(0, a.size, step)
+            ],
+            axis=1,
+        )
+        if last is not None:
+            size = np.maximum(
+                np.max(np.abs(current), axis=1),
+                np.array([most, most / np.min(a), _noise(profile) / SETTLED * np.max(a)]),
+            )[:, None]
+            change = float(np.max(np.abs(current - last) / np.where(size > 0.0, size, 1.0)))
+            if change <= SETTLED:
+                return current
+        last = current
+    if change > LAST or last is None:
+        raise NotConverged(
+            f"The transform of the profile for this medium still moves by {change:.1e} at a contact radius of "
+            f"{float(np.max(a)):.3g} m: the shape is not smooth between its stated kinks: state them."
+        )
+    return last
+
+
+def _sums(response: Response, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
+    x, weights = nodes(edges, kinks, count)
+    x = np.minimum(x, np.nextafter(_end(profile), 0.0))
+    h, slope = profile.gap(x), profile.gap_slope(x)
+    ratio, ends = x / a[:, None], edges / a[:, None]
+    first = x.shape[1] - (edges.shape[1] - 2) * count
+    pieces = [(ratio[:, None, :first], ends[:, :2])]
+    if edges.shape[1] > 2:
+        pieces.append((ratio[:, first:].reshape(a.size, -1, count), ends[:, 1:]))
+    parts = [
+        fredholm.on_pieces(response, a, places, bounds[:, :-1], bounds[:, 1:]).reshape(3, a.size, -1)
+        for places, bounds in pieces
+    ]
+    moment, by_a, phi = np.concatenate(parts, axis=2)
+    lost = np.sum(weights * moment * h, axis=1) / a
+    moved = (np.sum(weights * by_a * h, axis=1) - lost) / a
+    moved += np.sum(weights * moment * x * slope, axis=1) / a**2
+    return np.array([lost, lost / a + moved, np.sum(weights * phi * h, axis=1)])

@@ -1,0 +1,143 @@
+r"""Graded and layered bodies all of whose parts relax in proportion: an elastic medium times a function of time.
+
+If every modulus of a body follows the same course, :math:`E(\mathbf x,t)=E(\mathbf x)\,\varphi(t)`, and no Poisson's
+ratio changes, then g does not change in time, and every spring of the elastic medium relaxes by :math:`\varphi`:
+
+.. math:: q(x,t) = c_N(x)\int\varphi(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm dt' .
+
+One viscoelastic layer on a rigid base is such a body.  A viscoelastic layer on a body that does not relax, or relaxes
+otherwise, is none: the ratio of the moduli, and with it g, would change in time.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.halfspace import HalfSpace
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.medium import Displacement
+from winkler.media.punch_field import BodyField
+from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
+from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_relaxation
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["RelaxingInProportion"]
+
+ElasticMedium = (
+    HalfSpace | TransverselyIsotropicHalfSpace | GradedHalfSpace | CoatedHalfSpace | DepthGradedHalfSpace
+)  # fmt: skip
+
+
+@value
+class RelaxingInProportion(RelaxingMedium):
+    """An elastic medium all of whose moduli relax by the same function of time, phi(t) = G(t) / shear.
+
+    Every part of it that is not rigid relaxes: layers, what carries them, and the other body.
+
+    Parameters
+    ----------
+    medium : GradedHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace, TransverselyIsotropicHalfSpace or HalfSpace
+        The bodies with the moduli that they have when the shear modulus of the solid is `shear`.
+    solid : ViscoelasticSolid
+        Only the course of its shear modulus G(t) counts; Poisson's ratios are those of the medium.
+    shear : float
+        The shear modulus of the solid to which the moduli of the medium belong [Pa]: its relaxed one, its glassy one,
+        or any other.
+
+    Raises
+    ------
+    InvalidInput
+        If the medium or the solid is of another kind, or the shear modulus is not positive.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020
+
+    Examples
+    --------
+    A film of rubber on a rigid base; 1 MPa is its modulus after all time, five times as much that of a sudden step.
+
+    >>> from winkler.materials.elastic import Elastic, Rigid
+    >>> from winkler.materials.layered import Layer
+    >>> from winkler.materials.spring_and_dashpot import StandardSolid
+    >>> film = CoatedHalfSpace([Layer(Elastic(young=1e6, poisson=0.49), thickness=1e-3)], on=Rigid())
+    >>> rubber = StandardSolid(relaxed_shear=0.3e6, shear=1.2e6, relaxation_time=0.1)
+    >>> relaxing = RelaxingInProportion(film, rubber, shear=0.3e6)
+    >>> relaxing.relaxation.relaxed, relaxing.relaxation.glassy
+    (1.0, 5.0)
+    """
+
+    medium: ElasticMedium
+    solid: ViscoelasticSolid
+    shear: float
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.medium, ElasticMedium):
+            raise InvalidInput(
+                f"RelaxingInProportion: medium is a {type(self.medium).__name__}; give an elastic one: "
+                "GradedHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace, TransverselyIsotropicHalfSpace or HalfSpace."
+            )
+        if not isinstance(self.solid, ViscoelasticSolid):
+            raise InvalidInput(
+                f"RelaxingInProportion: solid is a {type(self.solid).__name__}; give a viscoelastic one, such as "
+                "StandardSolid(...) or Prony(...)."
+            )
+        shear = self.shear
+        if isinstance(shear, bool) or not isinstance(shear, int | float) or not 0.0 < shear < math.inf:
+            raise InvalidInput(
+                f"RelaxingInProportion: shear is {shear!r}; give the shear modulus of the solid to which the moduli of "
+                "the medium belong, a positive number in Pa."
+            )
+
+    @property
+    def elastic(self) -> ElasticMedium:
+        """The medium with the moduli that it was given."""
+        return self.medium
+
+    @property
+    def relaxation(self) -> RelaxationSeries:
+        """phi(t) [-]."""
+        return self.solid.series.scaled(1.0 / self.shear)
+
+    @property
+    def creep(self) -> CreepSeries:
+        """What a step of load makes of the compliance [-]."""
+        return of_relaxation(self.relaxation)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series is the solid [s]."""
+        return self.solid.span
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed: that of the elastic medium, and that all relaxes in proportion."""
+        alike = Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "All parts that are not rigid relax by the same function of time, with Poisson's ratios that do not "
+            "change: then g does not change either, and while the contact is one disc every elastic answer stays "
+            "true with the displacements replaced by their hereditary integral.",
+            LEE,
+        )
+        return (*self.medium.notes, alike)
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
+
+        Both are linear in the displacement of the springs: stresses in what they bear, displacements in how far they
+        are pressed in.
+        """
+        borne = self.remembered(displacement)
+        moved = np.array(self.medium.interior(displacement, r, z, below=below))
+        loaded = np.array(self.medium.interior(borne[0], r, z, below=below)) if borne else np.zeros(moved.shape)
+        return BodyField(*loaded[:4], *moved[4:])

@@ -1,0 +1,125 @@
+r"""What every medium has in common whose springs relax, all by the same function of time.
+
+Its equivalent profile g does not change in time.  What the springs of the elastic medium alike would bear, and how far
+they are pressed in, then tell the fields: pressure and stresses are those of the elastic medium whose springs are
+displaced by :math:`b(x,t)=\int\varphi(t-t')\,\partial u(x,t')/\partial t'\,\mathrm dt'`, displacements those of the
+elastic medium whose springs are displaced by u itself, also where they recover outside the contact: every transform is
+linear, and the same at all times.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.media.medium import Displacement, Medium, PunchFacts
+from winkler.media.punch_field import BodyField
+from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
+from winkler.numerics.types import Array
+from winkler.profiles.profile import Profile
+
+__all__ = ["RelaxingMedium", "Remembered"]
+
+LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
+
+
+class Remembered(Displacement, Protocol):
+    """The springs of a relaxing medium at one moment: how far they are pressed in, or have not recovered."""
+
+    @property
+    def borne(self) -> tuple[Displacement, ...]:
+        """The displacements of elastic springs that would bear the same, one if any of them is pressed."""
+        ...
+
+
+class RelaxingMedium:
+    """An elastic medium times a function of time: subclasses tell both, and the assumptions."""
+
+    @property
+    def elastic(self) -> Medium:
+        """The medium as if it were elastic."""
+        raise NotImplementedError
+
+    @property
+    def relaxation(self) -> RelaxationSeries:
+        """By what the elastic medium is multiplied after a step of depth."""
+        raise NotImplementedError
+
+    @property
+    def creep(self) -> CreepSeries:
+        """By what its compliance is multiplied after a step of force."""
+        raise NotImplementedError
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series are the solids [s]."""
+        raise NotImplementedError
+
+    def timeless(self) -> OutsideValidity:
+        """Return the error of who asks for a single answer."""
+        return OutsideValidity(
+            f"{type(self).__name__}: its stiffness changes in time, so no single answer exists; use "
+            "ViscoelasticIndentation(bed, path), or an elastic medium."
+        )
+
+    def remembered(self, displacement: Displacement) -> tuple[Displacement, ...]:
+        """Return what elastic springs would bear the same; refuse springs without memory."""
+        borne = getattr(displacement, "borne", None)
+        if not isinstance(borne, tuple):
+            raise self.timeless()
+        return borne
+
+    def gap(self, profile: Profile, x: Array) -> Array:
+        """g(x) [m], at all times."""
+        return self.elastic.gap(profile, x)
+
+    def gap_slope(self, profile: Profile, x: Array) -> Array:
+        """g'(x) [-]."""
+        return self.elastic.gap_slope(profile, x)
+
+    def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)`` of every place where g is not smooth."""
+        return self.elastic.kinks(profile)
+
+    def punch_facts(self, radius: float) -> PunchFacts:
+        """What is known of all flat punches up to this radius [m]."""
+        return self.elastic.punch_facts(radius)
+
+    def gap_load(self, profile: Profile, radius: Array) -> Array:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    def punch_stiffness(self, radius: Array) -> Array:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    def punch_pressure(self, r: Array, radius: Array) -> Array:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    def normal_stiffness(self, x: Array) -> Array:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    def normal_stiffness_slope(self, x: Array) -> Array:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    def tangential_stiffness(self, x: Array) -> Array:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    def pressure(self, displacement: Displacement, r: Array) -> Array:
+        """p(r) [Pa] of springs that remember."""
+        parts = [self.elastic.pressure(part, r) for part in self.remembered(displacement)]
+        return np.asarray(sum(parts, np.zeros(np.shape(r))))
+
+    def displacement(self, displacement: Displacement, r: Array) -> Array:
+        """The displacement of the surface [m], inside and outside the contact, sum over both bodies."""
+        return self.elastic.displacement(displacement, r)
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it."""
+        raise NotImplementedError

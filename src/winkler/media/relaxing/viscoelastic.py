@@ -1,0 +1,194 @@
+r"""Two homogeneous half-spaces of which at least one is viscoelastic.
+
+Poisson's ratios do not change in time, so the equivalent profile g of an elastic half-space stays, and every spring
+relaxes by the same function,
+
+.. math:: q(x,t) = \int E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm dt' , \qquad
+          \frac{1}{s^2\,\hat E^*(s)} = \sum_\text{bodies}\frac{1-\nu}{2}\,\hat J(s) :
+
+bodies bear the same pressure, so their creep adds up.
+"""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.materials.elastic import Elastic, Rigid
+from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
+from winkler.media.interior import subsurface
+from winkler.media.medium import Displacement
+from winkler.media.punch_field import BodyField
+from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
+from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep, of_relaxation
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["ViscoelasticHalfSpace"]
+
+RIGID = Rigid()
+UNIT = HalfSpace(Elastic(0.75, 0.5))
+"""E* = 1 Pa."""
+
+
+@value
+class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
+    """Two homogeneous half-spaces in contact, at least one of them viscoelastic.
+
+    What it answers depends on time: a `winkler.problems.viscoelastic.indentation.ViscoelasticIndentation` asks for
+    it.  Its moduli right after a sudden step, and after all time, are `relaxation.glassy` and `relaxation.relaxed`.
+
+    Parameters
+    ----------
+    first : ViscoelasticSolid, Elastic or Rigid
+        The body below, z > 0.
+    second : ViscoelasticSolid, Elastic or Rigid, optional
+        The body above, z < 0; rigid unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If neither of them is viscoelastic.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020
+
+    Examples
+    --------
+    >>> from winkler.materials.spring_and_dashpot import StandardSolid
+    >>> gel = ViscoelasticHalfSpace(StandardSolid(relaxed_shear=1e3, shear=4e3, relaxation_time=2.0))
+    >>> gel.relaxation.relaxed, gel.relaxation.glassy
+    (4000.0, 20000.0)
+    """
+
+    first: ViscoelasticSolid | Elastic | Rigid
+    second: ViscoelasticSolid | Elastic | Rigid = RIGID
+
+    def __post_init__(self) -> None:
+        for word, body in (("first", self.first), ("second", self.second)):
+            if not isinstance(body, ViscoelasticSolid | Elastic | Rigid):
+                raise InvalidInput(
+                    f"ViscoelasticHalfSpace: {word} is a {type(body).__name__}; give a viscoelastic solid such as "
+                    "Prony(...), Elastic(young, poisson) or Rigid()."
+                )
+        if not any(isinstance(body, ViscoelasticSolid) for body in (self.first, self.second)):
+            raise InvalidInput(
+                "ViscoelasticHalfSpace: neither of the bodies is viscoelastic; give Maxwell, Prony or another one, or "
+                "use HalfSpace."
+            )
+
+    @property
+    def elastic(self) -> HalfSpace:
+        """Half-spaces with E* = 1 Pa: g does not know the modulus."""
+        return UNIT
+
+    @property
+    def creep(self) -> CreepSeries:
+        """What a step of load makes of the pair, 1/E* as it grows [1/Pa]."""
+        return _creep(self)
+
+    @property
+    def relaxation(self) -> RelaxationSeries:
+        """E*(t) of the pair [Pa]."""
+        return _relaxation(self)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """From which time on and up to which the series of both bodies are the solids [s]."""
+        spans = [body.span for body in (self.first, self.second) if isinstance(body, ViscoelasticSolid)]
+        return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
+
+    @property
+    def modulus(self) -> float:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    @property
+    def shear_modulus(self) -> float:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    @property
+    def torsional_modulus(self) -> float:
+        """There is none that would hold at all times."""
+        raise self.timeless()
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        return (
+            Note(
+                Assumption.RESPONSE,
+                Standing.EXACT,
+                "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
+                "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+                LEE,
+            ),
+        )
+
+    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is rigid, or both creep and not in proportion: how much each of them moves is then not known.
+        """
+        borne = self.remembered(displacement)
+        body, other = (self.first, self.second) if below else (self.second, self.first)
+        if isinstance(body, Rigid):
+            raise OutsideValidity(
+                f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
+                "it: ask for the other side."
+            )
+        shear = body.shear if isinstance(body, Elastic) else 0.5 * (1.0 - body.poisson)
+        stresses = [subsurface.field(part, r, z, modulus=1.0, poisson=body.poisson, shear=shear) for part in borne]
+        if isinstance(body, Elastic):
+            still = BodyField(*np.zeros((6, *np.broadcast_shapes(np.shape(r), np.shape(z)))))
+            return stresses[0] if stresses else still
+        moved = np.array(subsurface.field(displacement, r, z, modulus=1.0, poisson=body.poisson, shear=shear))
+        if isinstance(other, Elastic):
+            # the other body's part of the displacement is that of elastic springs
+            for part in stresses:
+                moved -= np.array(part) * (1.0 - other.poisson**2) / other.young
+        elif isinstance(other, ViscoelasticSolid):
+            moved *= _share(body, other)
+        loaded = np.array(stresses[0]) if stresses else np.zeros(moved.shape)
+        return BodyField(*loaded[:4], *moved[4:])
+
+
+def _share(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
+    """Return how much of a common displacement is a body's; refuse two that do not creep in proportion."""
+    own, its = body.series, other.series
+    ratio = own.viscosity / its.viscosity if its.viscosity > 0.0 else own.glassy / its.glassy
+    alike = np.array_equal(own.times, its.times) and np.allclose(own.moduli, ratio * its.moduli, rtol=1e-12, atol=0.0)
+    if not (alike and np.isclose(own.relaxed, ratio * its.relaxed, rtol=1e-12, atol=0.0)):
+        raise OutsideValidity(
+            "ViscoelasticHalfSpace: both bodies creep, each by a function of its own, so that how much each of them "
+            "moves is not known; ask for the surface (without z), or take one of them elastic or rigid."
+        )
+    return float((1.0 - body.poisson) / (1.0 - body.poisson + (1.0 - other.poisson) * ratio))
+
+
+@functools.lru_cache(maxsize=64)
+def _creep(medium: ViscoelasticHalfSpace) -> CreepSeries:
+    total = CreepSeries(0.0, 0.0, np.empty(0), np.empty(0))
+    for body in (medium.first, medium.second):
+        if isinstance(body, Elastic):
+            total = total.plus(CreepSeries((1.0 - body.poisson**2) / body.young, 0.0, np.empty(0), np.empty(0)))
+        elif isinstance(body, ViscoelasticSolid):
+            total = total.plus(of_relaxation(body.series).scaled(0.5 * (1.0 - body.poisson)))
+    return total
+
+
+@functools.lru_cache(maxsize=64)
+def _relaxation(medium: ViscoelasticHalfSpace) -> RelaxationSeries:
+    bodies = [body for body in (medium.first, medium.second) if not isinstance(body, Rigid)]
+    if len(bodies) == 1 and isinstance(bodies[0], ViscoelasticSolid):
+        return bodies[0].series.scaled(2.0 / (1.0 - bodies[0].poisson))
+    return of_creep(_creep(medium))

@@ -1,0 +1,1 @@
+"""Roots, differential equations, and functions given by formulas."""

@@ -1,0 +1,1 @@
+"""Fields of discs and moving sources on a half-space."""

@@ -1,0 +1,326 @@
+r"""The temperature of a surface under a round source of heat: at rest, moving, or just switched on.
+
+A source is told by its line load q(x), the projection of its flux along any line in the surface (T5).  What the body
+does to the flux of a plane wave, it does to every line load; the temperature is the mean over all directions (T3):
+
+==================  ============================================================================================
+at rest             q itself
+moving at V         q_b of `numerics.moving_source`, b = V cos(theta) / kappa
+on for the time t   :math:`q_t(s) = q(s) - \int q(x)\,\frac{2}{\pi^{3/2}}\frac{D(|s-x|/2\ell)}{|s-x|}\,dx`, Dawson's D,
+                    :math:`\ell=\sqrt{\kappa t}`: the multiplier is :math:`\mathrm{erf}(k\ell)`
+==================  ============================================================================================
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from winkler.numerics.fields.moving_source import (
+    disc_mean,
+    lag_table,
+    powers,
+    spread_loads,
+    spread_table,
+    surface_points,
+    turned_rule,
+)
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.panels.cosine_pieces import pieces_of, place_on, turned_on
+from winkler.numerics.types import Array, Curve
+from winkler.values import value
+
+__all__ = ["LineSource", "Peak", "line_source", "projected"]
+
+TOLERANCE = 1e-11
+"""Of the line load, relative to its greatest value."""
+FLUX_TOLERANCE = 1e-10
+"""Of the flux times sqrt(a^2 - r^2), relative to the greatest."""
+FLUX_NODES = 48
+MEAN_NODES = 10
+"""Nodes on every piece, in every one of the three integrals of a mean."""
+TIME_NODES = 20
+ROUGH = 1e-6
+"""Of the greatest line load, to which circles are compared before the warmest are computed in full."""
+FIRST = 9
+"""Places along the centre line where the greatest temperature is looked for first."""
+ROUNDS = 3
+PARTS = np.array([1.0, 2.0]) / 3.0
+"""Where the stretches on both sides of the warmest place are cut."""
+SAMPLES = 65
+AROUND = (0.3, 0.6, 0.8, 0.95, 1.0)
+"""Circles on which a greater one beside the centre line is looked for, in contact radii."""
+SMALL = 1e-8
+"""Part by which a place beside the centre line must be warmer to count."""
+
+
+@value
+class Peak:
+    """The greatest temperature of a surface, and its place.
+
+    Parameters
+    ----------
+    height : float
+        Conductivity times temperature [W/m].
+    x, y : float
+        Where [m]; of two places on both sides of the centre line that with y > 0.
+    """
+
+    height: float
+    x: float
+    y: float
+
+
+@value
+class LineSource:
+    """A round source of heat, as its line load.
+
+    Parameters
+    ----------
+    radius : float
+        a [m].
+    scale : float
+        Greatest line load [W/m].
+    joints : ndarray
+        Where the line load is not smooth, from 0 to 1 [a].
+    curve : Panels
+        q over `scale`, as a function of j + u, where x lies on the j-th piece at the part (1 - cos(pi u))/2.
+    """
+
+    radius: float
+    scale: float
+    joints: Array
+    curve: Panels
+
+    def load(self, x: Array) -> Array:
+        """q(x) [W/m], zero outside."""
+        part = np.abs(np.asarray(x, dtype=float)) / self.radius
+        return np.where(part <= 1.0, self.scale * self.curve(turned_on(part, self.joints)), 0.0)
+
+    @functools.cached_property
+    def _table(self) -> tuple[Array, Array, Array]:
+        return self.joints, self.curve.edges, powers(self.curve.coefficients)
+
+    @property
+    def heat(self) -> float:
+        """The heat per time [W], the integral of the line load."""
+        node, weight = turned_rule(64)
+        low, width = self.joints[:-1, None], np.diff(self.joints)[:, None]
+        return 2.0 * float(np.sum(self.load(self.radius * (low + width * node)) * width * weight)) * self.radius
+
+    @property
+    def fading(self) -> bool:
+        """Whether the flux is known to fall from the axis on.
+
+        With w = -q'/x the flux is the integral of w over the half chord beyond r: it falls if w does, or grows by less
+        than w(a) (r/a)^2.  That is told by q as a function of x^2.  The warmest place is then on the centre line, since
+        what the kernel is folded with falls to both sides of it.
+        """
+        load = self.load(self.radius * np.sqrt(np.linspace(0.0, 1.0, SAMPLES))) / self.scale
+        last = (load[-2] - load[-1]) * (SAMPLES - 1)
+        bend = np.max(-np.diff(load, 2)) * (SAMPLES - 1) ** 2
+        return bool(load[-1] <= SMALL and 2.0 * bend <= last)
+
+    def surface(self, wave: float, x: Array, y: Array) -> Array:
+        """Return lambda T [W/m] on a body that moves along x past the source.
+
+        Parameters
+        ----------
+        wave : float
+            V / kappa [1/m]; negative if it moves backwards.
+        x, y : ndarray
+            Places [m], of one shape; the source is centred at 0.
+        """
+        forth = math.copysign(1.0, wave)
+        flat, across = (np.ascontiguousarray(np.ravel(place) / self.radius) for place in (forth * x, y))
+        result = np.empty(flat.size)
+        surface_points(flat, across, abs(wave) * self.radius, *self._table, *lag_table(), *turned_rule(), result)
+        return np.asarray(self.scale * result.reshape(np.shape(x)))
+
+    def mean(self, wave: float) -> float:
+        """Return the mean of lambda T over the disc [W/m], on a body that moves."""
+        return self.scale * disc_mean(abs(wave) * self.radius, *self._table, *lag_table(), *turned_rule(MEAN_NODES))
+
+    def peak(self, wave: float) -> Peak:
+        """Return the greatest lambda T on a body that moves, and its place.
+
+        First along the centre line, by ever smaller steps about the greatest so far; then beside it, where a source
+        that is stronger at its rim may heat more.
+        """
+        if wave == 0.0 and self.fading:
+            return Peak(0.5 * float(self.load(np.zeros(1))[0]), 0.0, 0.0)
+        on_line = self._along_centre(wave)
+        if wave == 0.0 or self.fading:
+            return on_line
+        turn = np.linspace(0.0, np.pi, 9)[1:-1]
+        x, y = (np.outer(AROUND, each(turn)).ravel() * self.radius for each in (np.cos, np.sin))
+        beside = self.surface(wave, x, y)
+        best = int(np.argmax(beside))
+        if beside[best] > on_line.height * (1.0 + SMALL):
+            return self._beside(wave, Peak(float(beside[best]), float(x[best]), float(y[best])))
+        return on_line
+
+    def _along_centre(self, wave: float) -> Peak:
+        places = -self.radius * np.cos(np.linspace(0.0, np.pi, FIRST))
+        heights = self.surface(wave, places, np.zeros(FIRST))
+        for _ in range(ROUNDS):
+            best = int(np.argmax(heights))
+            near = places[max(best - 1, 0) : best + 2]
+            between = np.concatenate([low + (high - low) * PARTS for low, high in pairwise(near)])
+            kept = np.isin(places, near)
+            order = np.argsort(np.concatenate([places[kept], between]))
+            found = np.concatenate([heights[kept], self.surface(wave, between, np.zeros(between.size))])
+            places, heights = np.concatenate([places[kept], between])[order], found[order]
+        best = int(np.argmax(heights))
+        where = _summit(places, heights, best)
+        height = float(self.surface(wave, np.array([where]), np.zeros(1))[0])
+        return max(Peak(float(heights[best]), float(places[best]), 0.0), Peak(height, where, 0.0), key=_height)
+
+    def _beside(self, wave: float, start: Peak) -> Peak:
+        x, y, step, best = start.x, start.y, 0.2 * self.radius, start.height
+        corners = np.array([(i, j) for i in (-1.0, 0.0, 1.0) for j in (-1.0, 0.0, 1.0) if i or j])
+        while step > SMALL**0.5 * self.radius:
+            near_x, near_y = x + step * corners[:, 0], np.abs(y + step * corners[:, 1])
+            off = np.maximum(np.hypot(near_x, near_y) / self.radius, 1.0)  # what lies outside is put onto the rim
+            near_x, near_y = near_x / off, near_y / off
+            heights = self.surface(wave, near_x, near_y)
+            which = int(np.argmax(heights))
+            if heights[which] > best:
+                x, y, best = float(near_x[which]), float(near_y[which]), float(heights[which])
+            else:
+                step *= 0.5
+        return Peak(best, x, y)
+
+    def risen(self, length: float, r: Array) -> Array:
+        """Return lambda T [W/m] at distances r [m] on a body at rest whose source has been on for a time.
+
+        Parameters
+        ----------
+        length : float
+            sqrt(kappa t) [m], positive.
+        r : ndarray
+            Distances from the axis [m].
+        """
+        return self._around(r, lambda places: self._spread(length / self.radius, places))
+
+    def warmest(self, length: float, r: Array) -> float:
+        """Return the greatest lambda T [W/m] on circles r [m] within the contact; `length` as in `risen`.
+
+        A table of q_t of a few digits says which circles come near to it; only those are computed in full.
+        """
+
+        def spread(place: Array) -> Array:
+            places = place_on(place, self.joints)
+            return self._spread(length / self.radius, np.ravel(places)).reshape(places.shape) / self.scale
+
+        table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH)
+        heights = self._around(r, lambda places: self.scale * table(turned_on(places, self.joints)))
+        close = heights >= np.max(heights) - 10.0 * ROUGH * self.scale
+        return float(np.max(self.risen(length, np.ravel(r)[close])))
+
+    def _around(self, r: Array, spread: Curve) -> Array:
+        """Return the mean of q_t, told by `spread` at places in contact radii, over the circles r [m]."""
+        r = np.asarray(r, dtype=float)
+        part = np.ravel(r)[:, None] / self.radius
+        node, weight = turned_rule(TIME_NODES)
+        ends = np.concatenate([self.joints[1:], [0.0]])  # the last is put at r itself
+        with np.errstate(divide="ignore", invalid="ignore"):
+            cuts = np.where(part > ends, np.arcsin(np.minimum(ends / np.maximum(part, ends), 1.0)), 0.5 * np.pi)
+        cuts[:, -1] = 0.5 * np.pi
+        cuts = np.concatenate([np.zeros(part.shape), cuts], axis=1)
+        width = np.diff(cuts)[..., None]
+        places = part[..., None] * np.sin(cuts[:, :-1, None] + width * node)
+        # the axis is one place, and circles miss the pieces inside of them: every place once
+        distinct, back = np.unique(np.where(width > 0.0, places, part[..., None]), return_inverse=True)
+        loads = np.asarray(spread(distinct))[back].reshape(places.shape)
+        return np.asarray(np.sum(loads * width * weight, axis=(1, 2)).reshape(r.shape) / np.pi)
+
+    def risen_mean(self, length: float) -> float:
+        """Return the mean of lambda T over the disc [W/m], at rest, on for the time t; `length` is sqrt(kappa t)."""
+        node, weight = turned_rule(TIME_NODES)
+        low, width = self.joints[:-1, None], np.diff(self.joints)[:, None]
+        places, shares = (low + width * node).ravel(), (width * weight).ravel()
+        loads = self._spread(length / self.radius, places)
+        return 2.0 * float(np.sum(np.sqrt(1.0 - places**2) * loads * shares)) / math.pi
+
+    def _spread(self, length: float, s: Array) -> Array:
+        """Return q_t [W/m] at places s >= 0, in contact radii, (n,)."""
+        result = np.empty(s.size)
+        spread_loads(s, length, *self._table, *spread_table(), *turned_rule(TIME_NODES), result)
+        return self.scale * result
+
+
+def _height(peak: Peak) -> float:
+    return peak.height
+
+
+def _summit(places: Array, heights: Array, best: int) -> float:
+    """Return where the parabola through the best place and its neighbours has its top."""
+    middle = min(max(best, 1), places.size - 2)
+    (x0, x1, x2), (y0, y1, y2) = places[middle - 1 : middle + 2], heights[middle - 1 : middle + 2]
+    first, second = (y1 - y0) / (x1 - x0), (y2 - y1) / (x2 - x1)
+    bend = second - first
+    if bend >= 0.0:
+        return float(places[best])
+    return float(np.clip(0.5 * (x0 + x1 - first * (x2 - x0) / bend), places[0], places[-1]))
+
+
+def line_source(load: Curve, joints: Sequence[float], radius: float) -> LineSource:
+    """Return the source of a line load.
+
+    Parameters
+    ----------
+    load
+        q(x) [W/m] for 0 <= x <= a; it may start or end like a square root at every joint and at a.
+    joints
+        Where it is not smooth [m].
+    radius
+        a [m].
+
+    Raises
+    ------
+    NotConverged
+        If it is too rough.
+    """
+    ends = pieces_of(joints, radius)
+
+    def turned(place: Array) -> Array:
+        return load(radius * place_on(place, ends))
+
+    scale = float(np.max(np.abs(turned(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)))))
+    curve = fit_panels(lambda place: turned(place) / scale, np.arange(ends.size, dtype=float), TOLERANCE)
+    return LineSource(radius, scale, ends, curve)
+
+
+def projected(flux: Curve, joints: Sequence[float], radius: float) -> LineSource:
+    """Return the source of a flux p(r) [W/m^2] that ends at `radius`, by T5: its line load.
+
+    With r^2 = x^2 + (a^2 - x^2) sin(phi)^2 that is the integral of 2 sqrt(a^2 - r^2) p(r) over phi: nothing diverges at
+    the edge, however the flux ends there.
+    """
+    ends = pieces_of(joints, radius)
+    inner = ends[1:-1]
+
+    def lowered(place: Array) -> Array:
+        part = np.clip(place_on(place, ends), 0.0, 1.0 - 1e-15)
+        return np.asarray(np.sqrt((1.0 - part) * (1.0 + part)) * flux(radius * part))
+
+    scale = float(np.max(np.abs(lowered(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)[1:-1]))))
+    table = fit_panels(lambda place: lowered(place) / scale, np.arange(ends.size, dtype=float), FLUX_TOLERANCE)
+    node, weight = turned_rule(FLUX_NODES)
+
+    def load(x: Array) -> Array:
+        part = np.ravel(x)[:, None] / radius
+        chord = np.sqrt(np.maximum((1.0 - part) * (1.0 + part), np.finfo(float).tiny))
+        turns = np.arcsin(np.clip(np.sqrt(np.maximum(inner**2 - part**2, 0.0)) / chord, 0.0, 1.0))
+        cuts = np.concatenate([np.zeros(part.shape), turns, np.full(part.shape, 0.5 * np.pi)], axis=1)
+        width = np.diff(cuts)[..., None]
+        r = np.hypot(part[..., None], chord[..., None] * np.sin(cuts[:, :-1, None] + width * node))
+        values = table(turned_on(np.minimum(r, 1.0), ends))
+        return np.asarray(2.0 * scale * radius * np.sum(values * width * weight, axis=(1, 2)).reshape(np.shape(x)))
+
+    return line_source(load, joints, radius)

@@ -1,0 +1,381 @@
+r"""Kernels: the surface temperature under a source of heat that moves, or was switched on, direction by direction.
+
+In a body that moves along x past a steady flux, :math:`\hat T=\hat p/(\lambda\sqrt{k^2+\mathrm i k_xV/\kappa})`.  The
+transform of an axisymmetric flux p(r) is that of its line load q(x), the projection T5, along every direction; so the
+temperature is a mean over directions of line loads, as the one at rest is of one and the same (T3):
+
+.. math:: T = \frac1{2\pi\lambda}\int_{-\pi/2}^{\pi/2} q_b(\rho\cos(\theta-\varphi))\,\mathrm d\theta, \qquad
+          b = \frac V\kappa\cos\theta, \qquad
+          q_b(s) = q(s) - \int_s^a q(t)\,\tfrac b2 D\bigl(\tfrac b2(t-s)\bigr)\,\mathrm dt .
+
+:math:`\sqrt{k/(k+\mathrm ib)}`, the factor of a direction, is the transform of a one-sided kernel that does not
+oscillate, :math:`D(z)=e^{-z}(I_0(z)-I_1(z))`.  Everything is counted in contact radii here.  Each piece between two
+places where something is not smooth is mapped by a cosine, which makes square roots at its ends smooth.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.jit import compiled
+from winkler.numerics.panels.chebyshev import fit_panels
+from winkler.numerics.types import Array
+
+__all__ = ["disc_mean", "lag_table", "powers", "spread_loads", "spread_table", "surface_points", "turned_rule"]
+
+NODES = 12
+"""Of the rule on every piece."""
+FAR = 16.0
+"""Beyond it the kernel D is its asymptotic series."""
+TERMS = 21
+SPREAD_FAR = 8.0
+SPREAD_TERMS = 18
+LEAST = 1e-8
+"""Below it Dawson's function is its argument."""
+SPREAD = 4.0
+"""Ratio of the lengths of consecutive pieces that leave a boundary layer."""
+MOST_CUTS = 400
+"""Places where one integral may be cut."""
+
+
+@functools.lru_cache(maxsize=4)
+def turned_rule(count: int = NODES) -> tuple[Array, Array]:
+    """Return nodes and weights on [0, 1] of a Gauss rule in u, where the place is (1 - cos(pi u))/2."""
+    u, weight = gauss_legendre(count)
+    return 0.5 * (1.0 - np.cos(np.pi * u)), weight * 0.5 * np.pi * np.sin(np.pi * u)
+
+
+def powers(coefficients: Array) -> Array:
+    """Return Chebyshev series (panels, n) in powers of their variable, an even number of coefficients each."""
+    count = coefficients.shape[1]
+    matrix = np.zeros((count, count + count % 2))
+    for k in range(count):
+        row = np.polynomial.chebyshev.cheb2poly([0.0] * k + [1.0])
+        matrix[k, : row.size] = row
+    return np.asarray(coefficients @ matrix)
+
+
+@functools.lru_cache(maxsize=1)
+def lag_table() -> tuple[Array, Array, Array]:
+    """Return D(z) as the edges and coefficients of panels below 16, and z^(3/2) D(z) as a polynomial in 1/z above."""
+    from scipy.special import i0e, i1e
+
+    near = fit_panels(lambda z: i0e(z) - i1e(z), np.array([0.0, 2.0, 6.0, FAR]), 1e-15)
+    first, second = 1.0, 1.0
+    series = np.zeros(TERMS)
+    for k in range(1, TERMS + 1):  # the coefficients of I0 and I1; their first ones cancel
+        first *= (2 * k - 1) ** 2 / (8.0 * k)
+        second *= ((2 * k - 1) ** 2 - 4.0) / (8.0 * k)
+        series[k - 1] = (first - second) / math.sqrt(2.0 * math.pi)
+    return near.edges, powers(near.coefficients), series
+
+
+@functools.lru_cache(maxsize=1)
+def spread_table() -> tuple[Array, Array, Array]:
+    """Return Dawson's function over its argument z, as panels below 8, and z^2 times it as a series in 1/z^2 above."""
+    from scipy.special import dawsn
+
+    def over(z: Array) -> Array:
+        return np.asarray(dawsn(np.maximum(z, LEAST)) / np.maximum(z, LEAST))
+
+    near = fit_panels(over, np.array([0.0, 1.0, 2.0, 4.0, SPREAD_FAR]), 1e-15)
+    series = np.full(SPREAD_TERMS, 0.5)
+    for k in range(1, SPREAD_TERMS):
+        series[k] = series[k - 1] * (2 * k - 1) / 2.0
+    return near.edges, powers(near.coefficients), series
+
+
+@compiled
+def _lag(z: float, edges: Array, rows: Array, series: Array) -> float:
+    """Return D(z)."""
+    if z >= edges[-1]:
+        inverse = 1.0 / z
+        total = 0.0
+        for k in range(series.size - 1, -1, -1):
+            total = total * inverse + series[k]
+        return total * inverse * math.sqrt(inverse)
+    return _panel(z, edges, rows)
+
+
+@compiled
+def _panel(x: float, edges: Array, rows: Array) -> float:
+    """Return a piecewise polynomial at x; rows of 2 n coefficients of the panel's own variable from -1 to 1."""
+    low, high = 0, edges.size - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if x < edges[middle]:
+            high = middle
+        else:
+            low = middle
+    t = (2.0 * x - edges[low] - edges[low + 1]) / (edges[low + 1] - edges[low])
+    square = t * t
+    even = 0.0
+    odd = 0.0  # two chains, which the processor follows at the same time
+    for k in range(rows.shape[1] - 2, -1, -2):
+        even = even * square + rows[low, k]
+        odd = odd * square + rows[low, k + 1]
+    total: float = even + t * odd
+    return total
+
+
+@compiled
+def _load(x: float, joints: Array, edges: Array, rows: Array) -> float:
+    """Return the line load at x, of either side; zero outside."""
+    x = abs(x)
+    if x > 1.0:
+        return 0.0
+    piece = 0
+    while piece < joints.size - 2 and x >= joints[piece + 1]:
+        piece += 1
+    part = (x - joints[piece]) / (joints[piece + 1] - joints[piece])
+    part = min(max(part, 0.0), 1.0)
+    return _panel(piece + math.acos(1.0 - 2.0 * part) / math.pi, edges, rows)
+
+
+@compiled
+def _lagged(
+    s: float,
+    b: float,
+    joints: Array,
+    edges: Array,
+    rows: Array,
+    near: Array,
+    lags: Array,
+    series: Array,
+    nodes: Array,
+    weights: Array,
+    cuts: Array,
+) -> float:
+    """Return q_b(s)."""
+    if s >= 1.0:
+        return 0.0
+    start = max(s, -1.0)
+    if b == 0.0:
+        return _load(s, joints, edges, rows)
+    count = 2
+    cuts[0] = start
+    cuts[1] = 1.0
+    for joint in joints[:-1]:
+        for place in (joint, -joint):
+            if start < place < 1.0:
+                cuts[count] = place
+                count += 1
+    # the kernel starts at s with the length 2/b; the load may start just before s, at the edge or a joint
+    step = 2.0 / b
+    if s > -1.0:
+        step = min(step, max(0.25 * (1.0 + s), 1e-3 * step))
+    while s + step < 1.0 and count < cuts.size:
+        if s + step > start:
+            cuts[count] = s + step
+            count += 1
+        step *= SPREAD
+    ordered = np.sort(cuts[:count])
+    total = 0.0
+    for j in range(count - 1):
+        width = ordered[j + 1] - ordered[j]
+        if width <= 0.0:
+            continue
+        part = 0.0
+        for k in range(nodes.size):
+            t = ordered[j] + width * nodes[k]
+            lag = _lag(0.5 * b * max(t - s, 0.0), near, lags, series)
+            part += weights[k] * lag * _load(t, joints, edges, rows)
+        total += width * part
+    return _load(s, joints, edges, rows) - 0.5 * b * total
+
+
+@compiled
+def spread_loads(
+    s: Array,
+    length: float,
+    joints: Array,
+    edges: Array,
+    rows: Array,
+    near: Array,
+    spreads: Array,
+    series: Array,
+    nodes: Array,
+    weights: Array,
+    result: Array,
+) -> None:
+    """Write q_t at places s, (n,), into `result`: at rest, on for a time, `length` is sqrt(kappa t) over a."""
+    cuts = np.empty(MOST_CUTS)
+    scale = 1.0 / (length * math.pi**1.5)
+    for i in range(s.size):
+        count = 2
+        cuts[0] = -1.0
+        cuts[1] = 1.0
+        for joint in joints[:-1]:
+            cuts[count] = joint
+            cuts[count + 1] = -joint
+            count += 2
+        step = 0.0
+        while step < 1.0 + s[i] and count < cuts.size - 1:
+            for place in (s[i] - step, s[i] + step):
+                if -1.0 < place < 1.0:
+                    cuts[count] = place
+                    count += 1
+            step = SPREAD * step if step > 0.0 else 2.0 * length
+        ordered = np.sort(cuts[:count])
+        total = 0.0
+        for j in range(count - 1):
+            width = ordered[j + 1] - ordered[j]
+            if width <= 0.0:
+                continue
+            part = 0.0
+            for k in range(nodes.size):
+                t = ordered[j] + width * nodes[k]
+                away = 0.5 * abs(t - s[i]) / length
+                part += weights[k] * _spread(away, near, spreads, series) * _load(t, joints, edges, rows)
+            total += width * part
+        result[i] = _load(s[i], joints, edges, rows) - scale * total
+
+
+@compiled
+def _spread(z: float, edges: Array, rows: Array, series: Array) -> float:
+    """Return Dawson's function over its argument."""
+    if z >= edges[-1]:
+        inverse = 1.0 / (z * z)
+        total = 0.0
+        for k in range(series.size - 1, -1, -1):
+            total = total * inverse + series[k]
+        return total * inverse
+    return _panel(z, edges, rows)
+
+
+@compiled
+def _angle(turn: float, cuts: Array, count: int, low: float) -> int:
+    """Add a direction to the cuts if it lies inside; return how many there are."""
+    if turn > math.pi:
+        turn -= 2.0 * math.pi
+    if turn < -math.pi:
+        turn += 2.0 * math.pi
+    if low < turn < 0.5 * math.pi and count < cuts.size:
+        cuts[count] = turn
+        return count + 1
+    return count
+
+
+@compiled
+def surface_points(
+    x: Array,
+    y: Array,
+    wave: float,
+    joints: Array,
+    edges: Array,
+    rows: Array,
+    near: Array,
+    lags: Array,
+    series: Array,
+    nodes: Array,
+    weights: Array,
+    result: Array,
+) -> None:
+    """Write lambda T over the scale of q into `result`, at x and y, (n,), in contact radii; `wave` is a V / kappa."""
+    turns = np.empty(MOST_CUTS)
+    cuts = np.empty(MOST_CUTS)
+    for i in range(x.size):
+        rho = math.hypot(x[i], y[i])
+        phi = math.atan2(y[i], x[i])
+        low = 0.0 if y[i] == 0.0 else -0.5 * math.pi
+        turns[0] = low
+        turns[1] = 0.5 * math.pi
+        count = 2
+        layer = 1.0 / max(wave * max(1.0, rho), 1e-9)
+        while layer < 1.0 and wave > 0.0:
+            count = _angle(0.5 * math.pi - layer, turns, count, low)
+            count = _angle(layer - 0.5 * math.pi, turns, count, low)
+            layer *= SPREAD
+        for joint in joints:
+            if joint <= rho and rho > 0.0:
+                first = math.acos(joint / rho)
+                for turn in (first, -first, math.pi - first, first - math.pi):
+                    count = _angle(phi + turn, turns, count, low)
+            # nearly so: the line load's end lies just off the real directions
+            if joint > 0.0 and rho > 0.0:
+                off = math.sqrt(2.0 * abs(joint - rho) / rho)
+                while 1e-6 < off < 1.0:
+                    for turn in (off, -off, math.pi - off, off - math.pi):
+                        count = _angle(phi + turn, turns, count, low)
+                    off *= SPREAD
+        count = _angle(phi, turns, count, low)
+        count = _angle(phi + math.pi, turns, count, low)
+        ordered = np.sort(turns[:count])
+        total = 0.0
+        for j in range(count - 1):
+            width = ordered[j + 1] - ordered[j]
+            if width <= 0.0:
+                continue
+            part = 0.0
+            for k in range(nodes.size):
+                theta = ordered[j] + width * nodes[k]
+                s = rho * math.cos(theta - phi)
+                b = wave * math.cos(theta)
+                part += weights[k] * _lagged(s, b, joints, edges, rows, near, lags, series, nodes, weights, cuts)
+            total += width * part
+        result[i] = (2.0 if y[i] == 0.0 else 1.0) * total / (2.0 * math.pi)
+
+
+@compiled
+def disc_mean(
+    wave: float,
+    joints: Array,
+    edges: Array,
+    rows: Array,
+    near: Array,
+    lags: Array,
+    series: Array,
+    nodes: Array,
+    weights: Array,
+) -> float:
+    """Return the mean of lambda T over the disc, over the scale of q: chords of the disc weigh each direction."""
+    turns = np.empty(MOST_CUTS)
+    places = np.empty(MOST_CUTS)
+    cuts = np.empty(MOST_CUTS)
+    turns[0] = 0.0
+    turns[1] = 0.5 * math.pi
+    count = 2
+    layer = 1.0 / max(wave, 1e-9)
+    while layer < 1.0:
+        count = _angle(0.5 * math.pi - layer, turns, count, 0.0)
+        layer *= SPREAD
+    ordered = np.sort(turns[:count])
+    total = 0.0
+    for j in range(count - 1):
+        width = ordered[j + 1] - ordered[j]
+        for k in range(nodes.size):
+            b = wave * math.cos(ordered[j] + width * nodes[k])
+            held = 2
+            places[0] = -1.0
+            places[1] = 1.0
+            for joint in joints[:-1]:
+                places[held] = joint
+                places[held + 1] = -joint
+                held += 2
+            layer = 2.0 / max(b, 1e-9)
+            while layer < 1.0 and held < places.size - 2:
+                places[held] = 1.0 - layer
+                places[held + 1] = layer - 1.0
+                held += 2
+                layer *= SPREAD
+            along = np.sort(places[:held])
+            value = 0.0
+            for m in range(held - 1):
+                span = along[m + 1] - along[m]
+                if span <= 0.0:
+                    continue
+                for n in range(nodes.size):
+                    s = along[m] + span * nodes[n]
+                    chord = math.sqrt(max(1.0 - s * s, 0.0))
+                    value += (
+                        span
+                        * weights[n]
+                        * chord
+                        * _lagged(s, b, joints, edges, rows, near, lags, series, nodes, weights, cuts)
+                    )
+            total += width * weights[k] * value
+    return 2.0 * total / math.pi**2

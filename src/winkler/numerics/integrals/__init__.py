@@ -1,0 +1,1 @@
+"""Quadrature, and integrals of exponentials over a step."""

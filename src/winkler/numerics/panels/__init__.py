@@ -1,0 +1,1 @@
+"""Functions on panels: Chebyshev polynomials, splines, and panels for roots and kinks."""

@@ -1,0 +1,202 @@
+r"""Gauss panels along a line whose functions have roots, kinks and logarithms at known places.
+
+Between two kinks s < s' the variable is :math:`y=\sqrt{x^2-s^2}`: what rises like a square root above s is smooth in y,
+and a logarithm or a pole at x = 0 is met by panels that double their length with the distance from it.  Values at the
+nodes stand for the polynomial through them, panel by panel: it is evaluated, and integrated up to any place.
+"""
+
+from __future__ import annotations
+
+import bisect
+import math
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array, Curve
+
+__all__ = ["COUNT", "Sample", "Stretches", "stretches"]
+
+COUNT = 16
+"""Nodes of each panel."""
+HALVINGS = 24
+"""How often the panels halve towards x = 0."""
+DEEPEST = 10
+"""How often a panel on which the given function is not smooth is halved."""
+RESOLVED = 1e-11
+"""Part of the largest value that the last coefficients of a panel may have."""
+
+Indices = NDArray[np.intp]
+LOCAL = 2.0 * gauss_legendre(COUNT)[0] - 1.0
+WEIGHTS = gauss_legendre(COUNT)[1]
+TO_COEFFICIENTS: Array = np.linalg.inv(np.polynomial.legendre.legvander(LOCAL, COUNT - 1))
+DERIVATIVE: Array = np.pad(np.polynomial.legendre.legder(np.eye(COUNT)).T, ((0, 0), (0, 1)))
+"""Coefficients of the derivative, from the left."""
+
+
+class Stretches:
+    """Panels with `COUNT` nodes each.
+
+    Parameters
+    ----------
+    base, low, high : ndarray, (panels,)
+        s, and the ends of the panel in y [m].
+    """
+
+    def __init__(self, base: Array, low: Array, high: Array) -> None:
+        self.base, self.low, self.high = base, low, high
+        self.half = 0.5 * (high - low)
+        y = 0.5 * (low + high)[:, None] + self.half[:, None] * LOCAL
+        self.nodes: Array = np.hypot(base[:, None], y)
+        self.stretch: Array = y / self.nodes
+        """dx/dy at the nodes."""
+        self.weights: Array = 2.0 * self.half[:, None] * WEIGHTS * self.stretch
+        """Of an integral over x."""
+        self.edges: Array = np.append(np.hypot(base, low), np.hypot(base[-1], high[-1]))
+        """Ends of the panels [m], ``(panels + 1,)``."""
+
+    def panel(self, x: Array) -> Indices:
+        """Return the panel in which each x lies."""
+        return np.asarray(np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, self.base.size - 1))
+
+    def _local(self, x: Array, panel: Indices) -> Array:
+        y = np.sqrt(np.maximum((x - self.base[panel]) * (x + self.base[panel]), 0.0))
+        return np.asarray(np.clip((y - self.low[panel]) / self.half[panel] - 1.0, -1.0, 1.0))
+
+    def reading(self, x: Array, panel: Indices) -> Array:
+        """Return weights ``(..., COUNT)`` that read a function at x in these panels from its values at the nodes."""
+        return np.asarray(np.polynomial.legendre.legvander(self._local(x, panel), COUNT - 1) @ TO_COEFFICIENTS)
+
+    def value(self, values: Array, x: Array) -> Array:
+        """Return, at places x, a function given at the nodes ``(panels, COUNT)``."""
+        panel = self.panel(x)
+        return np.asarray(np.sum(self.reading(x, panel) * values[panel], axis=-1))
+
+    def reader(self, values: Array) -> Callable[[float], float]:
+        """Return a function given at the nodes ``(panels, COUNT)``, for one place at a time."""
+        fits: dict[int, list[float]] = {}
+
+        def value(x: float) -> float:
+            k = min(max(bisect.bisect_right(edges, x) - 1, 0), last)
+            if k not in fits:
+                fits[k] = (TO_COEFFICIENTS @ values[k]).tolist()
+            s = float(self.base[k])
+            at = (math.sqrt(max((x - s) * (x + s), 0.0)) - float(self.low[k])) / float(self.half[k]) - 1.0
+            at, after, total = min(max(at, -1.0), 1.0), 0.0, 0.0
+            for n in range(COUNT - 1, 0, -1):  # Clenshaw's recurrence
+                total, after = fits[k][n] + (2 * n + 1) / (n + 1) * at * total - (n + 1) / (n + 2) * after, total
+            return fits[k][0] + at * total - 0.5 * after
+
+        edges, last = self.edges.tolist(), self.base.size - 1
+        return value
+
+    def slope(self, values: Array, x: Array) -> Array:
+        """Return the derivative by x, at places x > 0, of a function given at the nodes ``(panels, COUNT)``."""
+        panel = self.panel(x)
+        fits = (values @ TO_COEFFICIENTS.T)[panel]
+        steep = np.einsum("...k,kj->...j", fits, DERIVATIVE)
+        rise = np.sum(np.polynomial.legendre.legvander(self._local(x, panel), COUNT - 1) * steep, axis=-1)
+        y = np.sqrt(np.maximum((x - self.base[panel]) * (x + self.base[panel]), 0.0))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(rise / self.half[panel] * (x / y))
+
+    def part(self, x: Array, panel: Indices) -> Array:
+        """Return weights ``(..., COUNT)`` of the integral over y from the lower end of the panel to x."""
+        vander = np.polynomial.legendre.legvander(self._local(x, panel), COUNT)
+        order = np.arange(1, COUNT)
+        rises = np.empty((*vander.shape[:-1], COUNT))
+        rises[..., 0] = vander[..., 1] + 1.0
+        rises[..., 1:] = (vander[..., 2:] - vander[..., : COUNT - 1]) / (2 * order + 1)
+        return np.asarray(rises @ TO_COEFFICIENTS * self.half[panel][..., None])
+
+    def integral(self, values: Array, ends: Array) -> Array:
+        """Return the integrals over x from zero to `ends` of a function given at the nodes ``(panels, COUNT)``."""
+        whole = np.concatenate([[0.0], np.cumsum(np.sum(self.weights * values, axis=1))])
+        panel = self.panel(ends)
+        part = np.sum(self.part(ends, panel) * (values * self.stretch)[panel], axis=-1)
+        return np.asarray(whole[panel] + part)
+
+    def sample(self, low: float, high: float) -> Sample:
+        """Return places between `low` and `high`, `COUNT` in every panel that lies there or partly there."""
+        ends = np.array([low, high])
+        first, last = self.panel(ends).tolist()
+        if last > first and high <= self.edges[last]:
+            last -= 1
+        rows = np.arange(first, last + 1)
+        x, weights = self.nodes[rows], self.weights[rows]
+        readings: list[tuple[int, Array]] = []
+        for row in sorted({first, last}):
+            left, right = max(low, float(self.edges[row])), min(high, float(self.edges[row + 1]))
+            if left > self.edges[row] or right < self.edges[row + 1]:
+                s = float(self.base[row])
+                start, end = (math.sqrt(max((place - s) * (place + s), 0.0)) for place in (left, right))
+                y = 0.5 * (start + end) + 0.5 * (end - start) * LOCAL
+                x[row - first] = np.hypot(s, y)
+                weights[row - first] = (end - start) * WEIGHTS * y / x[row - first]
+                readings.append((row - first, self.reading(x[row - first], np.full(COUNT, row))))
+        return Sample(x, weights, first, tuple(readings))
+
+
+class Sample(NamedTuple):
+    """Places x and weights ``(pieces, COUNT)`` of an integral over a part of the panels."""
+
+    x: Array
+    weights: Array
+    first: int
+    readings: tuple[tuple[int, Array], ...]
+
+    def read(self, values: Array) -> Array:
+        """Return, at these places, the function that has these values at the nodes."""
+        result = values[self.first : self.first + self.x.shape[0]].copy()
+        for row, reading in self.readings:
+            result[row] = reading @ values[self.first + row]
+        return result
+
+
+def stretches(function: Curve, kinks: Sequence[float], end: float) -> Stretches:
+    """Return panels from zero to `end` on which function(x) dx/dy is a polynomial as far as rounding lets it be.
+
+    Parameters
+    ----------
+    function
+        Smooth in y between the kinks.
+    kinks : sequence of float
+        Where the function is not smooth [m].
+    end : float
+        [m], positive.
+    """
+    starts = [0.0, *sorted({b for b in kinks if 0.0 < b < end})]
+    panels = [
+        (s, low, high) for s, top in zip(starts, [*starts[1:], end], strict=True) for low, high in _graded(s, top)
+    ]
+    done: list[tuple[float, float, float]] = []
+    for _ in range(DEEPEST):
+        if not panels:
+            break
+        tried = Stretches(*np.array(panels).T)
+        values = function(tried.nodes) * tried.stretch
+        tails = np.abs(values @ TO_COEFFICIENTS[-2:].T).max(axis=1)
+        scale = float(np.max(np.abs(values)))
+        good = (tails <= RESOLVED * scale) | (tried.low + tried.base == 0.0)
+        done += [panel for panel, fine in zip(panels, good, strict=True) if fine]
+        middles = 0.5 * (tried.low + tried.high)
+        panels = [
+            half
+            for (s, low, high), middle, fine in zip(panels, middles, good, strict=True)
+            if not fine
+            for half in ((s, low, float(middle)), (s, float(middle), high))
+        ]
+    return Stretches(*np.array(sorted(done + panels)).T)
+
+
+def _graded(s: float, top: float) -> list[tuple[float, float]]:
+    """Return the ends in y of the panels between two kinks."""
+    if s == 0.0:
+        cuts = [0.0, *(top * 0.5**k for k in range(HALVINGS, 0, -1)), top]
+    else:
+        most = math.sqrt((top - s) * (top + s))
+        cuts = [0.0, *(0.5 * s * 2.0**k for k in range(HALVINGS) if 0.5 * s * 2.0**k < 0.75 * most), most]
+    return list(zip(cuts[:-1], cuts[1:], strict=True))

@@ -1,0 +1,90 @@
+r"""Positive functions of a positive variable that are nearly powers of it, tabulated where they are asked for.
+
+Over :math:`\ln x` the logarithm of such a function is nearly straight: blocks of a few octaves of x are fitted by
+`fit_panels` when one of their places is asked for first, and serve from then on.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.types import Array, Curve
+
+__all__ = ["Octaves"]
+
+OCTAVES = 2
+"""Octaves of a block."""
+CLOSE = 2e-14
+"""Relative error wanted."""
+MOST = 64
+"""Panels of a block; a function that needs more is evaluated itself."""
+
+
+class _Block(NamedTuple):
+    """ln(f / scale) over ln(x / middle), or nothing where that is not smooth."""
+
+    middle: float
+    scale: float
+    panels: Panels | None
+
+
+class Octaves:
+    """A function and its table.
+
+    Parameters
+    ----------
+    function
+        Takes places ``(m,)`` between `low` and `high`, returns positive values ``(m,)``.
+    unit : float
+        Where one block ends and the next begins; the others follow.
+    low, high : float
+        Blocks that are not wholly inside are not tabulated.
+    """
+
+    def __init__(self, function: Curve, unit: float, low: float, high: float) -> None:
+        self.function, self.unit, self.low, self.high = function, unit, low, high
+        self._blocks: dict[int, _Block] = {}
+
+    def __call__(self, x: Array) -> Array:
+        """Return the function at places ``(m,)``."""
+        if x.size == 1:
+            return self._inside(math.floor(math.log2(float(x[0]) / self.unit) / OCTAVES), x)
+        numbers = np.floor(np.log2(x / self.unit) / OCTAVES).astype(int)
+        result = np.empty(x.shape)
+        for number in np.unique(numbers).tolist():
+            here = numbers == number
+            result[here] = self._inside(number, x[here])
+        return result
+
+    def _inside(self, number: int, x: Array) -> Array:
+        block = self._blocks.get(number)
+        if block is None:
+            block = self._blocks[number] = self._block(number)
+        if block.panels is None:
+            return self.function(x)
+        return np.asarray(block.scale * np.exp(block.panels(np.log(x / block.middle))))
+
+    def _block(self, number: int) -> _Block:
+        """Return the table of a block."""
+        start = self.unit * 2.0 ** (OCTAVES * number)
+        middle = start * 2.0 ** (OCTAVES / 2)
+        if not (self.low <= start and start * 2.0**OCTAVES <= self.high):
+            return _Block(middle, 1.0, None)
+        edges = (np.arange(OCTAVES + 1) - OCTAVES / 2) * math.log(2.0)
+        try:
+            with np.errstate(all="ignore"):
+                scale = float(self.function(np.array([middle]))[0])
+                panels = fit_panels(
+                    lambda u: np.log(self.function(middle * np.exp(u.ravel())) / scale).reshape(u.shape),
+                    edges,
+                    CLOSE,
+                    MOST,
+                )
+        except NotConverged:
+            return _Block(middle, 1.0, None)
+        return _Block(middle, scale, panels if np.all(np.isfinite(panels.coefficients)) else None)

@@ -1,0 +1,1 @@
+"""Rows of springs that slip, relax or roll, step by step."""

@@ -1,0 +1,284 @@
+r"""Rows of relaxing springs under a rigid body, carried through many steps at once: exact within every step.
+
+A spring bears :math:`q=M_\infty u+\eta\dot u+\sum_i S_i`, :math:`\dot S_i=-S_i/\tau_i+M_i\dot u`, while it is pressed,
+:math:`u=d-g`.  When q would pull it lets go and recovers freely, :math:`u=\sum_k w_k e^{-r_k t}`, until the body
+catches it again.  Within a step of steady motion both are known in closed form.  The springs about the axis that stay
+pressed through a step, and those around them that stay free, go through it together, a row of memory at a time; the few
+that let go or are caught are carried from event to event, each for itself.
+
+What the kernels take: `law`, that of `winkler.numerics.springs.free_relaxation.Recovery.law`; `springs`, their gaps,
+weights and places; `state`, their displacements, memories (terms, n), whether they are pressed, and how many are from
+the axis on and have ever been; `motion`, depth, whether it last rose, and rate.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.numerics.integrals.exponential_integrals import fading, losses
+from winkler.numerics.jit import compiled
+from winkler.numerics.springs.relaxing_spring import carry, jump
+
+__all__ = ["NUMBERS", "march", "seek"]
+
+NUMBERS = 10
+"""Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring, loss.
+
+The loss is that of every dashpot, not what is missing from the work.
+"""
+FACTORS = 7
+"""Of a step: of every memory its decay, gain with the rate, and three of `losses`; of every mode its fade and loss."""
+TRIALS = 200
+MET = 1e-13
+"""Part of the forces to which a prescribed one is met."""
+GONE = 1e-200
+"""Memories below this are none: numbers that small are slow."""
+
+
+@compiled
+def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def]
+    """Write what a step of this length does to all springs at any rate; return its growth with the rate.
+
+    `spans` gets, of those pressed, the load now and at the end and the impulse, as if nothing moved; of those free, in
+    the second row, the place at the end.  `factors` are those of `FACTORS`.
+    """
+    relaxed, _, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
+    u, memory, _, counts = state
+    inside, outer = counts[0], counts[1]
+    gains, pulls = 0.0, 0.0
+    for j in range(inside):
+        spans[0, j] = relaxed * u[j]
+        spans[1, j] = relaxed * u[j]
+        spans[2, j] = relaxed * u[j] * dt
+    for i in range(moduli.size):
+        x = dt / times[i]
+        fading(x, phi)
+        decay, lag = np.exp(-x), dt * phi[0]
+        gain = moduli[i] * lag
+        factors[0, i], factors[1, i] = decay, gain
+        factors[3, i], factors[4, i], factors[5, i] = losses(x, phi)
+        gains += gain
+        pulls += moduli[i] * dt * dt * phi[1]
+        for j in range(inside):
+            s = memory[i, j]
+            spans[0, j] += s
+            spans[1, j] += s * decay
+            spans[2, j] += s * lag
+    for j in range(inside, outer):
+        spans[1, j] = 0.0
+    for k in range(rates.size):
+        fade = np.exp(-rates[k] * dt)
+        factors[2, k], factors[6, k] = fade, -law[8][k] * np.expm1(-2.0 * rates[k] * dt)
+        for j in range(inside, outer):
+            spans[1, j] += memory[k, j] * fade
+    return gains, pulls
+
+
+@compiled
+def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch, keep, sums):  # type: ignore[no-untyped-def]
+    """Carry the springs through a surveyed step, or only tell what it would do; return how many are pressed after it.
+
+    `sums` gets force at the end, impulse, work, and by what force and impulse grow with the depth at the end.
+    """
+    relaxed, viscosity, moduli = law[0], law[1], law[2]
+    gaps, weights, _ = springs
+    u, memory, pressed, counts = state
+    columns, odd, spare, steady, phi = scratch
+    inside, outer, modes, odds, sudden = counts[0], counts[1], memory.shape[0], 0, dt == 0.0
+    rate = 0.0 if sudden else change / dt
+    first = viscosity * rate
+    stay = relaxed * change + first + grown[0] * rate
+    push = dt * (0.5 * relaxed * change + first) + rate * grown[1]
+    force, impulse, heavy, work, lost, count = 0.0, 0.0, 0.0, 0.0, 0.0, 0
+    for j in range(0 if sudden else inside):
+        fine = (spans[0, j] + first >= 0.0) & (spans[1, j] + stay >= 0.0)
+        part = weights[j] if fine else 0.0
+        force += part * (spans[1, j] + stay)
+        impulse += part * (spans[2, j] + push)
+        heavy += part
+        count += 1 if fine else 0
+    lost += viscosity * rate * change * heavy
+    for j in range(outer):
+        if j < inside and not sudden:
+            if count == inside or ((spans[0, j] + first >= 0.0) & (spans[1, j] + stay >= 0.0)):
+                continue
+        elif not sudden and not pressed[j] and depth + change - gaps[j] <= spans[1, j]:
+            continue
+        odd[odds] = j
+        odds += 1
+    # gaps never fall outwards: the springs that have never been touched are reached one after the other
+    last = outer
+    while last < gaps.size and depth + change > gaps[last]:
+        odd[odds] = last
+        odds += 1
+        last += 1
+    for c in range(odds):
+        j = odd[c]
+        mine = columns[c, :modes]
+        for k in range(modes):
+            mine[k] = memory[k, j]
+        if sudden:
+            place, held, q, own = jump(law, gaps[j], depth, change, u[j], mine, pressed[j], spare)
+            work += weights[j] * own
+        else:
+            place, held, q, own, gone = carry(law, gaps[j], depth, rate, dt, u[j], mine, pressed[j], spare, phi)
+            impulse += weights[j] * own
+            lost += weights[j] * gone
+        columns[c, modes], columns[c, modes + 1] = place, 1.0 if held else 0.0
+        force += weights[j] * q
+        heavy += weights[j] if held else 0.0
+        count += 1 if held else 0
+    sums[0], sums[1], sums[2], sums[7] = force, impulse, work if sudden else impulse * rate, heavy
+    sums[3] = heavy * (relaxed + (np.sum(moduli) if sudden else (viscosity + grown[0]) / dt))
+    sums[4] = 0.0 if sudden else heavy * (0.5 * relaxed * dt + viscosity + grown[1] / dt)
+    if not keep:
+        return count
+    for j in range(outer):
+        steady[j] = weights[j]
+    for c in range(odds):
+        steady[odd[c]] = 0.0
+    for k in range(0 if sudden else modes):
+        fade, kept = factors[2, k], 0.0
+        for j in range(inside, outer):
+            kept += steady[j] * memory[k, j] * memory[k, j]
+            s = memory[k, j] * fade
+            memory[k, j] = s if abs(s) > GONE else 0.0
+        lost += factors[6, k] * kept
+        if k < moduli.size:
+            decay, gain, rise = factors[0, k], factors[1, k] * rate, moduli[k] * change
+            zeroth, first, second = 0.0, 0.0, 0.0
+            for j in range(inside):
+                s = memory[k, j]
+                zeroth += steady[j]
+                first += steady[j] * s
+                second += steady[j] * s * s
+                s = s * decay + gain
+                memory[k, j] = s if abs(s) > GONE else 0.0
+            mixed = factors[4, k] * first + factors[5, k] * rise * zeroth
+            lost += (factors[3, k] * second + rise * mixed) / moduli[k]
+    sums[9] = lost
+    for j in range(0 if sudden else outer):
+        u[j] = depth + change - gaps[j] if j < inside else spans[1, j]
+    for c in range(odds):
+        j = odd[c]
+        u[j], pressed[j] = columns[c, modes], columns[c, modes + 1] > 0.0
+        for k in range(modes):
+            memory[k, j] = columns[c, k]
+    inside = 0 if odds > 0 else inside
+    while odds > 0 and inside < last and pressed[inside]:
+        inside += 1
+    counts[0], counts[1] = inside, last
+    return count
+
+
+@compiled
+def _energy(law, springs, state):  # type: ignore[no-untyped-def]
+    """Return what all springs store."""
+    weights = springs[1]
+    u, memory, _, counts = state
+    inside, outer, total = counts[0], counts[1], 0.0
+    for j in range(inside):
+        total += 0.5 * law[0] * weights[j] * u[j] * u[j]
+    for k in range(memory.shape[0]):
+        stiff, soft = 0.0, 0.0
+        for j in range(inside):
+            stiff += weights[j] * memory[k, j] * memory[k, j]
+        for j in range(inside, outer):
+            soft += weights[j] * memory[k, j] * memory[k, j]
+        # a spring that is pressed has no memory of its dashpot
+        total += (0.5 * stiff / law[2][k] if k < law[2].size else 0.0) + law[8][k] * soft
+    return total
+
+
+@compiled
+def _load(law, state, j, rate):  # type: ignore[no-untyped-def]
+    """Return q of a spring that is pressed."""
+    q = law[0] * state[0][j] + law[1] * rate
+    for i in range(law[2].size):
+        q += state[1][i, j]
+    return q
+
+
+@compiled
+def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def]
+    """Return the contact radius, between the last spring that is pressed and the first that is free.
+
+    Where the contact widens, the gap under the free springs tells the edge; where it shrinks, the loads of the
+    pressed ones.
+    """
+    gaps, _, x = springs
+    u = state[0]
+    if inside == 0 or inside == gaps.size:
+        return x[-1] if inside else 0.0
+    low, high = gaps[inside - 1], gaps[inside]
+    if motion[1] > 0.0 or inside < 2:
+        first, slope = high + u[inside] - motion[0], 1.0
+        if inside + 1 < gaps.size:
+            slope = (gaps[inside + 1] + u[inside + 1] - motion[0] - first) / (gaps[inside + 1] - high)
+        edge = high - first / slope if slope > 0.0 else low
+    else:
+        outermost = _load(law, state, inside - 1, motion[2])
+        fall = _load(law, state, inside - 2, motion[2]) - outermost
+        edge = low + (outermost * (low - gaps[inside - 2]) / fall if fall > 0.0 else high - low)
+    part = min(max((edge - low) / (high - low), 0.0), 1.0)
+    return np.sqrt(x[inside - 1] ** 2 + part * (x[inside] ** 2 - x[inside - 1] ** 2))
+
+
+@compiled
+def march(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
+    """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
+    modes, count = state[1].shape
+    factors, spans = np.empty((FACTORS, modes)), np.empty((3, count))
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    for n in range(changes.size):
+        change, dt, sums = changes[n], times[n], numbers[n]
+        grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
+        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, True, sums)
+        motion[0] += change
+        motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
+        motion[2] = change / dt if dt > 0.0 else 0.0
+        sums[5] = _energy(law, springs, state)
+        sums[6] = _radius(law, springs, state, motion, held)
+        sums[8] = 1.0 if held > state[3][0] else 0.0
+
+
+@compiled
+def _most(law, springs, wanted, dt):  # type: ignore[no-untyped-def]
+    """Return about how fast the sum of `seek` grows where all springs are pressed."""
+    glassy = law[0] + np.sum(law[2]) + (law[1] / dt if dt > 0.0 else 0.0)
+    return (wanted[1] + wanted[2] * dt) * glassy * np.sum(springs[1]) + wanted[3]
+
+
+@compiled
+def seek(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore[no-untyped-def]
+    """Return the change of depth of a step for which a sum is what is wanted, or not-a-number, and how many springs
+    are pressed after it; they stay where they are.
+
+    The sum is that of force at the end, impulse and change, times the last three of `wanted`; it never falls with the
+    change.  `scale` is one that matters.
+    """
+    modes, count = state[1].shape
+    factors, spans, sums = np.empty((FACTORS, modes)), np.empty((3, count)), np.empty(NUMBERS)
+    scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
+    grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
+    change, low, high, stride = guess, -np.inf, np.inf, 0.0
+    for turn in range(TRIALS):
+        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
+        excess = wanted[1] * sums[0] + wanted[2] * sums[1] + wanted[3] * change - wanted[0]
+        steepness = wanted[1] * sums[3] + wanted[2] * sums[4] + wanted[3]
+        if abs(excess) <= MET * scale:
+            return change, held
+        low, high = (low, min(high, change)) if excess > 0.0 else (max(low, change), high)
+        newton = change - excess / steepness if steepness > 0.0 else np.inf
+        bracketed = np.isfinite(low) and np.isfinite(high)
+        if low < newton < high and not (bracketed and turn % 4 == 3):
+            change = newton
+        elif bracketed:
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                return middle, held
+            change = middle
+        else:
+            stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, wanted, dt), 1e-6 * abs(change))
+            change += stride if excess < 0.0 else -stride
+    return np.nan, 0

@@ -1,0 +1,399 @@
+r"""Kernels: springs that stick and slip while the bodies move in the plane, step by step along straight lines.
+
+The displacement u of a spring and the shift U are vectors.  A spring sticks as long as it stays within the circle of
+radius b that friction grants it, which changes in proportion to the way.  While it slips, u stays on the circle and
+turns towards the motion: with the angle :math:`\theta` between them
+
+.. math:: b\,\dot\theta = -|\dot U|\sin\theta , \qquad \tan\tfrac{\theta_1}2 = e^{-y}\tan\tfrac{\theta_0}2 , \qquad
+          y = \int\frac{|\mathrm dU|}{b} ,
+
+so that straight ways of any length are followed exactly, without any further steps.  The loss is exact where b does not
+change; where it does, it deviates by some 1e-4 of itself where a step changes b by a tenth.
+
+What enters and leaves contact, the order of springs and the arrays of a block are those of
+`winkler.numerics.springs.slip_kernels`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.jit import compiled
+from winkler.numerics.types import Array
+
+__all__ = ["march_plane"]
+
+Pair = tuple[Array, Array]
+Three = tuple[Array, Array, Array]
+
+NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
+LOG1, LOG2, LOG3, LOG4 = -1.0 / 3.0, -4.0 / 45.0, -44.0 / 945.0, -428.0 / 14175.0
+LOG5, LOG6, LOG7 = -10196.0 / 467775.0, -10719068.0 / 638512875.0, -25865068.0 / 1915538625.0
+"""Of w / artanh w in powers of w^2."""
+ROW = 128
+"""Springs that are moved together, all of one kind where none of them slips."""
+TURNS = 64
+"""How often a spring may drop from its static to its kinetic bound within one step."""
+
+
+@compiled
+def _turn(
+    ux: float, uy: float, bound: float, last: float, mx: float, my: float, way: float
+) -> tuple[float, float, float]:
+    """Let a spring slip on a circle that goes from radius `bound` to `last` while the bodies move by m, |m| = way."""
+    mean = 0.5 * (bound + last)
+    loss = mean * (way + bound - last)
+    if way == 0.0 or bound == 0.0:
+        share = last / bound if bound > 0.0 else 0.0
+        return ux * share, uy * share, loss
+    ex, ey = mx / way, my / way
+    cosine = (ux * ex + uy * ey) / bound
+    cosine = min(max(cosine, -1.0), 1.0)
+    sine = (ex * uy - ey * ux) / bound
+    # the logarithmic mean of the bound on the way
+    change = last / bound - 1.0
+    middle = bound * change / math.log1p(change) if change != 0.0 and last > 0.0 else last
+    shrink = math.exp(-way / middle) if middle > 0.0 else 0.0
+    square = shrink * shrink
+    half = (1.0 + cosine) + (1.0 - cosine) * square
+    turned = 0.0
+    ahead = -1.0
+    if half > 0.0:
+        turned = 2.0 * shrink * sine / half
+        ahead = ((1.0 + cosine) - (1.0 - cosine) * square) / half
+    if abs(bound - last) <= 1e-12 * bound:
+        loss -= mean * middle * math.log(2.0 / half)
+    elif way < 4.0 * abs(bound - last):
+        # what is not lost because the spring does not yet point ahead, by Gauss-Legendre quadrature over the way
+        power = 2.0 * way / (bound - last)
+        for k in range(len(NODES)):
+            radius = bound + NODES[k] * (last - bound)
+            left = (1.0 - cosine) * math.exp(power * math.log(radius / bound))
+            loss -= WEIGHTS[k] * way * radius * 2.0 * left / ((1.0 + cosine) + left)
+    elif cosine <= -1.0:
+        loss -= 2.0 * mean * way
+    else:
+        # the same of b^2 over ln(1 + tan^2(theta / 2)), where b changes little, as exp((b_1 - b_0) y / |dU|)
+        slope = (1.0 - cosine) / (1.0 + cosine)
+        end = math.log1p(slope * square)
+        width = math.log1p(slope) - end
+        power = (bound - last) / way
+        for k in range(len(NODES)):
+            so_far = slope / math.expm1(end + NODES[k] * width) if width > 0.0 else 1.0
+            loss -= WEIGHTS[k] * width * bound * bound * so_far**-power
+    return last * (ahead * ex - turned * ey), last * (ahead * ey + turned * ex), loss
+
+
+@compiled
+def _hit(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
+    """Return the part of the way after which a spring that moves by m meets a circle that goes to radius `last`."""
+    scale = max(bound, last, abs(ux), abs(uy), abs(mx), abs(my))
+    x, y, dx, dy = ux / scale, uy / scale, mx / scale, my / scale
+    b, db = bound / scale, (last - bound) / scale
+    square = dx * dx + dy * dy - db * db
+    slope = x * dx + y * dy - b * db
+    inside = x * x + y * y - b * b
+    root = math.sqrt(max(slope * slope - square * inside, 0.0))
+    part = -inside / (slope + root) if slope > 0.0 else (root - slope) / square
+    return min(max(part, 0.0), 1.0)
+
+
+@compiled
+def _travel(
+    ux: float, uy: float, bound: float, last: float, mx: float, my: float, hold: float, slips: bool
+) -> tuple[float, float, float, bool]:
+    """Move a spring that is in contact; return where it is, what it lost, and whether it slips at the end."""
+    loss = 0.0
+    left = 1.0
+    fall = last - bound
+    for _ in range(TURNS):
+        if slips and hold > 1.0 and ux * mx + uy * my < fall * bound:
+            slips = False
+        if not slips or hold == 1.0:
+            tx, ty = ux + left * mx, uy + left * my
+            rim = hold * last
+            if tx * tx + ty * ty <= rim * rim:
+                return tx, ty, loss, False
+            part = _hit(ux, uy, hold * bound, rim, left * mx, left * my)
+            ux, uy = ux + part * left * mx, uy + part * left * my
+            left *= 1.0 - part
+            size = math.sqrt(ux * ux + uy * uy)
+            bound = size / hold
+            if hold > 1.0:
+                loss += 0.5 * (size * size - bound * bound)
+                ux, uy = ux / hold, uy / hold
+                if ux * mx + uy * my < fall * bound:
+                    continue
+        way = left * math.sqrt(mx * mx + my * my)
+        tx, ty, waste = _turn(ux, uy, bound, last, left * mx, left * my, way)
+        return tx, ty, loss + waste, True
+    # a static bound that closes upon a spring lets it drop again and again: what is left of it is let go
+    size = math.sqrt(ux * ux + uy * uy)
+    share = min(last / size, 1.0) if size > 0.0 else 0.0
+    return share * ux, share * uy, loss + 0.5 * (1.0 - share * share) * size * size, True
+
+
+@compiled
+def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three) -> int:
+    """Do what `_travel` does for a whole row at once; return how many are odd.
+
+    Those are the ones that slip and turn, or whose bound changes, by more in this step than the series here, for
+    exponential and logarithm, are made for; they are told by a negative `waste`.
+    """
+    ux, uy = u
+    nx, ny, waste = new
+    square = mx * mx + my * my
+    length = math.sqrt(square)
+    ex = mx / length if length > 0.0 else 1.0
+    ey = my / length if length > 0.0 else 0.0
+    odd = 0
+    for i in range(ux.size):
+        x, y = ux[i], uy[i]
+        b0, b1 = first[i], last[i]
+        tx, ty = x + mx, y + my
+        slip = tx * tx + ty * ty > b1 * b1
+        # where on its way it meets the bound
+        fall = b1 - b0
+        fast = square - fall * fall
+        slope = x * mx + y * my - b0 * fall
+        inside = x * x + y * y - b0 * b0
+        below = slope * slope - fast * inside
+        root = math.sqrt(below if below > 0.0 else 0.0)
+        outward = slope > 0.0
+        part = (-inside if outward else root - slope) / (slope + root if outward else fast)
+        part = part if part > 0.0 else 0.0
+        part = part if part < 1.0 else 1.0
+        hx, hy = x + part * mx, y + part * my
+        bound = b0 + part * fall
+        way = length * (1.0 - part)
+        # the logarithmic mean of the bound over the rest of the way: w / artanh w
+        mean = 0.5 * (bound + b1)
+        w = 0.5 * (b1 - bound) / mean
+        w *= w
+        series = LOG6 + w * LOG7
+        series = LOG4 + w * (LOG5 + w * series)
+        middle = mean * (1.0 + w * (LOG1 + w * (LOG2 + w * (LOG3 + w * series))))
+        # exp(-way / middle): a Pade fraction, squared five times
+        limit = 32.0 * middle
+        z = (way if way < limit else limit) * 0.03125
+        zz = z * z
+        mm = middle * middle
+        even = mm * mm + zz * (mm * (3.0 / 28.0) + zz * (1.0 / 1680.0))
+        uneven = z * middle * (0.5 * mm + zz * (1.0 / 84.0))
+        shrink = (even - uneven) / (even + uneven)
+        for _ in range(5):
+            shrink *= shrink
+        turn = shrink * shrink
+        ahead = hx * ex + hy * ey
+        across = ex * hy - ey * hx
+        plus, minus = bound + ahead, bound - ahead
+        minus = minus if minus > 0.0 else 0.0
+        # the logarithm is 2 artanh v; both fractions by one division
+        gone = minus * (1.0 - turn)
+        whole = plus + minus * turn
+        rest = 4.0 * bound - gone
+        inverse = 1.0 / (whole * rest)
+        share = b1 * rest * inverse
+        ahead = share * (plus - minus * turn)
+        across = share * 2.0 * shrink * across
+        v = gone * whole * inverse
+        vv = v * v
+        series = 1.0 / 9.0 + vv * (1.0 / 11.0 + vv * (1.0 / 13.0 + vv * (1.0 / 15.0)))
+        series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
+        # what is not lost because the spring does not yet point ahead: the integral of b^2 times something that falls
+        # nearly exponentially, and the integral of which is known
+        known = 2.0 * v * series
+        fades = (1.0 - turn) * (plus * way * rest - 4.0 * (b1 - bound) * bound * whole * series)
+        square_b = (bound * bound * whole - 2.0 * turn * bound * b1 * b1) * way * rest / fades
+        low = bound * bound if bound < b1 else b1 * b1
+        high = bound * bound if bound > b1 else b1 * b1
+        square_b = square_b if square_b > low else low
+        square_b = square_b if square_b < high else high
+        loss = mean * (way + bound - b1) - square_b * known
+        loss = loss if loss > 0.0 else 0.0
+        plain = (w <= 0.0225) & (gone <= 0.6 * bound) & (bound > 0.0)
+        nx[i] = (ahead * ex - across * ey) if slip else tx
+        ny[i] = (ahead * ey + across * ex) if slip else ty
+        waste[i] = (loss if plain else -1.0) if slip else 0.0
+        odd += 1 if (slip & (not plain)) else 0
+    return odd
+
+
+@compiled
+def _circle_still(u: Pair, last: Array, mx: float, my: float, new: Three) -> int:
+    """Do what `_circle` does where no bound changes."""
+    ux, uy = u
+    nx, ny, waste = new
+    square = mx * mx + my * my
+    length = math.sqrt(square)
+    ex = mx / length if length > 0.0 else 1.0
+    ey = my / length if length > 0.0 else 0.0
+    once = 1.0 / square if square > 0.0 else 0.0
+    odd = 0
+    for i in range(ux.size):
+        x, y = ux[i], uy[i]
+        bound = last[i]
+        tx, ty = x + mx, y + my
+        slip = tx * tx + ty * ty > bound * bound
+        # where on its way it meets the bound
+        slope = x * mx + y * my
+        below = slope * slope - square * (x * x + y * y - bound * bound)
+        part = (math.sqrt(below if below > 0.0 else 0.0) - slope) * once
+        part = part if part > 0.0 else 0.0
+        part = part if part < 1.0 else 1.0
+        hx, hy = x + part * mx, y + part * my
+        way = length * (1.0 - part)
+        # exp(-way / bound): a Pade fraction, squared five times
+        limit = 32.0 * bound
+        z = (way if way < limit else limit) * 0.03125
+        zz = z * z
+        mm = bound * bound
+        even = mm * mm + zz * (mm * (3.0 / 28.0) + zz * (1.0 / 1680.0))
+        uneven = z * bound * (0.5 * mm + zz * (1.0 / 84.0))
+        shrink = (even - uneven) / (even + uneven)
+        for _ in range(5):
+            shrink *= shrink
+        turn = shrink * shrink
+        ahead = hx * ex + hy * ey
+        across = ex * hy - ey * hx
+        plus, minus = bound + ahead, bound - ahead
+        minus = minus if minus > 0.0 else 0.0
+        # the logarithm is 2 artanh v; both fractions by one division
+        gone = minus * (1.0 - turn)
+        whole = plus + minus * turn
+        rest = 4.0 * bound - gone
+        inverse = 1.0 / (whole * rest)
+        share = bound * rest * inverse
+        ahead = share * (plus - minus * turn)
+        across = share * 2.0 * shrink * across
+        v = gone * whole * inverse
+        vv = v * v
+        series = 1.0 / 9.0 + vv * (1.0 / 11.0 + vv * (1.0 / 13.0 + vv * (1.0 / 15.0)))
+        series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
+        loss = bound * (way - 2.0 * bound * v * series)
+        loss = loss if loss > 0.0 else 0.0
+        plain = (gone <= 0.6 * bound) & (bound > 0.0)
+        nx[i] = (ahead * ex - across * ey) if slip else tx
+        ny[i] = (ahead * ey + across * ex) if slip else ty
+        waste[i] = (loss if plain else -1.0) if slip else 0.0
+        odd += 1 if (slip & (not plain)) else 0
+    return odd
+
+
+@compiled
+def _beyond(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
+    """Return how many springs of a row would be beyond their bound if they stuck."""
+    count = 0
+    for i in range(ux.size):
+        x, y = ux[i] + mx, uy[i] + my
+        count += 1 if x * x + y * y > last[i] * last[i] else 0
+    return count
+
+
+@compiled
+def _follow(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tuple[float, float, float]:
+    """Move springs that stick; return their force and twice what they store."""
+    pull_x = pull_y = held = 0.0
+    for i in range(ux.size):
+        x, y = ux[i] + mx, uy[i] + my
+        ux[i], uy[i] = x, y
+        pull_x += stiffness[i] * x
+        pull_y += stiffness[i] * y
+        held += stiffness[i] * (x * x + y * y)
+    return pull_x, pull_y, held
+
+
+@compiled
+def _settle(ux: Array, uy: Array, nx: Array, ny: Array, stiffness: Array, waste: Array) -> float:
+    """Put springs where they are found to be; return what they lost."""
+    loss = 0.0
+    for i in range(ux.size):
+        ux[i], uy[i] = nx[i], ny[i]
+        loss += stiffness[i] * waste[i]
+    return loss
+
+
+@compiled
+def _row(
+    u: Pair, slips: Array, stiffness: Array, ends: Pair, still: bool, hold: float, mx: float, my: float, new: Three
+) -> tuple[float, float, float, float]:
+    """Move a row of springs that stay in contact; return their force, twice what they store, and what they lose."""
+    (ux, uy), (first, last), (nx, ny, waste) = u, ends, new
+    if hold == 1.0 and _beyond(ux, uy, last, mx, my) == 0:
+        pull_x, pull_y, held = _follow(ux, uy, stiffness, mx, my)
+        return pull_x, pull_y, held, 0.0
+    odd = ux.size
+    if hold == 1.0:
+        odd = _circle_still(u, last, mx, my, new) if still else _circle(u, first, last, mx, my, new)
+    for i in range(ux.size if odd > 0 else 0):
+        if hold > 1.0 or waste[i] < 0.0:
+            nx[i], ny[i], waste[i], slips[i] = _travel(ux[i], uy[i], first[i], last[i], mx, my, hold, slips[i])
+    loss = _settle(ux, uy, nx, ny, stiffness, waste)
+    pull_x, pull_y, held = _follow(ux, uy, stiffness, 0.0, 0.0)
+    return pull_x, pull_y, held, loss
+
+
+@compiled
+def march_plane(
+    u: Array,
+    slips: Array,
+    gap: Array,
+    stiffness: Array,
+    bound: Array,
+    hold: float,
+    depth: Array,
+    shift: Array,
+    force: Array,
+    stored: Array,
+    lost: Array,
+) -> None:
+    """Move springs in the plane; u (2, n) and `slips` (n,) are changed in place.
+
+    `bound` (steps + 1, n) holds how far a slipping spring is displaced at every point, zero out of contact, straight
+    in between; one that does not slip holds on until `hold` times that.  shift (steps + 1, 2), force (steps, 2).
+    """
+    force[:, :], stored[:], lost[:] = 0.0, 0.0, 0.0
+    work = np.empty((3, ROW))
+    for start in range(0, gap.size, ROW):
+        size = min(ROW, gap.size - start)
+        cut = slice(start, start + size)
+        g, k, s, pair = gap[cut], stiffness[cut], slips[cut], (u[0, cut], u[1, cut])
+        new = (work[0, :size], work[1, :size], work[2, :size])
+        before = np.searchsorted(g, depth[0])
+        for t in range(stored.size):
+            d0, d1 = depth[t], depth[t + 1]
+            mx, my = shift[t + 1, 0] - shift[t, 0], shift[t + 1, 1] - shift[t, 1]
+            ends = (bound[t, cut], bound[t + 1, cut])
+            after = before if d1 == d0 else np.searchsorted(g, d1)
+            stay = min(before, after)
+            if stay == size:
+                fx, fy, held, loss = _row(pair, s, k, ends, d1 == d0, hold, mx, my, new)
+            else:
+                part = slice(0, stay)
+                inner, near = (pair[0][part], pair[1][part]), (ends[0][part], ends[1][part])
+                fx, fy, held, loss = _row(inner, s[part], k[part], near, d1 == d0, hold, mx, my, new)
+            for i in range(before, after):
+                share, last = (d1 - g[i]) / (d1 - d0), ends[1][i]
+                x, y = share * mx, share * my
+                way = math.sqrt(x * x + y * y)
+                s[i] = way > hold * last
+                if s[i]:
+                    loss += 0.5 * k[i] * (way - last) * last
+                    x, y = x * (last / way), y * (last / way)
+                pair[0][i], pair[1][i] = x, y
+                fx += k[i] * x
+                fy += k[i] * y
+                held += k[i] * (x * x + y * y)
+            for i in range(after, before):
+                share = (d0 - g[i]) / (d0 - d1)
+                _, _, waste, _ = _travel(pair[0][i], pair[1][i], ends[0][i], 0.0, share * mx, share * my, hold, s[i])
+                loss += k[i] * waste
+                pair[0][i], pair[1][i], s[i] = 0.0, 0.0, False
+            force[t, 0] += fx
+            force[t, 1] += fy
+            stored[t] += 0.5 * held
+            lost[t] += loss
+            before = after

@@ -1,0 +1,1 @@
+"""Surfaces on a grid: boundary elements of a half-space, and repair of height maps."""

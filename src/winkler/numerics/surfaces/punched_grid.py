@@ -1,0 +1,117 @@
+r"""A flat punch of any shape on a half-space: pressures that displace all its pixels alike, on a grid.
+
+Preconditioned conjugate gradients in single digits reduce what is wrong, which is then found anew in double ones.  A
+punch that nearly fills a periodic surface hardly bends it; there all of it takes double digits.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.surfaces.pressed_box import box_around
+from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
+from winkler.numerics.types import Array
+
+__all__ = ["punch"]
+
+MOST = 2000
+"""Iterations after which a punch is given up; ten are usual."""
+ROUNDS = 20
+ROUGH = 1e-5
+"""Tolerance above which single digits are enough for all."""
+STUCK = 100
+"""Iterations without a gain after which digits are too few."""
+GAIN = 0.5
+"""A round that leaves more than this of what was wrong has not enough digits."""
+INNER = 0.5
+"""Part of the tolerance that is sought in single digits."""
+
+
+def punch(
+    touching: Array,
+    pixel: tuple[float, float],
+    *,
+    periodic: bool,
+    tolerance: float = 1e-6,
+    start: Array | tuple[()] = (),
+) -> Array:
+    """Return the pressures over E* [1/m] under a flat punch of any shape at unit depth.
+
+    Their sum is better than they are: its error is of the order of the square of the tolerance.
+
+    Parameters
+    ----------
+    touching
+        Where it presses, (nx, ny), somewhere but, on a periodic surface, not everywhere.
+    pixel, periodic
+        As for `winkler.numerics.surfaces.pressed_grid.press`.
+    tolerance
+        Greatest error of the depth under the punch.
+    start
+        Pressures under a punch of nearly the same shape.
+
+    Raises
+    ------
+    NotConverged
+        If the tolerance is not met.
+    """
+    box = (slice(None), slice(None)) if periodic else box_around(touching)
+    there = touching[box]
+    shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
+    single = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=SINGLE)
+    exact = single if tolerance > ROUGH else SurfaceGrid.of(shape, aspect, periodic=periodic)
+    even = 1.0 / np.sqrt(np.count_nonzero(there) * aspect[1])
+    p = np.where(there, np.asarray(start)[box] * pixel[0] if len(start) else even, 0.0)
+    inner, before = single, np.inf
+    for _ in range(ROUNDS):
+        wrong = np.where(there, exact.displaced(p.astype(exact.response.dtype)) - 1.0, 0.0)
+        left = float(np.max(np.abs(wrong)))
+        if left <= tolerance:
+            whole = np.zeros(touching.shape)
+            # p G p is stationary where G p = 1: the sum of p (2 - G p) errs by the square of what is wrong
+            whole[box] = p * (1.0 - wrong) / pixel[0]
+            return whole
+        if left > GAIN * before:  # digits are too few
+            inner = exact = SurfaceGrid.of(shape, aspect, periodic=periodic)
+        before = left
+        try:
+            p -= _relieving(inner, there, wrong.astype(inner.response.dtype), INNER * tolerance)
+        except NotConverged:
+            if inner.response.dtype == DOUBLE:
+                raise
+            before = 0.0
+    raise _lost(touching)
+
+
+def _lost(touching: Array) -> NotConverged:
+    return NotConverged(
+        f"the pressure under a flat punch of {int(np.sum(touching))} pixels was not found; smooth the heights, or give "
+        "the map other pixels."
+    )
+
+
+def _relieving(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) -> Array:
+    """Return the pressures that displace the pixels under the punch by `wrong`, up to the tolerance."""
+    number = wrong.dtype.type
+    none = number(0.0)
+    p = along = np.zeros_like(wrong)
+    product, best, last = 0.0, np.inf, 0
+    for count in range(MOST):
+        left = float(np.max(np.abs(wrong)))
+        if left <= tolerance:
+            return p
+        if left < best:
+            best, last = left, count
+        elif count - last > STUCK:
+            break
+        uphill = np.where(there, grid.roughly_pressing(wrong), none)
+        new = float(np.sum(wrong * uphill))
+        along = uphill + number(new / product if product > 0.0 else 0.0) * along
+        sunk = np.where(there, grid.displaced(along), none)
+        bent = float(np.sum(along * sunk))
+        if not bent > 0.0:
+            break
+        length = number(new / bent)
+        p, wrong, product = p + length * along, wrong - length * sunk, new
+    raise _lost(there)

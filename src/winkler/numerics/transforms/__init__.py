@@ -1,0 +1,1 @@
+"""Abel transforms, cosine transforms and Fredholm equations of axisymmetric contact."""

@@ -1,0 +1,229 @@
+r"""The cosine transform of a response, :math:`C(x) = \frac2\pi\int_0^\infty M(\xi)\cos(\xi x)\,\mathrm d\xi`.
+
+Far away, :math:`x` beyond the length over which M decays, the path is turned into the complex plane,
+:math:`\xi = s\,e^{i\theta}`, where :math:`e^{i\xi x}` dies out before it oscillates much: the work per octave of x is
+the same however far.  M is analytic there (the resonances of elastic layers stay above 30 degrees: a plate on a thin
+incompressible film has :math:`\xi^6=-1`); a second angle checks it.  C is kept as Chebyshev polynomials, octave by
+octave.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Hashable
+from typing import Protocol, cast
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.chebyshev import Panels, fit_panels
+from winkler.numerics.types import Array, ComplexArray
+from winkler.values import value
+
+__all__ = ["Response", "Stretched", "in_own_lengths", "stretched", "transform", "wave_numbers"]
+
+ANGLES = (math.pi / 12.0, math.pi / 17.0)
+"""Of the turned path, and of the one that checks it."""
+NODES = 24
+DEEP = 21.0
+"""Where exp(-2 xi length) has vanished, xi in units of 1 / length."""
+LOWEST = 1e-3
+"""First panel of wave numbers, in units of 1 / span: M is a power series there."""
+ROUNDING = 1e-14
+"""Rounding of M, what C may be wrong by, times x."""
+LEAST = 0.03
+"""An M smaller than this need not be any more precise."""
+AGREE = 300.0
+"""How well both angles must agree, in units of the precision of M, relative to the largest M over x."""
+
+
+class Response(Protocol):
+    """What an integral equation asks of a medium: a value that can be a key of a cache.
+
+    One that also has `own`, the same response in a unit of length of its own and that unit [m], shares all that is
+    computed with those that differ from it by their unit alone.
+    """
+
+    @property
+    def length(self) -> float:
+        """M decays like exp(-2 xi length) [m]."""
+        ...
+
+    @property
+    def smooth(self) -> float:
+        """C is smooth on this length [m], but for a logarithm rounded off over `length`; `length` if it has none."""
+        ...
+
+    @property
+    def span(self) -> float:
+        """M is a power series in xi below the inverse of this length [m]."""
+        ...
+
+    @property
+    def precision(self) -> float:
+        """Error of M, relative to its largest value or to 0.03: it is smooth down to that."""
+        ...
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-], analytic near the positive axis, ``(m,)``."""
+        ...
+
+
+@value
+class Stretched:
+    """A response that has its own unit of length, in m: what of it depends on the unit, but not on the moduli.
+
+    Parameters
+    ----------
+    response : Response
+        In its own unit.
+    unit : float
+        [m].
+    """
+
+    response: Response
+    unit: float
+
+    @property
+    def own(self) -> tuple[Response, float]:
+        """Both."""
+        return self.response, self.unit
+
+    @property
+    def length(self) -> float:
+        """M decays like exp(-2 xi length) [m]."""
+        return self.response.length * self.unit
+
+    @property
+    def smooth(self) -> float:
+        """C is smooth on this length [m]."""
+        return self.response.smooth * self.unit
+
+    @property
+    def span(self) -> float:
+        """M is a power series in xi below the inverse of this length [m]."""
+        return self.response.span * self.unit
+
+    @property
+    def precision(self) -> float:
+        """Error of M."""
+        return self.response.precision
+
+    def excess(self, xi: ComplexArray) -> ComplexArray:
+        """M(xi) [-]."""
+        return self.response.excess(xi * self.unit)
+
+
+@functools.lru_cache(maxsize=1024)
+def stretched(response: Hashable, unit: float) -> Stretched:
+    """Return the response of `Stretched`, the same object for the same content: caches find it sooner."""
+    return Stretched(cast(Response, response), unit)
+
+
+def in_own_lengths(response: Response) -> tuple[Response, float]:
+    """Return a response in its own unit of length, and the unit [m]; itself and one if it has none."""
+    return _in_own_lengths(cast(Hashable, response))
+
+
+@functools.lru_cache(maxsize=256)
+def _in_own_lengths(response: Hashable) -> tuple[Response, float]:
+    return cast(tuple[Response, float], getattr(response, "own", (response, 1.0)))
+
+
+def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array]:
+    """Return nodes and weights on [0, end]: panels that double from `lowest` until they are `widest`."""
+    edges = [0.0, min(lowest, widest, end)]
+    while edges[-1] < end and edges[-1] < widest:
+        edges.append(min(2.0 * edges[-1], end))
+    if edges[-1] < end:
+        count = math.ceil((end - edges[-1]) / widest)
+        edges += [edges[-1] + (end - edges[-1]) * part / count for part in range(1, count + 1)]
+    nodes, weights = gauss_legendre(NODES)
+    low, width = np.array(edges[:-1])[:, None], np.diff(edges)[:, None]
+    return (low + width * nodes).ravel(), (width * weights).ravel()
+
+
+def transform(response: Response, end: float) -> Panels:
+    """Return C(x) on 0 <= x <= end or a little farther; cached by value.
+
+    Raises
+    ------
+    NotConverged
+        If the turned path gives another result than the one that checks it.
+    """
+    own, unit = in_own_lengths(response)
+    octave = max(0, math.ceil(math.log2(end / unit / own.length)))
+    return _stretched(cast(Hashable, own), octave, unit)
+
+
+@functools.lru_cache(maxsize=256)
+def _stretched(response: Hashable, octave: int, unit: float) -> Panels:
+    """Return C(x) with x in m, of a response in units of a length [m]."""
+    panels = _joined(response, octave)
+    return panels if unit == 1.0 else Panels(panels.edges * unit, panels.coefficients / unit)
+
+
+@functools.lru_cache(maxsize=256)
+def _joined(response: Hashable, octave: int) -> Panels:
+    last = _octave(response, octave)
+    if octave == 0:
+        return last
+    before = _joined(response, octave - 1)
+    return Panels(
+        np.concatenate([before.edges, last.edges[1:]]), np.concatenate([before.coefficients, last.coefficients])
+    )
+
+
+def _path(response: Response, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
+    """Return wave numbers and weights times M for x between `low` and `high`; on the real axis for angle zero."""
+    end = DEEP / response.length
+    if angle > 0.0:
+        end = min(end / math.cos(angle), 40.0 / (low * math.sin(angle)))
+    s, weights = wave_numbers(LOWEST / response.span, 10.0 / high, end)
+    turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
+    return s * turn, _ray(cast(Hashable, response), angle)(s) * (weights * turn * (2.0 / math.pi))
+
+
+@functools.lru_cache(maxsize=256)
+def _ray(given: Hashable, angle: float) -> Panels:
+    """Return M along a ray from the origin: a stack of many layers is climbed once, not once for every octave."""
+    response = cast(Response, given)
+    turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
+    end = DEEP / (response.length * math.cos(angle))
+    edges = [0.0, min(LOWEST / response.span, end)]
+    while edges[-1] < end:
+        edges.append(min(2.0 * edges[-1], end))
+    size = float(np.max(np.abs(response.excess(np.array(edges) * turn))))
+
+    def along(s: Array) -> ComplexArray:
+        return response.excess((s * turn).ravel()).reshape(s.shape)
+
+    return fit_panels(along, np.array(edges), response.precision * (size + LEAST))
+
+
+def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
+    """Return the real part of the sum of weights exp(i xi x)."""
+    flat = np.ravel(x)
+    parts = [np.real(np.exp(1j * np.outer(flat[i : i + 64], xi)) @ weights) for i in range(0, flat.size, 64)]
+    return np.concatenate(parts).reshape(np.shape(x))
+
+
+@functools.lru_cache(maxsize=1024)
+def _octave(given: Hashable, octave: int) -> Panels:
+    response = cast(Response, given)
+    high = response.length * 2.0**octave
+    low = 0.5 * high if octave else 0.0
+    xi, weights = _path(response, low, high, ANGLES[0] if octave else 0.0)
+    size = float(np.sum(np.abs(weights * np.exp(1j * xi * low))))
+    floor = max(ROUNDING, LEAST * response.precision) / high
+    if octave:
+        x = np.array([low])
+        misfit = float(np.abs(_sum(xi, weights, x) - _sum(*_path(response, low, low, ANGLES[1]), x))[0])
+        if misfit > AGREE * response.precision * size + 100.0 * floor:
+            raise NotConverged(
+                f"The kernel of the stack is not resolved at {low:.3g} m: two paths differ by {misfit / size:.1e}; "
+                "its contrasts are beyond what winkler can carry."
+            )
+    return fit_panels(lambda x: _sum(xi, weights, x), np.array([low, high]), max(1e-14 * size, floor))

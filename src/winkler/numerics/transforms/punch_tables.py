@@ -1,0 +1,218 @@
+"""Flat punches of all radii, tabulated: the Fredholm equation of `winkler.numerics.transforms.fredholm`, solved once for a medium.
+
+The equation is solved on Gauss-Legendre nodes of panels that halve towards the edge of the punch down to the length
+over which the kernel is smooth; where a panel is wider than that, the kernel is integrated over it piece by piece.
+Results are polynomials of :math:`x/a` and a on fixed octaves of a, cached by value.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+from collections.abc import Hashable
+from typing import NamedTuple, cast
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, transform
+from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
+from winkler.numerics.types import Array
+
+__all__ = ["Punches", "first_radius", "octave_of", "tables"]
+
+RADII, FEWER_RADII = 18, 12
+"""Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
+COUNTS = (12, 16, 24, 32)
+"""Nodes per panel, raised until the results settle; the fewest only for a response that is not known to all digits."""
+SETTLED = 1e-12
+LAST = 1e-9
+"""Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
+ROUNDED = 1e-16
+"""What rounding leaves of the end of a series, over the largest phi: it does not get shorter on halving the octave."""
+FINEST = 1.5
+"""Width of the panel at the edge, in lengths of the kernel."""
+FINEST_ROUNDED = 4.0
+"""The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
+IN_LENGTHS = "times the thickness of the uppermost layer (or the length over which moduli change)"
+"""The unit in which sentences tell radii: tables know no metres."""
+HALVINGS = 4
+"""How often an octave of radii may be halved."""
+
+
+class Punches(NamedTuple):
+    """Flat punches with radii from `low` to `high` [m], as Chebyshev series in a and, on panels of x/a, in x/a.
+
+    `area` holds the integral of phi over a, `edge` phi(a; a); `rho` is times a, `push` is sigma; the leading index is
+    the power of a.
+    """
+
+    low: float
+    high: float
+    panels: Array
+    area: Array
+    edge: Array
+    phi: Array
+    rho: Array
+    push: Array
+
+
+def first_radius(response: Response) -> float:
+    """Return the end of the lowest octave [m], which reaches down to zero: a power series in a holds there."""
+    own, unit = in_own_lengths(response)
+    return unit * _first_radius(cast(Hashable, own))
+
+
+@functools.lru_cache(maxsize=256)
+def _first_radius(given: Hashable) -> float:
+    response = cast(Response, given)
+    strength = abs(float(transform(response, response.length)(np.zeros(1))[0]))
+    return 0.5 * response.length / (1.0 + response.length * strength)
+
+
+def octave_of(response: Response, radius: Array) -> Array:
+    """Return the octave in which radii lie, also those below the lowest, as integers ``(m,)``."""
+    with np.errstate(divide="ignore"):
+        octave = np.ceil(np.log2(radius / first_radius(response)))
+    return np.where(np.isfinite(octave), octave, -1e6).astype(int)
+
+
+def tables(response: Response, octave: int) -> tuple[Punches, ...]:
+    """Return the punches of an octave of radii, ascending.
+
+    Raises
+    ------
+    NotConverged
+        If the solution does not settle.
+    """
+    own, unit = in_own_lengths(response)
+    return _stretched(cast(Hashable, own), max(octave, 0), unit)
+
+
+@functools.lru_cache(maxsize=512)
+def _stretched(given: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
+    """Return the tables with radii in m, of a response in units of a length [m]."""
+    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(given, octave))
+
+
+@functools.lru_cache(maxsize=512)
+def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
+    response = cast(Response, given)
+    high = first_radius(response) * 2.0**octave
+    waiting = [(0.5 * high if octave else 0.0, high, 0)]
+    done: list[Punches] = []
+    while waiting:
+        low, high, depth = waiting.pop()
+        table, tail = _solve(response, low, high)
+        rounded = ROUNDED * float(np.max(np.abs(table.phi)))
+        if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
+            if tail > max(LAST, 100.0 * _settled(response)):
+                raise NotConverged(
+                    f"Flat punches with radii of {low / response.length:.3g} to {high / response.length:.3g} "
+                    f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
+                    "beyond what winkler can carry: ask for narrower contacts."
+                )
+            done.append(table)
+        else:
+            middle = 0.5 * (low + high)
+            waiting += [(low, middle, depth + 1), (middle, high, depth + 1)]
+    return tuple(sorted(done, key=lambda table: table.low))
+
+
+def _panels(response: Response, high: float) -> Array:
+    """Return panels of x/a that halve towards the edge."""
+    finest = min((FINEST_ROUNDED if response.smooth > response.length else FINEST) * response.length, response.smooth)
+    halvings = max(0, math.ceil(math.log2(high / max(finest, FINEST * response.length))))
+    return halving_panels(halvings)
+
+
+def _solve(response: Response, low: float, high: float) -> tuple[Punches, float]:
+    """Return the punches between two radii, and how far their series in a is from its end."""
+    panels = _panels(response, high)
+    count = _enough(response, high, panels)
+    many = RADII if _settled(response) == SETTLED else FEWER_RADII
+    angle = np.pi * (np.arange(many) + 0.5) / many
+    radii = low + (high - low) * np.cos(0.5 * angle) ** 2
+    solved = [_punch(response, float(a), panels, count) for a in radii]
+    matrix = np.cos(np.outer(np.arange(many), angle)) * (2.0 / many)
+    matrix[0] *= 0.5
+    inner = legendre_to_chebyshev(count)
+    area_, edge_ = (matrix @ np.array([punch[part] for punch in solved]) for part in (0, 1))
+    phi, rho = (
+        np.einsum("km,mpj,ij->kpi", matrix, np.array([punch[part] for punch in solved]), inner) for part in (2, 3)
+    )
+    turn = _to_pressure(panels.size - 1, inner.shape[0])
+    push = edge_[:, None, None] * (np.arange(inner.shape[0]) == 0) - np.einsum("piqj,kqj->kpi", turn, phi)
+    tails = [np.max(np.abs(series[-3:])) / np.max(np.abs(series)) for series in (area_, edge_)]
+    scale = max(float(np.max(np.abs(rho))), 1.0)
+    tails.append(np.max(np.abs(rho[-3:])) / scale)
+    return Punches(low, high, panels, area_, edge_, phi, rho, push), float(max(tails))
+
+
+@functools.cache
+def _to_pressure(count: int, degree: int) -> Array:
+    """Return the matrix from series of phi on `count` panels to series of edge - sigma on the same panels."""
+    edges = halving_panels(count - 1).tolist()
+    panels = list(itertools.pairwise(edges))
+    matrix = np.zeros((count, degree, count, degree))
+    for panel, other in itertools.combinations_with_replacement(range(count), 2):
+        matrix[panel, :, other] = _from_panel(panels[panel], panels[other], degree)
+    return matrix
+
+
+@functools.cache
+def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: int) -> Array:
+    """Return what phi on one panel of x/a adds on another; the same however many panels follow."""
+    cheb = np.polynomial.chebyshev
+    places, _ = gauss_legendre(degree)
+    shares, weights = gauss_legendre(2 * degree)
+    slopes = cheb.chebder(np.eye(degree))
+    ratio = panel[0] + (panel[1] - panel[0]) * places
+    span = np.sqrt((1.0 - ratio) * (1.0 + ratio))
+    low, high = np.maximum(other[0], ratio), other[1]
+    # y = sqrt(x^2 - r^2): phi is even in x, so that phi'(x)/x is smooth in y
+    start, stop = (np.sqrt((x - ratio) * (x + ratio)) for x in (low, high))
+    y = start[:, None] + (stop - start)[:, None] * shares
+    x = np.hypot(ratio[:, None], y)
+    width = high - other[0]
+    basis = cheb.chebvander((2.0 * x - other[0] - high) / width, degree - 2) @ slopes * (2.0 / width)
+    rule = span[:, None] * (stop - start)[:, None] * weights / x
+    return np.asarray(legendre_to_chebyshev(degree) @ np.einsum("ij,ijk->ik", rule, basis))
+
+
+def _settled(response: Response) -> float:
+    """Return the relative change below which nothing is learnt any more."""
+    return max(SETTLED, response.precision)
+
+
+def _enough(response: Response, high: float, panels: Array) -> int:
+    """Return how many nodes a panel needs for the widest punch to settle."""
+    settled = _settled(response)
+    counts = COUNTS if settled > SETTLED else COUNTS[1:]
+    last = _punch(response, high, panels, counts[0])
+    change = math.inf
+    for fewer, more in itertools.pairwise((*counts, 48)):
+        finer = _punch(response, high, panels, more)
+        before = change
+        change = max(abs(float(new / old) - 1.0) for new, old in zip(finer[:2], last[:2], strict=True))
+        if change <= settled or (change <= LAST and change > 0.1 * before):
+            return int(fewer)
+        last = finer
+    if change > max(LAST, 100.0 * settled):
+        raise NotConverged(
+            f"A flat punch with a radius of {high / response.length:.3g} {IN_LENGTHS} still moves by {change:.1e}; the "
+            "contrasts of the stack are beyond what winkler can carry: ask for a narrower contact."
+        )
+    return COUNTS[-1]
+
+
+def _punch(response: Response, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:
+    """Return the integral of phi over a, phi at the edge, and phi and a rho at the nodes ``(panels, count)``."""
+    kernel = transform(response, 2.0 * a)
+    x, w = panel_nodes(a * panels, count)
+    matrix = kernel_matrix(response, a, panels.size - 2, count)
+    right = np.stack([np.ones(x.size), 0.5 * (kernel(a - x) + kernel(a + x))], axis=1)
+    phi, rho = np.linalg.solve(np.eye(x.size) + matrix, right).T
+    return float(w @ phi) / a, float(1.0 - w @ rho), phi.reshape(-1, count), a * rho.reshape(-1, count)

@@ -1,0 +1,1 @@
+"""Pictures of rough surfaces and their contacts."""

@@ -1,0 +1,1 @@
+"""Pictures of viscoelastic contacts, solids and fits."""

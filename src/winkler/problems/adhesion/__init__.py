@@ -1,0 +1,1 @@
+"""Adhesion: pull-off, jumps, hysteresis and shear of sticky contacts."""

@@ -1,0 +1,291 @@
+r"""Approach and retraction of an adhesive contact: snap-in, pull-off, every jump between, and the energy they cost.
+
+The machine moves slowly.  The edge of the contact advances or recedes while Griffith's balance lets it, rests between
+closing and opening, and where it loses its hold it runs on to the next radius that holds it.  Between jumps
+
+.. math:: \mathrm dW = F\,\mathrm dD = \mathrm d\bigl(U - w_\mathrm{c}\pi a^2 + \tfrac12 F^2/k_\mathrm{m}\bigr)
+          + (w_\mathrm{o}-w_\mathrm{c})\,2\pi a\,(-\mathrm da)_{\text{receding}} ,
+
+in a jump the total potential falls at a constant position D (or force), and what it falls by is lost.  The answer
+depends on the turning points of the path alone, not on how many points lie between them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import AdhesionLaw, ShortRange
+from winkler.loading import Depth, Force
+from winkler.numerics.equations.turning import Leap
+from winkler.numerics.types import Array
+from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
+from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, Machine, adhesive_edge
+from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
+from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.collect_states import rows
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
+
+ROUNDING = 1e-10
+"""Part of the energies that meet in a jump by which their difference may come out negative."""
+
+
+@value
+class AdhesiveCycle:
+    """Slow approach and retraction along a path.
+
+    The bodies are apart at the beginning and first approach up to the first point of the path.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium).
+    law : ShortRange, Dugdale or DerjaguinMullerToporov
+        ShortRange(work), or with hysteresis ShortRange(work_closing=..., work_opening=...), on elastic media.  Under
+        laws with a range the bodies attract each other before they touch; Dugdale on homogeneous half-spaces.
+    path : Depth or Force
+        Positions of the far end of the machine [m], or dead loads [N], one after the other, ``(steps,)``.  A dead load
+        below the pull-off ends the path: then nothing holds the bodies any more.
+    machine_stiffness : float, optional
+        k_m [N/m] of the spring between far end and contact, as of a cantilever; infinite for fixed grips.
+
+    Raises
+    ------
+    InvalidInput
+        If the path is not a row of numbers, the law none of adhesion, or a dead load is given a machine stiffness.
+
+    References
+    ----------
+    K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301-313, doi:10.1098/rspa.1971.0141;
+    P. R. Guduru, J. Mech. Phys. Solids 55 (2007) 445-472, doi:10.1016/j.jmps.2006.09.007
+
+    Examples
+    --------
+    In units of (w^5 R^4 / E*^2)^(1/3) a ball that is pressed on under fixed grips and pulled off loses 7.0922.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
+    >>> cycle = AdhesiveCycle(bed, ShortRange(1e-3), Depth([0.1, -0.1])).solve()
+    >>> round(float(cycle.dissipation[-1]) / 1e-5, 6), [jump.snap_in for jump in cycle.jumps]
+    (7.092196, [True, False])
+    """
+
+    bed: Bed
+    law: AdhesionLaw
+    path: Depth | Force
+    machine_stiffness: float = math.inf
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.law, AdhesionLaw):
+            raise InvalidInput(
+                f"AdhesiveCycle: the law is a {type(self.law).__name__}; give ShortRange(work) or "
+                "ShortRange(work_closing=..., work_opening=...), Dugdale(work, strength), DerjaguinMullerToporov(work)."
+            )
+        if not isinstance(self.path, Depth | Force):
+            raise InvalidInput(
+                f"AdhesiveCycle: the path is a {type(self.path).__name__}; give Depth([...]) or Force([...])."
+            )
+        if self._levels.ndim != 1:
+            raise InvalidInput(
+                f"AdhesiveCycle: the path has the shape {self._levels.shape}; give its points one after the other in "
+                "one row."
+            )
+        stiffness = self.machine_stiffness
+        if isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness > 0.0:
+            raise InvalidInput(
+                f"AdhesiveCycle: machine_stiffness is {stiffness!r}; it must be positive, in N/m, infinite for fixed "
+                "grips; for a dead load give the path as Force([...])."
+            )
+        if isinstance(self.path, Force) and math.isfinite(stiffness):
+            raise InvalidInput(
+                f"AdhesiveCycle: under prescribed forces the machine's stiffness ({stiffness:g} N/m) plays no part; "
+                "leave it out, or prescribe positions as Depth([...])."
+            )
+
+    @property
+    def _levels(self) -> Array:
+        return np.asarray(self.path.depth if isinstance(self.path, Depth) else self.path.force, dtype=float)
+
+    @property
+    def _control(self) -> Machine | DeadLoad:
+        return Machine(1.0 / self.machine_stiffness) if isinstance(self.path, Depth) else DeadLoad()
+
+    @property
+    def _edge(self) -> AdhesiveEdge | RangedEdge:
+        """The curves that the edge obeys along this path."""
+        highest = float(np.max(self._levels))
+        if isinstance(self.law, ShortRange):
+            return adhesive_edge(self.bed, self.law, self._control, highest)
+        return ranged_edge(self.bed, self.law, self._control, highest)
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return int(self._levels.size)
+
+    def steps(self) -> Iterator[AdhesiveState]:
+        """Yield the state at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If the contact grows beyond what is known of the profile, a dead load tears it off, or it is no disc: at
+            that step, the states before it have been yielded.
+        NotConverged
+            If the profile is too rough.
+        """
+        edge, levels = self._edge, self._levels
+        place, lost, wasted = edge.apart(), 0.0, 0.0
+        for run, rising in _runs(levels):
+            asked = levels[run.start : run.stop]
+            places, leaps = (edge.closing.rise if rising else edge.opening.fall)(place, asked)
+            depths, forces, radii = edge.state(places, asked)
+            for i, index in enumerate(run):
+                _refuse(edge, index, levels[index], places[i])
+                here = [leap for leap in leaps if leap.aim == i]
+                jumps = tuple(_jump(edge, leap) for leap in here)
+                if not rising:
+                    spent = edge.hysteresis(place, places[i])
+                    crept = spent - sum(edge.hysteresis(leap.start, leap.end) for leap in here)
+                    wasted, lost = wasted + spent, lost + max(crept, 0.0)
+                lost += sum(jump.loss for jump in jumps)
+                place = float(places[i])
+                position = levels[index] if isinstance(edge.control, Machine) else depths[i]
+                yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
+
+    def gathered(self, states: Iterable[AdhesiveState]) -> AdhesiveCycleSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = list(states)
+        jumps = tuple(jump for state in every for jump in state.jumps)
+        return AdhesiveCycleSolution(self, **rows(AdhesiveCycleSolution, every), jumps=jumps)
+
+    def solve(self) -> AdhesiveCycleSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        AdhesiveCycleSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class AdhesiveCycleSolution:
+    """The answer to an `AdhesiveCycle`, point by point.
+
+    Parameters
+    ----------
+    problem : AdhesiveCycle
+        What was asked.
+    position, depth : ndarray, (steps,)
+        D, where the far end of the machine stands, and d [m].
+    force : ndarray, (steps,)
+        F_N [N], compression positive.
+    radius : ndarray, (steps,)
+        a [m], zero without contact.
+    dissipation, hysteresis : ndarray, (steps,)
+        Energy lost since the beginning [J], and the part of it that opening has cost more than closing gained.
+    jumps : tuple of AdhesiveJump
+        All of them, one after the other.
+    """
+
+    problem: AdhesiveCycle
+    position: Array
+    depth: Array
+    force: Array
+    radius: Array
+    dissipation: Array
+    hysteresis: Array
+    jumps: tuple[AdhesiveJump, ...]
+
+    @property
+    def energy(self) -> Array:
+        """Energy of bodies, machine and surfaces, less what closing has gained [J], ``(steps,)``; zero apart."""
+        inner = self.problem._edge.energy(self.depth, self.force, self.radius)
+        return np.asarray(inner + 0.5 * self.force**2 / self.problem.machine_stiffness)
+
+    @property
+    def work(self) -> Array:
+        """What the machine (or the dead load) has spent since the beginning, the integral of F dD [J], ``(steps,)``.
+
+        Over a path that begins and ends apart it is the work of the cycle, equal to what was dissipated.
+        """
+        return np.asarray(self.energy + self.dissipation)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted; what depends on the contact is told of the widest one."""
+        problem = self.problem
+        return (
+            *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                f"The edge moves slowly, in {len(self.jumps)} jumps at once; in a jump all that the potential falls by "
+                "is lost, to vibrations and sound: it does not carry the edge beyond the next radius that holds it.",
+                "Griffith's balance at every limit of stability",
+            ),
+        )
+
+
+def _runs(levels: Array) -> Iterator[tuple[range, bool]]:
+    """Yield the stretches over which the levels rise or fall, beginning with a rise; equal levels go on as before."""
+    start, rising = 0, True
+    for index in range(1, len(levels)):
+        turned = levels[index] < levels[index - 1] if rising else levels[index] > levels[index - 1]
+        if turned:
+            yield range(start, index), rising
+            start, rising = index, not rising
+    yield range(start, len(levels)), rising
+
+
+def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
+    level = np.full(2, leap.level)
+    depth, force, radius = edge.state(np.array([leap.start, leap.end]), level)
+    inner, outer = edge.energy(depth, force, radius), edge.control.energy(depth, force)
+    loss = float(inner[0] - inner[1] + outer[0] - outer[1])
+    size = float(np.max(np.abs(inner)) + np.max(np.abs(outer)))
+    if loss < -ROUNDING * size:
+        raise OutsideValidity(
+            f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} m, "
+            f"though that costs {-loss:.3g} J: a ring of the body touches there first, and the contact is no disc; "
+            "give a flatter wave, a softer body or more work of adhesion."
+        )
+    position = level if isinstance(edge.control, Machine) else depth
+    before, after = (EdgeState(position[i], depth[i], force[i], radius[i]) for i in range(2))
+    return AdhesiveJump(before, after, max(loss, 0.0))
+
+
+def _refuse(edge: AdhesiveEdge | RangedEdge, index: int, level: float, place: float) -> None:
+    if place >= edge.closing.places[-1] and edge.bed.reach < edge.bed.rim:
+        raise OutsideValidity(
+            f"At index {index} of the path ({level:.6g}) the contact grows beyond the reach of the profile "
+            f"({edge.bed.reach:.6g} m), where nothing is known of it; turn back earlier or describe more of the body."
+        )
+    if isinstance(edge.control, DeadLoad) and level < 0.0 and place == edge.apart():
+        raise OutsideValidity(
+            f"At index {index} of the path the dead load of {level:.6g} N pulls the bodies apart and nothing holds "
+            f"them any more; the lowest force that this contact can bear is {np.min(edge.opening.levels):.6g} N: stay "
+            "above it once pressed on, or prescribe positions as Depth([...])."
+        )

@@ -1,0 +1,253 @@
+r"""The whole curve of equilibrium of an adhesive contact: stable or not, with every branch and every jump.
+
+Depth and force are explicit functions of the contact radius; the curve is drawn by running through it.  A machine holds
+only the branches on which its position grows with the radius; at the ends of a branch the edge of the contact runs on,
+at the position of the machine, to the next radius that is stable there, or the contact is lost.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import AdhesionLaw
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.types import Array
+from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under, position, states_of
+from winkler.problems.adhesion.pull_off import checked_machine
+from winkler.problems.adhesion.stability import Branch, branches
+from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
+
+FEWEST, MOST = 2, 1_000_000
+
+
+@value
+class Equilibrium:
+    """All equilibria of an adhesive contact up to a radius.
+
+    Parameters
+    ----------
+    bed : Bed
+    law : ShortRange, Dugdale or DerjaguinMullerToporov
+    reach : float
+        The greatest contact radius [m]; not beyond what is known of the profile.
+    machine_stiffness : float, optional
+        What judges stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
+    count : int, optional
+        Points of the curve; kinks of the profile and limits of stability are added.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is of the wrong sign or kind.
+    OutsideValidity
+        If the reach exceeds that of the profile.
+
+    References
+    ----------
+    P. R. Guduru, J. Mech. Phys. Solids 55 (2007) 445-472, doi:10.1016/j.jmps.2006.09.007
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.adhesion import ShortRange
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1e-3), HalfSpace.between(Elastic(1e6, 0.5)))
+    >>> curve = Equilibrium(bed, ShortRange(0.05), reach=2e-4).solve()
+    >>> len(curve.branches), round(curve.branches[0].start * 1e6, 3)  # (pi R^2 w / (8 E*))^(1/3) in micrometres
+    (1, 24.511)
+    """
+
+    bed: Bed
+    law: AdhesionLaw
+    reach: float
+    machine_stiffness: float = math.inf
+    count: int = 1000
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
+
+    def __post_init__(self) -> None:
+        checked_machine("Equilibrium", self.machine_stiffness)
+        if isinstance(self.reach, bool) or not isinstance(self.reach, int | float) or not 0.0 < self.reach < math.inf:
+            raise InvalidInput(
+                f"Equilibrium: reach is {self.reach!r}; give the greatest contact radius as a positive number in m."
+            )
+        if isinstance(self.count, bool) or not isinstance(self.count, int) or not FEWEST <= self.count <= MOST:
+            raise InvalidInput(f"Equilibrium: count is {self.count!r}; give a whole number from {FEWEST} to {MOST}.")
+        end = end_of(self.bed)
+        if self.reach > end:
+            raise OutsideValidity(
+                f"Equilibrium: reach {self.reach:.6g} m is beyond the end of the profile ({end:.6g} m); give at most "
+                "that."
+            )
+
+    def solve(self) -> EquilibriumCurve:
+        """Return the curve and its stable branches.
+
+        Returns
+        -------
+        EquilibriumCurve
+
+        Raises
+        ------
+        OutsideValidity
+            If the law does not hold for the bed, or the profile has more waves than can be told apart.
+        """
+        states = states_of(self.bed, self.law)
+        found = branches(states, self.machine_stiffness, self.reach)
+        limits = [radius for branch in found for radius in branch]
+        kinks = [b for b, _ in self.bed.kinks if b < self.reach]
+        # d and F leave the origin with the root of the radius: steps that grow show it
+        radius = np.unique(np.concatenate([self.reach * np.linspace(0.0, 1.0, self.count) ** 2, limits, kinks]))
+        depth = states.depth(radius)
+        starts, stops = (np.array(ends) for ends in zip(*found, strict=True)) if found else (np.zeros(0),) * 2
+        return EquilibriumCurve(self, radius, depth, force_under(states, depth, radius), starts, stops)
+
+
+@value
+class AdhesiveBranch:
+    """A stretch of stable contact radii.
+
+    Parameters
+    ----------
+    start, stop : float
+        From which to which radius [m].
+    start_depth, stop_depth : float
+        d [m] there.
+    start_force, stop_force : float
+        F_N [N] there.
+    """
+
+    start: float
+    stop: float
+    start_depth: float
+    stop_depth: float
+    start_force: float
+    stop_force: float
+
+
+@value
+class EquilibriumJump:
+    """The edge of a contact runs from one radius to another while the machine stands still.
+
+    Parameters
+    ----------
+    start, stop : float
+        Contact radius before and after [m]; zero after: the contact is lost.
+    start_depth, stop_depth : float
+        d [m] before and after; after a loss, that of bodies which do not touch.
+    start_force, stop_force : float
+        F_N [N] before and after.
+    """
+
+    start: float
+    stop: float
+    start_depth: float
+    stop_depth: float
+    start_force: float
+    stop_force: float
+
+
+@value
+class EquilibriumCurve:
+    """The answer to `Equilibrium`.
+
+    Parameters
+    ----------
+    problem : Equilibrium
+        What was asked.
+    radius, depth, force : ndarray, (n,)
+        a [m], d [m] and F_N [N] along the curve, by rising radius.
+    starts, stops : ndarray, (branches,)
+        Contact radii [m] where stable branches begin and end.
+    """
+
+    problem: Equilibrium
+    radius: Array
+    depth: Array
+    force: Array
+    starts: Array
+    stops: Array
+
+    @property
+    def stable(self) -> Array:
+        """Which points are stable on the machine, bool ``(n,)``; limits count."""
+        inside = (self.radius[:, None] >= self.starts) & (self.radius[:, None] <= self.stops)
+        return np.asarray(np.any(inside, axis=1))
+
+    @property
+    def branches(self) -> tuple[AdhesiveBranch, ...]:
+        """The stable branches, by rising radius."""
+        states = states_of(self.problem.bed, self.problem.law)
+        return tuple(
+            AdhesiveBranch(*_ends(states, start, stop)) for start, stop in zip(self.starts, self.stops, strict=True)
+        )
+
+    @property
+    def jumps(self) -> tuple[EquilibriumJump, ...]:
+        """Where the edge runs to from the ends of branches: first those of pulling off, inward, then of pressing on.
+
+        A branch that ends with the curve has no jump there; of pressing on from no contact, none either.
+        """
+        problem = self.problem
+        states, machine = states_of(problem.bed, problem.law), problem.machine_stiffness
+        found = [Branch(float(a), float(b)) for a, b in zip(self.starts, self.stops, strict=True)]
+        inward = [_jump(states, machine, branch.start, found[:index], True) for index, branch in enumerate(found)]
+        outward = [
+            _jump(states, machine, branch.stop, found[index + 1 :], False)
+            for index, branch in enumerate(found[:-1])
+            if branch.stop < found[index + 1].start
+        ]
+        return tuple(jump for jump in [*reversed(inward), *outward] if jump is not None)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What is assumed, and how large the slopes are within the widest contact."""
+        return adhesive_notes(self.problem.bed, self.problem.law, self.depth, self.radius)
+
+
+def _ends(states: EdgeStates, start: float, stop: float) -> tuple[float, float, float, float, float, float]:
+    radius = np.array([start, stop])
+    depth = states.depth(radius)
+    force = force_under(states, depth, radius)
+    return start, stop, float(depth[0]), float(depth[1]), float(force[0]), float(force[1])
+
+
+def _jump(
+    states: EdgeStates, machine: float, radius: float, others: list[Branch], inward: bool
+) -> EquilibriumJump | None:
+    """Return the jump from the end of a branch to the nearest of the others that is stable there."""
+    level = float(position(states, machine, np.array([radius]))[0])
+    for branch in reversed(others) if inward else others:
+        low, high = position(states, machine, np.array(branch))
+        if low <= level <= high:
+            target = (
+                branch.start
+                if low == high
+                else float(
+                    between(
+                        lambda a, _: position(states, machine, a) - level,
+                        np.array([branch.start]),
+                        np.array([branch.stop]),
+                    )[0]
+                )
+            )
+            return EquilibriumJump(*_ends(states, radius, target))
+    if not inward or radius == 0.0:
+        return None  # it runs on beyond the curve, or shrinks to a point without a jump
+    start, _, depth, _, force, _ = _ends(states, radius, radius)
+    apart = level if math.isinf(machine) else -math.inf if machine == 0.0 else level / machine
+    return EquilibriumJump(start, 0.0, depth, apart, force, level if machine == 0.0 else 0.0)

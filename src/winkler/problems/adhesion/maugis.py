@@ -1,0 +1,273 @@
+r"""Maugis' contact: a constant stress pulls in a ring around the contact, everything in closed form but one integral.
+
+With the ring of `winkler.problems.adhesion.maugis_zone`
+
+.. math:: d = g(a) - A\,s^{1-k}, \qquad
+          F = k(a)\,d - \int_0^a k'g\,\mathrm dx - 2AE_s\int_a^c x^k\,(c^2-x^2)^{(1-k)/2}\,\mathrm dx .
+
+It is exact on homogeneous half-spaces and on those graded by a power of the depth: there, and only there, a stress that
+is constant over a disc has a line load of the same form for every radius.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Hashable
+from typing import cast
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.bed import Bed, Pressed
+from winkler.laws.adhesion import Dugdale
+from winkler.media.graded.power_law import GradedHalfSpace
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.problems.adhesion.edge import stored_energy
+from winkler.problems.adhesion.maugis_integrals import Springs, edges_of, gap_moment, pulled
+from winkler.problems.adhesion.maugis_zone import Zone, widest_within, zone
+from winkler.values import value
+
+__all__ = ["CohesiveStates", "Ringed"]
+
+SHARPEST, BLUNT = 16.0, 1e8
+"""Closest place to the end of a ring, in units of rounding: on a homogeneous surface, and elsewhere."""
+
+
+@value
+class CohesiveStates:
+    """Maugis' states on any profile.
+
+    Parameters
+    ----------
+    bed : Bed
+        On a homogeneous half-space or one graded by a power of the depth.
+    law : Dugdale
+
+    Raises
+    ------
+    OutsideValidity
+        If the medium is another one.
+    """
+
+    bed: Bed
+    law: Dugdale
+
+    def __post_init__(self) -> None:
+        medium = self.bed.medium
+        if not isinstance(medium, HomogeneousMedium | GradedHalfSpace):
+            raise OutsideValidity(
+                f"Dugdale: on a {type(medium).__name__} the line load of a constant stress has no closed form: it "
+                "changes with the radius of every ring; use ShortRange(work), which holds on elastic layers and "
+                "gradings, or a HalfSpace."
+            )
+        if isinstance(medium, GradedHalfSpace) and medium.exponent >= 1.0:
+            raise OutsideValidity(
+                "Dugdale: Gibson's solid (exponent 1) sinks only where it is pressed, so that a ring of stress cannot "
+                "hold the edge; use ShortRange(work), or an exponent below 1."
+            )
+
+    def end(self) -> float:
+        """The radius whose ring ends where the profile does [m]."""
+        return _end(cast(Hashable, self))
+
+    def from_nothing(self) -> bool:
+        """A point is held by the stress around it."""
+        return True
+
+    def springs(self) -> Springs:
+        """What the zone needs of the bed."""
+        return _springs(cast(Hashable, self.bed))
+
+    def zone(self, radius: Array) -> Zone:
+        """Return the rings around contacts of given radii."""
+        radius = np.asarray(radius, dtype=float)
+        return _zone(cast(Hashable, self), radius.shape, radius.tobytes())
+
+    def _stretch(self, span: Array) -> Array:
+        springs = self.springs()
+        return np.asarray(springs.amplitude(self.law.strength) * span ** (1.0 - springs.exponent))
+
+    def depth(self, radius: Array) -> Array:
+        """d(a) [m]."""
+        return np.asarray(self.bed.gap(radius) - self._stretch(self.zone(radius).span))
+
+    def load(self, radius: Array) -> Array:
+        """What the profile and the ring take from k d [N]."""
+        found, springs = self.zone(radius), self.springs()
+        ring = 2.0 * springs.amplitude(self.law.strength) * springs.surface_modulus
+        return np.asarray(self.bed.gap_load(radius) + ring * pulled(found.outer, found.span, springs.exponent))
+
+    def slopes(self, radius: Array) -> tuple[Array, Array]:
+        """d'(a) and F'(a)."""
+        found, springs, strength = self.zone(radius), self.springs(), self.law.strength
+        k = springs.exponent
+        stress = springs.amplitude(strength) * (1.0 - k)
+        depth = self.bed.gap_slope(radius) - stress * found.span ** (-k) * found.span_slope
+        pull = 4.0 * strength * springs.cosine() * found.outer * found.turn * found.outer_slope
+        return depth, self.bed.stiffness(radius) * depth - pull
+
+    def energy(self, radius: Array) -> Array:
+        r"""What springs and surfaces store, zero apart [J]: on homogeneous half-spaces.
+
+        .. math:: E = E^*\!\int_0^a (d-g)^2\,\mathrm dx + 4\sigma_0\!\int_a^c (g-d)\sqrt{c^2-x^2}\,\mathrm dx
+                      - 2\sigma_0 A\!\int_a^c (c^2-x^2)\,\mathrm dx - \pi w c^2
+        """
+        found, springs, strength = self.zone(radius), self.springs(), self.law.strength
+        s, c, stretch = found.span, found.outer, self._stretch(found.span)
+        inner = stored_energy(self.bed, self.bed.gap(radius) - stretch, radius)
+        gaps = gap_moment(springs, radius, s) + stretch * pulled(c, s, 0.0)
+        squares = s**4 * (2.0 * c + radius) / (3.0 * (c + radius) ** 2)
+        ring = 4.0 * strength * gaps - 2.0 * strength * springs.amplitude(strength) * squares
+        return np.asarray(inner + ring - math.pi * self.law.work * c**2)
+
+    def scale(self, radius: Array) -> Array:
+        """Stretch over the radius of the zone."""
+        found = self.zone(radius)
+        return self._stretch(found.span) / found.outer
+
+    def pressed(self, depth: float, radius: float) -> Ringed:
+        """The springs out to the end of the ring."""
+        outer = float(self.zone(np.array([radius])).outer[0])
+        amplitude = self.springs().amplitude(self.law.strength)
+        sharpest = SHARPEST if _exponent(self.bed) == 0.0 else BLUNT
+        return _ringed(self.bed, depth, radius, outer, amplitude, sharpest)
+
+
+def _exponent(bed: Bed) -> float:
+    return bed.medium.exponent if isinstance(bed.medium, GradedHalfSpace) else 0.0
+
+
+def _ringed(bed: Bed, depth: float, contact: float, outer: float, amplitude: float, sharpest: float) -> Ringed:
+    """Return the springs of a contact with a ring, resolved down to some units of rounding."""
+    k = _exponent(bed)
+    width, least = outer - contact, sharpest * np.finfo(float).eps * outer
+    halvings = max(0, math.floor(math.log2(max(width / least, 1.0))))
+    # what is left of the ring is a jump at its centre of gravity
+    jump = outer - (1.0 - k) / (3.0 - k) * width * 0.5**halvings if halvings else contact
+    return Ringed(bed, depth, jump, contact, outer, amplitude, k, halvings)
+
+
+@functools.lru_cache(maxsize=64)
+def _springs(given: Hashable) -> Springs:
+    bed = cast(Bed, given)
+    modulus = float(bed.normal_stiffness(np.array([1.0]))[0])  # c_N = E_s x^k at x = 1 m
+    end = min(bed.reach, bed.rim)
+    return Springs(bed.gap_slope, edges_of(bed.kinks, end), bed.rising, modulus, _exponent(bed), end)
+
+
+@functools.lru_cache(maxsize=64)
+def _end(given: Hashable) -> float:
+    states = cast(CohesiveStates, given)
+    springs = states.springs()
+    if not math.isfinite(springs.end):
+        return springs.end
+    found = widest_within(springs, states.law.strength, states.law.range)
+    if found <= 0.0:
+        raise OutsideValidity(
+            f"Dugdale: the attraction of {states.law.range:.3g} m reaches beyond the end of the profile "
+            f"({springs.end:.6g} m) even where the bodies only just touch; use ShortRange(work), a greater strength, "
+            "or a wider profile."
+        )
+    return found
+
+
+@functools.lru_cache(maxsize=64)
+def _zone(given: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
+    states = cast(CohesiveStates, given)
+    radius = np.frombuffer(content).reshape(shape)
+
+    def refuse(beyond: Array) -> None:
+        if beyond.any():
+            bed = states.bed
+            end = "rim" if bed.rim <= bed.reach else "reach"
+            raise OutsideValidity(
+                f"Dugdale: around a contact of {radius.ravel()[beyond][0]:.6g} m the surfaces attract each other "
+                f"beyond the {end} of the profile ({min(bed.rim, bed.reach):.6g} m); use ShortRange(work), a greater "
+                "strength, or a wider profile."
+            )
+
+    found = zone(states.springs(), states.law.strength, states.law.range, radius.ravel(), refuse)
+    return Zone(*(part.reshape(shape) for part in found))
+
+
+@value
+class Ringed(Pressed):
+    """Springs compressed up to the contact radius and pulled in the ring around it.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth : float
+        d [m].
+    radius : float
+        Where the last of the springs' displacement, too near to the end of the ring to be told, is a jump [m].
+    contact_radius : float
+        a [m]: up to there the surfaces touch.
+    outer_radius : float
+        c [m], the end of the ring.
+    amplitude : float
+        u = -amplitude (c^2 - x^2)^((1-k)/2) in the ring [m^k].
+    exponent : float
+        k [-] of the grading.
+    count : int
+        How often the panels halve towards the end of the ring, where the slope of u is infinite.
+    """
+
+    contact_radius: float
+    outer_radius: float
+    amplitude: float
+    exponent: float
+    count: int
+
+    @property
+    def touching(self) -> float:
+        """a [m]."""
+        return self.contact_radius
+
+    @property
+    def blunted(self) -> Ringed:
+        """The same with fewer places."""
+        return _ringed(self.bed, self.depth, self.contact_radius, self.outer_radius, self.amplitude, BLUNT)
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """Those of the profile, the contact radius, and places that crowd towards the end of the ring."""
+        a, width = self.contact_radius, self.outer_radius - self.contact_radius
+        own = [(b, strength) for b, strength in self.bed.kinks if b < a]
+        crowd = [(self.outer_radius - width * 0.5**j, 0.0) for j in range(1, self.count + 1)]
+        return (*own, *([(a, 0.0)] if a > 0.0 and self.count > 0 else []), *crowd)
+
+    @property
+    def edge(self) -> float:
+        """The jump: all but zero, unless the whole ring is too narrow to be told."""
+        place = np.array([self.radius])
+        return float(self._ring(place)[0] if self.count > 0 else self.value(place)[0])
+
+    @property
+    def _last(self) -> float:
+        return self.outer_radius - (self.outer_radius - self.contact_radius) * 0.5**self.count
+
+    def _ring(self, x: Array) -> Array:
+        place = np.minimum(x, self._last)
+        rest = (self.outer_radius - place) * (self.outer_radius + place)
+        return np.asarray(-self.amplitude * rest ** (0.5 * (1.0 - self.exponent)))
+
+    def value(self, x: Array) -> Array:
+        """u(x) [m]; beyond the last place it is chosen so that the surface at the end of the ring is where it is."""
+        x, k = np.asarray(x, dtype=float), self.exponent
+        inside = x <= self.contact_radius
+        # of z = c - x the kernel there leaves z^-(1+k)/2, u has z^(1-k)/2, and the jump is at (1-k)/(3-k) of the rest
+        share = 0.5 / (1.0 - ((1.0 - k) / (3.0 - k)) ** (0.5 * (1.0 - k)))
+        ring = self._ring(x) * np.where(x > self._last, share, 1.0)
+        return np.where(inside, self.depth - self.bed.gap(np.where(inside, x, 0.0)), ring)
+
+    def slope(self, x: Array) -> Array:
+        """u'(x) [-]."""
+        x, k = np.asarray(x, dtype=float), self.exponent
+        inside = x <= self.contact_radius
+        place = np.minimum(x, self._last)
+        rest = (self.outer_radius - place) * (self.outer_radius + place)
+        ring = self.amplitude * (1.0 - k) * x * rest ** (-0.5 * (1.0 + k))
+        return np.where(inside, -self.bed.gap_slope(np.where(inside, x, 0.0)), np.where(x <= self._last, ring, 0.0))

@@ -1,0 +1,311 @@
+r"""Which model of adhesion fits a contact: the range of attraction against how far it stretches the surfaces.
+
+Tabor's parameter compares both, Maugis' parameter is the same but for a factor,
+
+.. math:: \mu = \Bigl(\frac{R\,w^2}{E^{*2} z_0^3}\Bigr)^{1/3}, \qquad
+          \lambda = 2\sigma_0\Bigl(\frac{R}{\pi w K^2}\Bigr)^{1/3}, \quad K = \tfrac43E^* ,
+
+with :math:`\lambda = 1.1272\,\mu` if :math:`z_0 = w/\sigma_0`.  Large values mean JKR, small ones DMT.  What a model is
+wrong by is not read off a map here but computed, against Maugis' equations for the same profile.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.given import positive
+from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.loading import Force
+from winkler.problems.adhesion import griffith
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.pull_off import PullOff
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, STRETCH
+from winkler.problems.normal.indentation import Indentation
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["ModelError", "Recommendation", "maugis_parameter", "tabor_parameter", "which_model"]
+
+MAUGIS = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
+"""Maugis' parameter over Tabor's, if the range is work over strength."""
+UNLOADED = Force(0.0)
+TABOR = "D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6"
+EQUATIONS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
+UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": "m", "strength": "Pa"}
+
+
+def _positive(owner: str, **given: float) -> None:
+    for word, number in given.items():
+        positive(owner, word, number, UNITS[word])
+
+
+def tabor_parameter(*, curvature_radius: float, modulus: float, work: float, distance: float) -> float:
+    """Return Tabor's parameter of a ball: how far attraction stretches the surfaces, in terms of its range.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m].
+    modulus : float
+        E* [Pa].
+    work : float
+        Work of adhesion [J/m^2].
+    distance : float
+        z_0 [m], over which the attraction acts: the spacing of the atoms, or work over strength.
+
+    Returns
+    -------
+    float
+        mu = (R w^2 / (E*^2 z_0^3))^(1/3) [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive and finite.
+
+    References
+    ----------
+    D. Tabor, J. Colloid Interface Sci. 58 (1977) 2-13, doi:10.1016/0021-9797(77)90366-6
+
+    Examples
+    --------
+    >>> round(tabor_parameter(curvature_radius=20e-9, modulus=70e9, work=0.1, distance=0.3e-9), 4)
+    0.1148
+    """
+    _positive("tabor_parameter", curvature_radius=curvature_radius, modulus=modulus, work=work, distance=distance)
+    return math.cbrt(curvature_radius * (work / modulus) ** 2) / distance
+
+
+def maugis_parameter(*, curvature_radius: float, modulus: float, work: float, strength: float) -> float:
+    """Return Maugis' parameter of a ball.
+
+    Parameters
+    ----------
+    curvature_radius : float
+        R [m].
+    modulus : float
+        E* [Pa].
+    work : float
+        Work of adhesion [J/m^2].
+    strength : float
+        sigma_0 [Pa].
+
+    Returns
+    -------
+    float
+        lambda = 2 sigma_0 (R / (pi w K^2))^(1/3), K = 4 E* / 3 [-].
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not positive and finite.
+
+    References
+    ----------
+    D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T
+    """
+    _positive("maugis_parameter", curvature_radius=curvature_radius, modulus=modulus, work=work, strength=strength)
+    distance = work / strength
+    tabor = tabor_parameter(curvature_radius=curvature_radius, modulus=modulus, work=work, distance=distance)
+    return MAUGIS * tabor
+
+
+@value
+class ModelError:
+    """What one model says, and how far it is from Maugis' equations for the same profile.
+
+    Parameters
+    ----------
+    model : str
+        Hertz (no adhesion), DMT, Maugis or JKR.
+    pull_off : float
+        Force at which a dead load tears the contact off [N], negative; zero without adhesion.
+    radius : float
+        Contact radius [m] under the load that was asked about.
+    pull_off_error, radius_error : float
+        Relative [-], against Maugis.
+    """
+
+    model: str
+    pull_off: float
+    radius: float
+    pull_off_error: float
+    radius_error: float
+
+
+@value
+class Recommendation:
+    """Which model to take, and why.
+
+    Parameters
+    ----------
+    problem : Indentation or AdhesiveIndentation
+        The contact under the load that was asked about, in the recommended model; ready to be solved.
+    model : str
+        Its name: Hertz, DMT, Maugis or JKR.
+    tabor : float
+        Tabor's parameter with the distance work / strength [-]; for a profile that is no paraboloid, that of the
+        paraboloid whose edge is stretched as far at the pull-off.
+    models : tuple of ModelError
+        What each model that exists for this profile would be wrong by.
+    notes : tuple of Note
+        The reasons, in sentences, with sources.
+    """
+
+    problem: Indentation | AdhesiveIndentation
+    model: str
+    tabor: float
+    models: tuple[ModelError, ...]
+    notes: tuple[Note, ...]
+
+    @property
+    def maugis(self) -> float:
+        """Maugis' parameter lambda [-]."""
+        return MAUGIS * self.tabor
+
+
+def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: float = 0.02) -> Recommendation:
+    """Return the simplest model of adhesion that is good enough for a contact.
+
+    Parameters
+    ----------
+    bed : Bed
+        On a homogeneous half-space or one graded by a power of the depth, where Maugis' equations hold.
+    law : Dugdale
+        Work of adhesion and strength of the attraction; for molecular forces strength is about work / 0.3 nm.
+    load : Force, optional
+        The load of interest [N], zero or positive: under a great one adhesion may play no part.
+    tolerance : float, optional
+        Relative error that is allowed in the pull-off and, under the load, in the contact radius.
+
+    Raises
+    ------
+    InvalidInput
+        If law, load or tolerance are of other kinds.
+    OutsideValidity
+        If Maugis' equations do not hold on this medium.
+
+    References
+    ----------
+    K. L. Johnson, J. A. Greenwood, J. Colloid Interface Sci. 192 (1997) 326-333, doi:10.1006/jcis.1997.4984
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> rubber = Foundation(Paraboloid(1e-3), HalfSpace(Elastic(1e6, 0.5)))
+    >>> which_model(rubber, Dugdale(work=0.05, strength=1e8)).model
+    'JKR'
+    """
+    if not isinstance(law, Dugdale):
+        raise InvalidInput(
+            f"which_model: the law is a {type(law).__name__}; give Dugdale(work, strength): without a range of "
+            "attraction there is nothing to choose by."
+        )
+    if not isinstance(load, Force) or np.ndim(load.force) != 0 or float(load.force) < 0.0:
+        raise InvalidInput(f"which_model: the load is {load!r}; give one Force(force), zero or positive.")
+    if not 0.0 < tolerance < 1.0:
+        raise InvalidInput(f"which_model: tolerance is {tolerance!r}; give a number between 0 and 1, such as 0.02.")
+    models, refused = _models(bed, law, load)
+    short = PullOff(bed, ShortRange(law.work)).solve()
+    stretch = float(griffith.stretch(bed, law.work, np.array([short.radius]))[0])
+    tabor = stretch / (STRETCH * law.range)
+    good = {each.model: each for each in models if _close(each, tolerance)}
+    # the simplest first; Hertz if the load makes adhesion vanish, though it knows no pull-off
+    plain = next(each for each in models if each.model == "Hertz")
+    if float(load.force) > 0.0 and abs(plain.radius_error) <= tolerance:
+        name = "Hertz"
+    else:
+        name = next(each for each in ("JKR", "DMT", "Maugis") if each in good)
+    problems: dict[str, Indentation | AdhesiveIndentation] = {
+        "Hertz": Indentation(bed, load),
+        "JKR": AdhesiveIndentation(bed, ShortRange(law.work), load),
+        "DMT": AdhesiveIndentation(bed, DerjaguinMullerToporov(law.work), load),
+        "Maugis": AdhesiveIndentation(bed, law, load),
+    }
+    notes = _reasons(name, tabor, stretch, law, load, models, tolerance, refused)
+    return Recommendation(problems[name], name, tabor, models, notes)
+
+
+def _close(each: ModelError, tolerance: float) -> bool:
+    return max(abs(each.pull_off_error), abs(each.radius_error)) <= tolerance
+
+
+def _models(bed: Bed, law: Dugdale, load: Force) -> tuple[tuple[ModelError, ...], str]:
+    """Return what the models say, and why there is no DMT, if there is none."""
+    laws: dict[str, AdhesionLaw] = {"JKR": ShortRange(law.work), "DMT": DerjaguinMullerToporov(law.work)}
+    force = PullOff(bed, law).solve().force
+    radius = float(AdhesiveIndentation(bed, law, load).solve().radius)
+    models, refused = [ModelError("Maugis", force, radius, 0.0, 0.0)], ""
+    for name, other in laws.items():
+        try:
+            pull_off = PullOff(bed, other).solve().force
+            wide = float(AdhesiveIndentation(bed, other, load).solve().radius)
+        except OutsideValidity as error:
+            if name == "JKR":
+                raise
+            refused = str(error)
+            continue
+        models.append(ModelError(name, pull_off, wide, pull_off / force - 1.0, wide / radius - 1.0))
+    wide = float(Indentation(bed, load).solve().radius)
+    models.append(ModelError("Hertz", 0.0, wide, -1.0, wide / radius - 1.0))
+    return tuple(models), refused
+
+
+def _reasons(
+    name: str,
+    tabor: float,
+    stretch: float,
+    law: Dugdale,
+    load: Force,
+    models: tuple[ModelError, ...],
+    tolerance: float,
+    refused: str,
+) -> tuple[Note, ...]:
+    compared = "; ".join(
+        f"{each.model} {each.pull_off:.4g} N ({each.pull_off_error:+.2%})" for each in models if each.model != "Hertz"
+    )
+    wide = "; ".join(f"{each.model} {each.radius:.4g} m ({each.radius_error:+.2%})" for each in models)
+    verdicts = {
+        "Hertz": f"Under {float(load.force):.4g} N adhesion changes the contact radius by less than {tolerance:.2g}: "
+        "plain Indentation does; a pull-off it does not know.",
+        "JKR": f"JKR is within {tolerance:.2g} of Maugis, and holds on layers and cones, too: take ShortRange.",
+        "DMT": f"DMT is within {tolerance:.2g} of Maugis: take DerjaguinMullerToporov.",
+        "Maugis": f"Neither JKR nor DMT is within {tolerance:.2g}: take Dugdale.",
+    }
+    region = "JKR (above 5)" if tabor > 5.0 else "DMT (below 0.1)" if tabor < 0.1 else "the transition (0.1 to 5)"
+    notes = [
+        Note(
+            Assumption.ADHESION,
+            Standing.EXACT,
+            verdicts[name],
+            "pull-off and contact radius of all models, computed for this profile",
+        ),
+        Note(
+            Assumption.ADHESION,
+            Standing.ASYMPTOTIC,
+            f"At the pull-off attraction stretches the edge by {stretch:.3g} m, its range is {law.range:.3g} m: "
+            f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS * tabor:.3g}, in the region of {region}.",
+            f"{TABOR}; {GREENWOOD}",
+        ),
+        Note(Assumption.ADHESION, Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),
+        Note(
+            Assumption.ADHESION, Standing.EXACT, f"Contact radius under {float(load.force):.4g} N: {wide}.", EQUATIONS
+        ),
+        Note(
+            Assumption.ADHESION,
+            Standing.APPROXIMATE,
+            "The true law of attraction is no constant stress; between the limits other laws of equal work and "
+            "strength differ from Maugis by a few percent.",
+            GREENWOOD,
+        ),
+    ]
+    if refused:
+        notes.append(Note(Assumption.ADHESION, Standing.EXACT, f"DMT was left out. {refused}", "apex of the profile"))
+    return tuple(notes)

@@ -1,0 +1,125 @@
+r"""Pull-off: the last stable state of an adhesive contact that a machine pulls apart.
+
+A machine of the stiffness :math:`k_m` prescribes :math:`D = d + F/k_m`.  The contact is lost where D is least among all
+stable states; a dead load is :math:`k_m = 0`, fixed grips are :math:`k_m\to\infty`.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import AdhesionLaw
+from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position, states_of
+from winkler.problems.adhesion.stability import branches_beyond
+from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["PullOff", "PullOffSolution", "checked_machine"]
+
+
+def checked_machine(owner: str, stiffness: float) -> None:
+    """Refuse a machine stiffness that is negative or no number."""
+    wrong = isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness >= 0.0
+    if wrong:
+        raise InvalidInput(
+            f"{owner}: machine_stiffness is {stiffness!r}; give 0 for a dead load, inf for fixed grips, or a positive "
+            "number in N/m."
+        )
+
+
+@value
+class PullOff:
+    """Where does an adhesive contact come apart?
+
+    Parameters
+    ----------
+    bed : Bed
+    law : ShortRange, Dugdale or DerjaguinMullerToporov
+    machine_stiffness : float, optional
+        [N/m]: 0 for a dead load (the default), inf for fixed grips, the cantilever's for a force microscope.
+
+    Raises
+    ------
+    InvalidInput
+        If the stiffness is negative.
+
+    References
+    ----------
+    K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301-313, doi:10.1098/rspa.1971.0141
+
+    Examples
+    --------
+    >>> import math
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.adhesion import ShortRange
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1e-3), HalfSpace.between(Elastic(1e6, 0.5)))
+    >>> round(PullOff(bed, ShortRange(0.05)).solve().force / (math.pi * 1e-3 * 0.05), 12)
+    -1.5
+    """
+
+    bed: Bed
+    law: AdhesionLaw
+    machine_stiffness: float = 0.0
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
+
+    def __post_init__(self) -> None:
+        checked_machine("PullOff", self.machine_stiffness)
+
+    def solve(self) -> PullOffSolution:
+        """Return depth, force and radius of the last stable contact.
+
+        Returns
+        -------
+        PullOffSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the law does not hold for the bed, or no load settles the contact.
+        """
+        states = states_of(self.bed, self.law)
+        radius = last_radius(states, self.machine_stiffness)
+        place = np.array([radius])
+        return PullOffSolution(self, float(states.depth(place)[0]), float(force_of(states, place)[0]), radius)
+
+
+def last_radius(states: EdgeStates, machine_stiffness: float) -> float:
+    """Return the radius of the stable state of least position [m]."""
+    found = branches_beyond(states, machine_stiffness, 0.0)
+    starts = np.array([branch.start for branch in found])
+    return float(starts[int(np.argmin(position(states, machine_stiffness, starts)))])
+
+
+@value
+class PullOffSolution:
+    """The answer to `PullOff`.
+
+    Parameters
+    ----------
+    problem : PullOff
+        What was asked.
+    depth, force, radius : float
+        [m], [N], [m] just before the contact is lost; radius zero where it shrinks to a point without a jump.
+    """
+
+    problem: PullOff
+    depth: float
+    force: float
+    radius: float
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What is assumed, and how large the slopes are."""
+        return adhesive_notes(self.problem.bed, self.problem.law, np.array([self.depth]), np.array([self.radius]))

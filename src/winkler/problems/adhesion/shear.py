@@ -1,0 +1,290 @@
+r"""An adhesive contact that is sheared while it sticks all over: the edge gives way to pull and shear together.
+
+All springs move sideways by the same shift :math:`u_x`; the last ones are stretched by :math:`S_z = g(a)-d` and
+:math:`S_x = u_x`.  If the energy that is released by normal and tangential springs alike pays for the surface,
+
+.. math:: c_N(a)\,S_z^2 + c_T(a)\,S_x^2 = 2\pi a\,w, \qquad F_x = k_x(a)\,u_x, \quad
+          k_x(a) = 2\int_0^a c_T\,\mathrm dx ,
+
+the contact shrinks as it is sheared, until at some shift (or shear force) no radius holds any more.  **Approximate**:
+in a sheared contact the share of the modes changes around the edge and a real contact becomes oval; the balance holds
+on the average of the edge only, and parting in shear often costs more than in tension.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import ShortRange
+from winkler.loading import Depth, Force, ShearForce, Shift
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.panels.chebyshev import fit_panels, stationary
+from winkler.numerics.transforms import abel
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.adhesion import griffith
+from winkler.problems.adhesion.edge import DeadLoad, Machine
+from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import ADHESIVE
+from winkler.problems.normal.yield_statement import Rubbing
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
+
+OCTAVES = 60
+RESOLVED, NOISE = 1e-12, 1e-11
+SAVKOOR = "A. R. Savkoor, G. A. D. Briggs, Proc. R. Soc. Lond. A 356 (1977) 103-114, doi:10.1098/rspa.1977.0123"
+
+
+@value
+class ShearLimit:
+    """Where a sheared contact loses its hold.
+
+    Parameters
+    ----------
+    depth, force : float
+        d [m] and F_N [N].
+    radius : float
+        a [m], the least that is stable.
+    shift, shear_force : float
+        u_x [m] and F_x [N], the greatest that is borne.
+    """
+
+    depth: float
+    force: float
+    radius: float
+    shift: float
+    shear_force: float
+
+
+@value
+class AdhesiveShear:
+    """A contact with attraction of short range that is pressed or pulled, then sheared without slip.  Approximate.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium).
+    law : ShortRange
+        Its work_opening is what the edge has to pay.
+    normal : Force or Depth
+        One dead load [N] or one depth [m], kept while shearing; of several contact radii the widest is meant.
+    lateral : Shift or ShearForce
+        Relative displacement of the bodies far away [m], or force [N]; its value may be an array.
+
+    Raises
+    ------
+    InvalidInput
+        If law or loads are of other kinds, or the normal load is an array.
+
+    References
+    ----------
+    A. R. Savkoor, G. A. D. Briggs, Proc. R. Soc. Lond. A 356 (1977) 103-114, doi:10.1098/rspa.1977.0123
+
+    Examples
+    --------
+    Without normal load a ball bears at most a shear force of 3 pi w R sqrt(G*/E*).
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), HalfSpace(Elastic(1.0, 0.0)))
+    >>> sheared = AdhesiveShear(bed, ShortRange(1e-3), Force(0.0), ShearForce(0.0)).solve()
+    >>> round(sheared.limit.shear_force / (3e-3 * math.pi), 9)
+    1.0
+    """
+
+    bed: Bed
+    law: ShortRange
+    normal: Force | Depth
+    lateral: Shift | ShearForce
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "savkoor_briggs_1977")
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | {Assumption.UNCOUPLED}
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
+
+    def __post_init__(self) -> None:
+        for word, given, kinds in (
+            ("law", self.law, (ShortRange,)),
+            ("normal", self.normal, (Force, Depth)),
+            ("lateral", self.lateral, (Shift, ShearForce)),
+        ):
+            if not isinstance(given, kinds):
+                wanted = " or ".join(kind.__name__ for kind in kinds)
+                raise InvalidInput(f"AdhesiveShear: {word} is a {type(given).__name__}; give {wanted}.")
+        if np.ndim(self._level) != 0:
+            raise InvalidInput(
+                f"AdhesiveShear: the normal load has the shape {np.shape(self._level)}; give one number, and the array "
+                "as the lateral load."
+            )
+
+    @property
+    def _level(self) -> Quantity:
+        return self.normal.force if isinstance(self.normal, Force) else self.normal.depth
+
+    def solve(self) -> AdhesiveShearSolution:
+        """Return contact radius, shift and shear force, and the greatest that can be borne.
+
+        Raises
+        ------
+        OutsideValidity
+            If the normal load alone tears the contact off, or the lateral load is more than it can bear: the message
+            names the indices of an array and the limit.
+        """
+        level = float(self._level)
+        widest = float(AdhesiveIndentation(self.bed, self.law, self.normal).solve().radius)
+        states = _Sheared(self, level)
+        place = np.array([widest])
+        if float(states.depth_and_force(place)[0][0]) > float(self.bed.gap(place)[0]):
+            raise OutsideValidity(
+                f"AdhesiveShear: the edge of the contact is held at a rim ({widest:.6g} m) and pressed there, not "
+                "pulled, so that no balance of energy at the edge limits the shear; press less, or pull."
+            )
+        least = states.least_radius(widest)
+        given = self.lateral.shift if isinstance(self.lateral, Shift) else self.lateral.shear_force
+        asked = np.abs(np.atleast_1d(np.asarray(given, dtype=float)).ravel())
+        most = math.sqrt(float(states.borne(np.array([least]))[0]))
+        beyond = np.flatnonzero(asked > most * (1.0 + 1e-14))
+        if beyond.size:
+            where = "" if asked.size == 1 else f" at index {', '.join(map(str, beyond[:5]))}"
+            what, unit = ("shift", "m") if isinstance(self.lateral, Shift) else ("shear force", "N")
+            raise OutsideValidity(
+                f"AdhesiveShear: the {what} of {asked[beyond[0]]:.6g} {unit}{where} tears the contact off; it bears at "
+                f"most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
+            )
+        radius = states.radius(asked**2, least, widest)
+        depth, force = states.depth_and_force(radius)
+        stiffness = tangential_stiffness(self.bed, radius)
+        signed = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
+        shift, shear = (signed, stiffness * signed) if isinstance(self.lateral, Shift) else (signed / stiffness, signed)
+
+        shape = np.shape(given)
+        return AdhesiveShearSolution(
+            self,
+            depth=shaped(depth, shape),
+            force=shaped(force, shape),
+            radius=shaped(radius, shape),
+            shift=shaped(shift, shape),
+            shear_force=shaped(shear, shape),
+            limit=states.limit(least),
+        )
+
+
+@value
+class AdhesiveShearSolution:
+    """The answer to an `AdhesiveShear`; every quantity has the shape of the lateral load.
+
+    Parameters
+    ----------
+    problem : AdhesiveShear
+        What was asked.
+    depth, force : float or ndarray
+        d [m] and F_N [N].
+    radius : float or ndarray
+        a [m].
+    shift, shear_force : float or ndarray
+        u_x [m] and F_x [N], of the sign of the load.
+    limit : ShearLimit
+        Where the contact loses its hold when it is sheared on.
+    """
+
+    problem: AdhesiveShear
+    depth: Quantity
+    force: Quantity
+    radius: Quantity
+    shift: Quantity
+    shear_force: Quantity
+    limit: ShearLimit
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: it is approximate."""
+        problem = self.problem
+        return (
+            *adhesive_notes(problem.bed, problem.law, np.ravel(self.depth), np.ravel(self.radius), Rubbing(math.inf)),
+            sticking_note(problem.bed.medium, math.inf),
+            Note(
+                Assumption.ADHESION,
+                Standing.APPROXIMATE,
+                "Normal and tangential parts of the energy that is released are added and averaged around the edge, "
+                "whatever the share of the modes; a real contact becomes oval, slips near its edge, and often parts at "
+                "a greater shear force than this.",
+                SAVKOOR,
+            ),
+        )
+
+
+class _Sheared:
+    """What a contact of a given radius bears sideways, under its normal load."""
+
+    def __init__(self, problem: AdhesiveShear, level: float) -> None:
+        self.bed, self.work, self.level = problem.bed, problem.law.work_opening, level
+        self.control = DeadLoad() if isinstance(problem.normal, Force) else Machine(0.0)
+        self.by_force = isinstance(problem.lateral, ShearForce)
+
+    def depth_and_force(self, radius: Array) -> tuple[Array, Array]:
+        """Return d [m] and F [N] at contact radii."""
+        stiffness, load = self.bed.stiffness(radius), self.bed.gap_load(radius)
+        depth = self.control.depth(stiffness, load, np.full(radius.shape, self.level))
+        return depth, griffith.force_at(self.bed, depth, radius)
+
+    def borne(self, radius: Array) -> Array:
+        """Return the square of the shift [m^2] or shear force [N^2] at which the edge of radii a is in balance."""
+        bed, (depth, _) = self.bed, self.depth_and_force(radius)
+        pulled = bed.normal_stiffness(radius) * (bed.gap(radius) - depth) ** 2
+        left = 2.0 * np.pi * radius * self.work - pulled
+        squared = left / bed.tangential_stiffness(radius)
+        return squared * tangential_stiffness(bed, radius) ** 2 if self.by_force else np.asarray(squared)
+
+    def least_radius(self, widest: float) -> float:
+        """Return the radius, from the widest down, at which `borne` is greatest for the first time."""
+        places, high = np.array([widest]), widest
+        for _ in range(OCTAVES):
+            low = 0.5 * high
+            edges = np.unique([low, *(b for b, _ in self.bed.kinks if low < b < high), high])
+            size = float(np.max(np.abs(self.borne(edges))))
+            panels = fit_panels(lambda a: self.borne(a.ravel()).reshape(a.shape), edges, RESOLVED * size)
+            found = np.concatenate([stationary(panels), panels.edges[:-1]])
+            places = np.concatenate([places, np.sort(found)[::-1]])
+            levels = self.borne(places)
+            falls = np.flatnonzero(np.diff(levels) < -NOISE * np.max(np.abs(levels)))
+            if falls.size:
+                return float(places[np.argmax(levels[: falls[0] + 1])])
+            high = low
+        raise OutsideValidity(
+            f"AdhesiveShear: the contact of {widest:.6g} m bears ever more shear the smaller it gets; its profile is "
+            "too pointed for attraction of vanishing range."
+        )
+
+    def radius(self, squared: Array, least: float, widest: float) -> Array:
+        """Return the radii `(m,)` at which the edge is in balance."""
+        held = squared <= self.borne(np.full(squared.shape, widest))  # a rim bears something without moving
+        low, high = np.full(squared.shape, least), np.full(squared.shape, widest)
+        found = between(lambda a, index: self.borne(a) - squared[index], low, high) if least < widest else high
+        return np.where(held, widest, np.where(squared >= self.borne(low), least, found))
+
+    def limit(self, radius: float) -> ShearLimit:
+        """Return the state at a radius."""
+        place = np.array([radius])
+        depth, force = self.depth_and_force(place)
+        stiffness = float(tangential_stiffness(self.bed, place)[0])
+        borne = math.sqrt(float(self.borne(place)[0]))
+        shift, shear = (borne / stiffness, borne) if self.by_force else (borne, borne * stiffness)
+        return ShearLimit(float(depth[0]), float(force[0]), radius, shift, shear)
+
+
+def tangential_stiffness(bed: Bed, radius: Array) -> Array:
+    """Return k_x(a) [N/m], twice the integral of c_T up to the radii."""
+    places = float(np.max(radius)) * 2.0 ** -np.arange(0.0, 12.0)
+    ratio = bed.tangential_stiffness(places) / bed.normal_stiffness(places)
+    if np.ptp(ratio) <= 1e-12 * ratio[0]:  # one ratio all over, as in every homogeneous medium
+        return np.asarray(ratio[0] * bed.stiffness(radius))
+    return abel.integral(lambda x: 2.0 * bed.tangential_stiffness(x), [b for b, _ in bed.kinks], radius)

@@ -1,0 +1,333 @@
+r"""Which equilibria of an adhesive contact are stable: every stretch of radii between two limits, none overlooked.
+
+The margin of stability is an explicit function of the contact radius.  It is resolved by Chebyshev polynomials on
+panels that are halved until each polynomial ends, kinks of the profile being edges of panels; above a kink b the
+variable is :math:`\sqrt{a^2-b^2}`.  A panel is done when its polynomial keeps its sign or is monotone, so that it holds
+one root at most; that root is then sharpened on the margin itself.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Hashable
+from typing import NamedTuple, cast
+
+import numpy as np
+
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.foundation.foundation import Foundation
+from winkler.media.layered.coated import LayeredMedium
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.panels.sqrt_panels import root
+from winkler.numerics.types import Array
+from winkler.problems.adhesion.edge_states import EdgeStates, ShortStates, force_of, margin, position
+from winkler.problems.adhesion.expected_radius import expected_radius
+from winkler.problems.normal.solve_contact import at_end
+
+__all__ = ["Branch", "branches", "branches_beyond", "least_radius"]
+
+DEGREE = 16
+RESOLVED = 1e-9
+"""Size of the last coefficients of a panel, relative to the largest, at which it counts as resolved."""
+NOISE = 1e-5
+STEEPEST = 1e30
+"""Stands for an infinite margin, where the profile ends in a vertical wall."""
+DEEPEST = 40
+MOST_PANELS = 20_000
+SMALL = 0.05
+"""Below a radius where the profile's share of the margin stays under this, nothing is stable."""
+OCTAVES = 6
+"""Over so many octaves the share must stay small."""
+OUTLOOK, BLOCK, SAMPLES = 40, 5, 100
+"""Over so many octaves unstable radii are looked for, so many at once, with so many samples in each."""
+HIGHEST = 80
+"""How many octaves above the first stable radius a load is looked for."""
+
+
+class Branch(NamedTuple):
+    """Contact radii from `start` to `stop` [m] whose states are stable."""
+
+    start: float
+    stop: float
+
+
+class _Pieces(NamedTuple):
+    """Panels in y = sqrt(a^2 - base^2)."""
+
+    base: Array
+    low: Array
+    high: Array
+
+    def radius(self, share: Array) -> Array:
+        """Return radii at parts (panels, n) of the way."""
+        y = self.low[:, None] + (self.high - self.low)[:, None] * share
+        return np.asarray(np.where(self.base[:, None] > 0.0, np.hypot(self.base[:, None], y), y))
+
+    def chosen(self, which: Array) -> _Pieces:
+        return _Pieces(self.base[which], self.low[which], self.high[which])
+
+    def halved(self) -> _Pieces:
+        middle = 0.5 * (self.low + self.high)
+        return _Pieces(np.tile(self.base, 2), np.concatenate([self.low, middle]), np.concatenate([middle, self.high]))
+
+
+def least_radius(states: EdgeStates) -> float:
+    """Return a radius [m] below which no state is stable; zero if contacts of vanishing radius are.
+
+    Raises
+    ------
+    OutsideValidity
+        If stable states go on to ever smaller radii.
+    """
+    return 0.0 if states.from_nothing() else _least_radius(cast(Hashable, states))
+
+
+@functools.lru_cache(maxsize=256)
+def _least_radius(given: Hashable) -> float:
+    states = cast(EdgeStates, given)
+    bed = states.bed
+    a = 2.0 * expected_radius(states)
+    below = 2.0 ** -np.linspace(0.0, OCTAVES, 4 * OCTAVES + 2)
+    for _ in range(200):
+        share = np.abs(bed.gap_slope(a * below) / states.scale(a * below))
+        if np.all(share <= SMALL):
+            return a
+        # a body r^n gives the share the power n - 1/2 of the radius; a paraboloid is the guess, a factor 1e6 the most
+        worst = float(np.max(share))
+        a *= max(min((0.5 * SMALL / worst) ** (2.0 / 3.0), 0.25), 1e-6) if worst < math.inf else 1e-3
+        if a < 1e-100:
+            break
+    raise OutsideValidity(
+        "ShortRange: the contact is stable down to vanishing radii, because the body is as sharp as r^(1/2) or sharper "
+        "at its apex; adhesion needs a profile that rises more slowly there."
+    )
+
+
+def branches(states: EdgeStates, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
+    """Return all stable stretches of radii up to `high`, ascending.
+
+    Parameters
+    ----------
+    states : EdgeStates
+    machine_stiffness : float
+        [N/m]; 0 for a dead load, inf for fixed grips.
+    high : float
+        [m], not beyond the rim or the reach of the profile.
+
+    Raises
+    ------
+    OutsideValidity
+        If the margin of stability has more features than 20,000 panels resolve.
+    """
+    return _branches(cast(Hashable, states), float(machine_stiffness), float(high))
+
+
+@functools.lru_cache(maxsize=256)
+def _branches(given: Hashable, machine_stiffness: float, high: float) -> tuple[Branch, ...]:
+    states = cast(EdgeStates, given)
+    low = least_radius(states)
+    limits, first = _limits(states, machine_stiffness, low, high) if low < high else (np.zeros(0), False)
+    edges = [low, *limits.tolist(), high] if low < high else []
+    stretches = [Branch(edges[i], edges[i + 1]) for i in range(0 if first else 1, len(edges) - 1, 2)]
+    # a rim holds the edge whatever the margin is below it
+    if high == states.bed.rim and not (stretches and stretches[-1].stop == high):
+        stretches.append(Branch(high, high))
+    return tuple(stretches)
+
+
+def _limits(states: EdgeStates, machine_stiffness: float, low: float, high: float) -> tuple[Array, bool]:
+    """Return where the margin changes its sign between two radii, and whether it is positive at first."""
+    kinks = np.array([b for b, _ in states.bed.kinks if low < b < high])
+    typical = low or _typical(cast(Hashable, states))
+    pieces = _first_pieces(low, high, kinks, typical)
+    start, stop, left, right = _signs(states, machine_stiffness, pieces, high)
+    order = np.argsort(start)
+    start, stop, left, right = start[order], stop[order], left[order], right[order]
+    limits = list(start[1:][left[1:] != right[:-1]])  # at kinks
+    crossed = left != right
+    if crossed.any():
+        limits += _sharpened(states, machine_stiffness, start[crossed], stop[crossed]).tolist()
+    return np.sort(np.array(limits)), bool(left[0])
+
+
+def _sharpened(states: EdgeStates, machine_stiffness: float, low: Array, high: Array) -> Array:
+    """Return the roots of the margin in brackets; an end where rounding has put a root beyond it."""
+    inner = np.nextafter(low, high), np.nextafter(high, low)  # at a kink the margin below it would be seen
+    signs = margin(states, machine_stiffness, np.concatenate(inner)).reshape(2, -1)
+    sound = np.sign(signs[0]) != np.sign(signs[1])
+    result = np.where(np.abs(signs[0]) < np.abs(signs[1]), low, high)
+    if sound.any():
+        ends = (end[sound] for end in inner)
+        result[sound] = between(lambda a, _: margin(states, machine_stiffness, a), *ends)
+    return result
+
+
+def _first_pieces(low: float, high: float, kinks: Array, typical: float) -> _Pieces:
+    """Return panels that double: from the least radius to the first kink, and above each kink.
+
+    Below a millionth of the typical radius the margin keeps its sign, a power of the radius.
+    """
+    bases, starts, stops = [], [], []
+    ends = [*kinks.tolist(), high]
+    for base, end in zip([0.0, *kinks.tolist()], ends, strict=True):
+        stop = float(root(np.array(end), np.array(base)))
+        first = (low if low > 0.0 else min(end, typical) * 2.0**-20) if base == 0.0 else 0.25 * base
+        edges = first * 2.0 ** np.arange(max(0, math.ceil(math.log2(stop / first)))) if stop > first else np.zeros(0)
+        if base > 0.0:
+            edges = np.concatenate([[0.0], edges])
+        edges = np.append(edges[edges < stop], stop)
+        bases += [base] * (edges.size - 1)
+        starts += edges[:-1].tolist()
+        stops += edges[1:].tolist()
+    return _Pieces(np.array(bases), np.array(starts), np.array(stops))
+
+
+def _signs(
+    states: EdgeStates, machine_stiffness: float, waiting: _Pieces, high: float
+) -> tuple[Array, Array, Array, Array]:
+    """Return panels on which the margin keeps its sign or is monotone: their ends, and whether it is positive there."""
+    angle = np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1)
+    nodes = np.cos(0.5 * angle) ** 2
+    matrix = np.cos(np.outer(np.arange(DEGREE + 1), angle)) * (2.0 / (DEGREE + 1))
+    matrix[0] *= 0.5
+    signs = np.where(np.arange(DEGREE + 1) % 2 == 0, 1.0, -1.0)
+    inverse_roots = [b for b, strength in states.bed.kinks if strength != 0.0]
+    before = np.full(waiting.base.size, np.inf)
+    done = []
+    used = 0
+    for depth in range(DEEPEST + 1):
+        radius = np.minimum(waiting.radius(nodes), high)
+        values = np.clip(margin(states, machine_stiffness, radius.ravel()), -STEEPEST, STEEPEST).reshape(radius.shape)
+        sharp = np.isin(waiting.base, inverse_roots)
+        if sharp.any():
+            # the root of the rounded radius takes the inverse root above the kink away exactly
+            base = np.broadcast_to(waiting.base[sharp, None], (int(np.count_nonzero(sharp)), nodes.size))
+            values[sharp] *= root(radius[sharp], base) / radius[sharp]
+        series = np.einsum("pn,kn->pk", values, matrix)
+        size, tail = np.max(np.abs(series), axis=1), np.sum(np.abs(series[:, -3:]), axis=1)
+        one_sign = np.abs(series[:, 0]) > np.sum(np.abs(series[:, 1:]), axis=1) + 10.0 * tail
+        slope = np.polynomial.chebyshev.chebder(series, axis=1)
+        monotone = np.abs(slope[:, 0]) > np.sum(np.abs(slope[:, 1:]), axis=1)
+        resolved = (tail <= RESOLVED * size) | ((tail > 0.3 * before) & (tail <= NOISE * size))
+        good = one_sign | (resolved & monotone) | (depth == DEEPEST)
+        own = waiting.chosen(good)
+        ends = np.minimum(own.radius(np.array([0.0, 1.0])), high)
+        starts = np.where(one_sign, series[:, 0], series @ signs)[good] > 0.0
+        stops = np.where(one_sign, series[:, 0], np.sum(series, axis=1))[good] > 0.0
+        done.append((ends[:, 0], ends[:, 1], starts, stops))
+        used += own.base.size
+        if good.all():
+            break
+        if used + 2 * np.count_nonzero(~good) > MOST_PANELS:
+            raise OutsideValidity(
+                f"Up to a contact radius of {high:.3g} m the profile has too many waves to tell where the adhesive "
+                "contact is stable; ask for a smaller load, or treat the body as rough."
+            )
+        waiting, before = waiting.chosen(~good).halved(), np.tile(tail[~good], 2)
+    start, stop, left, right = (np.concatenate(part) for part in zip(*done, strict=True))
+    return start, stop, left, right
+
+
+@functools.lru_cache(maxsize=256)
+def _typical(given: Hashable) -> float:
+    """Return a radius [m] at which the force is not far from zero."""
+    states = cast(EdgeStates, given)
+    end = states.end()
+    a = expected_radius(states)
+    with np.errstate(all="ignore"):
+        while a > 1e-100 and float(force_of(states, np.array([a]))[0]) > 0.0:
+            a *= 0.25
+        while 4.0 * a < min(end, 1e100) and float(force_of(states, np.array([4.0 * a]))[0]) <= 0.0:
+            a *= 4.0
+    return a
+
+
+def branches_beyond(states: EdgeStates, machine_stiffness: float, level: float) -> tuple[Branch, ...]:
+    """Return the stable stretches up to a radius at which the position exceeds a level for good.
+
+    Parameters
+    ----------
+    states : EdgeStates
+    machine_stiffness : float
+        [N/m].
+    level : float
+        What has to be reached, d [m] of fixed grips, else F + k_m d [N].
+
+    Returns
+    -------
+    tuple of Branch
+        The last one ends beyond the level and is stable over its last two octaves, or ends with the profile.
+
+    Raises
+    ------
+    OutsideValidity
+        If the profile never settles into rising.
+    """
+    end = states.end()
+    if math.isfinite(at_end(states.bed)[0]):
+        return branches(states, machine_stiffness, end)
+    low = least_radius(states) or 2.0**-6 * _typical(cast(Hashable, states))
+    quiet = _quiet(states, low)
+    for octave in range(4, HIGHEST + 1):
+        high = low * 2.0**octave
+        if high >= end:  # the profile ends in a wall that no depth reaches
+            high = end * (1.0 - max(2.0 ** (math.log2(end / low) - octave - 4.0), 1e-14))
+        if high < min(4.0 * quiet, 0.9 * end) or _level(states, machine_stiffness, high) <= level:
+            continue
+        found = branches(states, machine_stiffness, high)
+        last = found[-1] if found else Branch(high, 0.0)
+        if last.stop == high and (last.start <= 0.25 * high or high >= 0.9 * end):
+            return found
+    raise OutsideValidity(_WAVING)
+
+
+_WAVING = (
+    "The adhesive contact is stable up to no load in particular: the profile keeps falling or waving with the distance "
+    "from the axis; give a profile that rises for good."
+)
+
+
+def _quiet(states: EdgeStates, low: float) -> float:
+    """Return a radius beyond which no dense sample is unstable [m]: waves may lie far outside the first stable contact.
+
+    Raises
+    ------
+    OutsideValidity
+        If they never end.
+    """
+    bed, end = states.bed, states.end()
+    if bed.rising:
+        return max([low] + [b for b, _ in bed.kinks if b < end])
+    last = low
+    for octave in range(0, OUTLOOK, BLOCK):
+        start, stop = low * 2.0**octave, min(low * 2.0 ** (octave + BLOCK), 0.999 * end)
+        if stop <= start:
+            return last
+        a = np.geomspace(start, stop, SAMPLES * BLOCK)
+        try:
+            unstable = _unstable(states, a)
+        except NotConverged:  # so far out nothing is known of the profile
+            return last
+        if unstable.any():
+            last = float(a[unstable][-1])
+    if last > 0.25 * low * 2.0**OUTLOOK:
+        raise OutsideValidity(_WAVING)
+    return last
+
+
+def _unstable(states: EdgeStates, radius: Array) -> Array:
+    """Return where contacts are unstable, cheaply: of layers and rings by the profile's own transform."""
+    bed = states.bed
+    with np.errstate(all="ignore"):
+        if isinstance(bed.medium, LayeredMedium) and isinstance(bed, Foundation):
+            return np.asarray(bed.profile.gap_slope(radius) < 0.0)
+        if isinstance(states, ShortStates):
+            return np.asarray(margin(states, 0.0, radius) < 0.0)
+        return np.asarray(bed.gap_slope(radius) < 0.0)
+
+
+def _level(states: EdgeStates, machine_stiffness: float, radius: float) -> float:
+    with np.errstate(all="ignore"):
+        found = float(position(states, machine_stiffness, np.array([radius]))[0])
+    return found if not math.isnan(found) else math.inf

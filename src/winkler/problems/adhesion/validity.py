@@ -1,0 +1,111 @@
+"""What an adhesive contact says about its own validity: range of attraction, slopes, size, overlap outside."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.numerics.types import Array
+from winkler.problems.adhesion import griffith
+from winkler.problems.adhesion.edge_states import states_of
+from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
+from winkler.problems.assumptions.film import film_notes
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.validity import size_note, slope_note
+from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, yield_notes
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["adhesive_notes"]
+
+JKR = "K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301, doi:10.1098/rspa.1971.0141"
+MAUGIS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
+DMT = "B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326"
+TINY = 1e-9
+SAMPLES = 512
+
+
+def adhesive_notes(
+    bed: Bed, law: AdhesionLaw, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS
+) -> tuple[Note, ...]:
+    """Return the notes of adhesive contacts `(m,)`; of several, those of the widest one.
+
+    Parameters
+    ----------
+    bed : Bed
+    law : AdhesionLaw
+    depth, radius : ndarray, (m,)
+        [m].
+    rubbing : Rubbing, optional
+        What is known of friction, for the onset of yield.
+    """
+    last = int(np.argmax(radius))
+    widest = float(radius[last])
+    notes = [*bed.notes, _law_note(bed, law, widest)]
+    if widest == 0.0:
+        touch = "The bodies touch in a point; beyond it they attract each other without contact, which is not followed."
+        return (*notes, Note(Assumption.EQUILIBRIUM, Standing.EXACT, touch, "no spring is compressed"))
+    notes.append(slope_note(bed, widest))
+    if math.isfinite(bed.size):
+        notes.append(size_note(bed, widest))
+    notes.extend(film_notes(bed, float(depth[last]), float(griffith.force_at(bed, depth[last], radius[last])), widest))
+    if widest >= bed.rim:
+        notes.append(
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                "The edge of the contact is held by the rim of the body.",
+                "Kendall's flat punch",
+            )
+        )
+    elif not bed.rising:
+        notes.append(_overlap_note(bed, law, float(depth[last]), widest))
+    if strong_parts(bed.medium):
+        notes += yield_notes([states_of(bed, law).pressed(float(depth[last]), widest)], rubbing)
+    return tuple(notes)
+
+
+def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
+    if isinstance(law, Dugdale):
+        stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
+        return Note(
+            Assumption.ADHESION,
+            Standing.EXACT,
+            f"Exact for a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of what attraction "
+            "without range would stretch the edge; other laws of the same work and strength differ in the transition, "
+            "not in its limits."
+            if radius > 0.0
+            else "Exact for a constant stress.",
+            MAUGIS,
+        )
+    if radius == 0.0:
+        models = {ShortRange: f"without range (JKR) [{JKR}]", DerjaguinMullerToporov: f"from afar (DMT) [{DMT}]"}
+        return Note(Assumption.ADHESION, Standing.ASYMPTOTIC, f"Attraction {models[type(law)]}.", GREENWOOD)
+    stretch = float(griffith.stretch(bed, law.work, np.array([radius]))[0])
+    return range_note(law, stretch, "By attraction without range")
+
+
+def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> Note:
+    """Look for places outside where the bodies would overlap."""
+    end = min(4.0 * radius, bed.reach, bed.rim)
+    r = radius + (end - radius) * (np.arange(SAMPLES) + 0.5) / SAMPLES
+    pressed = states_of(bed, law).pressed(depth, radius)
+    apart = bed.height(r) - depth + bed.medium.displacement(pressed, r)
+    touching = apart < -TINY * float(np.max(np.abs(bed.height(r))) + abs(depth))
+    if touching.any():
+        return Note(
+            Assumption.SINGLE_CONTACT,
+            Standing.OUTSIDE,
+            f"At r = {r[touching][0]:.4g} m the bodies would overlap outside the contact: there a ring has begun to "
+            "touch, and the contact is no disc.",
+            "separation of the restored surfaces",
+        )
+    return Note(
+        Assumption.SINGLE_CONTACT,
+        Standing.EXACT,
+        "The equivalent profile is not known to rise everywhere; that the bodies do not overlap around the contact was "
+        "checked.",
+        "separation of the restored surfaces",
+    )

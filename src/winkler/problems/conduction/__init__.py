@@ -1,0 +1,1 @@
+"""Conduction of current and heat through contacts."""

@@ -1,0 +1,176 @@
+r"""Contact resistance: current has to squeeze through the spot where two bodies touch.
+
+Barber's analogy makes stiffness and conductance of a contact proportional,
+
+.. math:: \frac1R = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF}{\mathrm dd},
+
+for homogeneous elastic bodies of any shape: every spring in contact conducts :math:`2/(\rho_1+\rho_2)` per length, and
+the resistance of a line of length 2 a is Holm's :math:`(\rho_1+\rho_2)/(4a)`.  On layered or graded elastic bodies the
+springs differ and the analogy ends, but a disc of radius a remains a disc.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.loading import Load
+from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.numerics.types import Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
+from winkler.problems.conduction.disc import (
+    disc_yield_notes,
+    mean_free_path_note,
+    pressed_disc,
+    resistances_of,
+    scope_notes,
+)
+from winkler.problems.conduction.solution import ConductingSolution
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["Constriction", "ConstrictionSolution"]
+
+
+@value
+class Constriction:
+    """Two conductors pressed together: their contact resistance.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation, PlaneFoundation, or MeasuredBed (a contact of any shape).
+    conductors : ElectricalConductors
+        What the bodies conduct, and the film between them.
+    load : Force, Depth or Radius
+        What is prescribed; its value may be an array, the answers then have its shape.
+    mean_free_path : float, optional
+        Of the electrons [m], not negative; with it a note tells how far the resistance may be off by free flight.
+        Zero (the default) if it is not asked about.
+
+    Raises
+    ------
+    InvalidInput
+        If something of another kind is given.
+
+    References
+    ----------
+    R. Holm, Electric Contacts, 4th edition, Springer 1967, doi:10.1007/978-3-662-06688-1
+    J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.conductor import ElectricalConductor
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> silver = Elastic(young=83e9, poisson=0.37)
+    >>> bed = Foundation(Paraboloid(2e-3), HalfSpace.between(silver, silver))
+    >>> pair = ElectricalConductors(ElectricalConductor(15.9e-9), ElectricalConductor(15.9e-9))
+    >>> contact = Constriction(bed, pair, Force(1.0)).solve()
+    >>> round(contact.resistance * 1e3, 4)  # milliohm
+    0.2525
+    """
+
+    bed: Bed
+    conductors: ElectricalConductors
+    load: Load
+    mean_free_path: float = 0.0
+
+    references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.conductors, ElectricalConductors):
+            raise InvalidInput(
+                f"Constriction: conductors is a {type(self.conductors).__name__}; give "
+                "ElectricalConductors(first, second)."
+            )
+        path = self.mean_free_path
+        if isinstance(path, bool) or not isinstance(path, int | float) or not 0.0 <= path < math.inf:
+            raise InvalidInput(f"Constriction: mean_free_path is {path!r}; give zero or a positive length in m.")
+
+    def solve(self) -> ConstrictionSolution:
+        """Return the resistance and its parts.
+
+        Returns
+        -------
+        ConstrictionSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is tensile, leads beyond the reach of the profile or opens a contact that is no disc; if the
+            contact is nearly as wide as a rod; if there is a film or a plating and the area of the contact is unknown.
+        """
+        contact = pressed_disc(self.bed, self.load)
+        radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
+        parts = resistances_of(self.bed, self.conductors, radius.ravel())
+
+        bulk = parts.bulk_first + parts.bulk_second
+        shape = np.shape(contact.radius)
+        return ConstrictionSolution(
+            self,
+            contact.depth,
+            contact.force,
+            contact.radius,
+            resistance=shaped(parts.first + parts.second + parts.film + bulk, shape),
+            first_constriction=shaped(parts.first, shape),
+            second_constriction=shaped(parts.second, shape),
+            film_resistance=shaped(parts.film, shape),
+            bulk_resistance=bulk,
+        )
+
+
+@value
+class ConstrictionSolution(ConductingSolution):
+    """The answer to a `Constriction`; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : Constriction
+        What was asked.
+    depth, force, radius : float or ndarray
+        d [m], F_N [N], a [m] of the contact.
+    resistance : float or ndarray
+        R [ohm], all parts in series; infinite without contact.
+    first_constriction, second_constriction : float or ndarray
+        What the constriction costs in either body [ohm].
+    film_resistance : float or ndarray
+        Area resistance of the film over the area of the contact [ohm].
+    bulk_resistance : float
+        Of the lengths of rods [ohm]; zero without rods.
+    """
+
+    problem: Constriction
+    first_constriction: Quantity
+    second_constriction: Quantity
+    film_resistance: Quantity
+    bulk_resistance: float
+
+    @property
+    def conductance(self) -> Quantity:
+        """1 / R [S]; zero without contact."""
+        return shaped(1.0 / np.asarray(self.resistance))
+
+    @property
+    def constriction(self) -> Quantity:
+        """What the constriction costs in both bodies [ohm]."""
+        return self.first_constriction + self.second_constriction
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the resistance can be trusted: the analogy, the bodies, the film, free flight of the electrons."""
+        problem, radius = self.problem, np.asarray(self.radius, dtype=float)
+        return (
+            *scope_notes(problem.bed, radius),
+            *disc_yield_notes(problem.bed, problem.load),
+            *problem.conductors.notes,
+            *mean_free_path_note(radius, problem.mean_free_path),
+        )

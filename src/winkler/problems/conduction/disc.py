@@ -1,0 +1,121 @@
+"""The disc through which a pressed contact conducts, and what the medium behind it means for conduction."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.footprint import Round
+from winkler.foundation.bed import Bed
+from winkler.loading import Load
+from winkler.materials.conducting_body import Plated
+from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
+from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.normal.validity import size_note, slope_note
+from winkler.problems.normal.yield_statement import yield_notes_of_bed
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["disc_yield_notes", "mean_free_path_note", "pressed_disc", "resistances_of", "scope_notes"]
+
+
+def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
+    """Return the contact under a load: its radius is that of the disc that conducts."""
+    return Indentation(bed, load).solve()
+
+
+def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> Resistances:
+    """Return what stands in the way of a current through contacts of given radii `(m,)` [m].
+
+    A film counts by the area of the contact; how the current spreads below it, as in the disc of equal stiffness.
+
+    Raises
+    ------
+    OutsideValidity
+        If a film or a plating needs an area that the bed does not know; if the contact is nearly as wide as a rod.
+    """
+    if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
+        refuse_unless_round(bed, type(conductors).__name__, "a plating")
+    parts = conductors.resistances(radius)
+    if not np.any(parts.film) or isinstance(bed.footprint, Round):
+        return parts
+    touching = radius > 0.0
+    a = np.where(touching, radius, 1.0)
+    return parts._replace(film=parts.film * math.pi * a**2 / bed.footprint.area(a))
+
+
+def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
+    """Return whether the contact that conducts stays elastic; nothing where no body has a strength."""
+    if not strong_parts(bed.medium):
+        return ()
+    contact = pressed_disc(bed, load)
+    return yield_notes_of_bed(bed, np.ravel(contact.depth), np.ravel(contact.radius))
+
+
+def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
+    """Return why the disc of this bed conducts as it does; of many loads for the widest contact."""
+    widest = float(np.max(radius, initial=0.0))
+    if not isinstance(bed.footprint, Round):
+        first = Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            "The contact conducts like the disc of equal stiffness, whatever its shape, if the bodies are homogeneous "
+            "and elastic and the radii of the bed are k / (2 E*). A film counts by the true area, if that is known.",
+            BARBER,
+        )
+    elif isinstance(bed.medium, HomogeneousMedium):
+        first = Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            "Conductance and stiffness dF/dd of the contact are in proportion, 2 / (E* (rho_1 + rho_2)); so every "
+            "spring in contact conducts alike.",
+            BARBER,
+        )
+    else:
+        first = Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            "The elastic medium is not homogeneous, so conductance and stiffness are not in proportion; the conductors "
+            "are taken as said, and the resistance follows from the radius of the contact alone.",
+            HOLM,
+        )
+    if widest == 0.0:
+        return (*bed.notes, first)
+    notes = [*bed.notes, first, slope_note(bed, widest)]
+    if math.isfinite(bed.size):
+        notes.append(size_note(bed, widest))
+    return tuple(notes)
+
+
+def mean_free_path_note(radius: Array, mean_free_path: float) -> tuple[Note, ...]:
+    """Return what free flight of the carriers means for the narrowest contact; nothing if their path is zero.
+
+    Parameters
+    ----------
+    radius : ndarray
+        [m].
+    mean_free_path : float
+        [m].
+    """
+    touching = np.ravel(radius)[np.ravel(radius) > 0.0]
+    if mean_free_path == 0.0 or touching.size == 0:
+        return ()
+    narrowest = float(np.min(touching))
+    number = mean_free_path / narrowest
+    # Sharvin's 4 rho l / (3 pi a^2) over Holm's rho / (2 a), of two like bodies
+    share = 8.0 * number / (3.0 * math.pi)
+    standing = Standing.ASYMPTOTIC if share < 0.01 else Standing.APPROXIMATE if share < 0.1 else Standing.OUTSIDE
+    return (
+        Note(
+            Assumption.CONTINUUM,
+            standing,
+            f"Carriers fly freely over {number:.3g} contact radii (Knudsen number of the narrowest contact): Sharvin's "
+            f"resistance, which is not included, is {100.0 * share:.3g} % of Holm's.",
+            "Yu. V. Sharvin, Sov. Phys. JETP 21 (1965) 655",
+        ),
+    )

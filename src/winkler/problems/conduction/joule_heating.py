@@ -1,0 +1,287 @@
+r"""A current through a contact: voltage, heat, and how hot the contact becomes.
+
+Current lines and heat lines coincide, so temperature follows from voltage alone (Kohlrausch), whatever the shape of the
+contact: :math:`T_{max}^2=T_0^2+V^2/(4L)` between ends of the temperature T_0, without a film.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
+from winkler.loading import Load
+from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
+from winkler.materials.conductor import ElectricalConductor
+from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
+from winkler.problems.conduction.constriction import Constriction
+from winkler.problems.conduction.disc import resistances_of
+from winkler.problems.conduction.heated_contact import Cold, Hot, hot_at_current, hot_at_voltage
+from winkler.problems.conduction.solution import ConductingSolution
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
+
+METAL = WiedemannFranz()
+ROOM = 293.15
+KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13, doi:10.1007/978-3-662-06688-1"
+
+
+@value
+class JouleHeating:
+    """A current through two conductors pressed together.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation, PlaneFoundation, or MeasuredBed (a contact of any shape).
+    conductors : ElectricalConductors
+        What the bodies conduct, and the film between them.
+    load : Force, Depth or Radius
+        What presses them together; its value may be an array, the answers then have its shape.
+    drive : Current or Voltage
+        What is sent through; of several voltages at which a current flows, the lowest is taken.
+    law : WiedemannFranz, optional
+        How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
+    temperature : float, optional
+        T_0 of both bodies far from the contact [K], positive; 293.15 K unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If something of another kind is given.
+
+    References
+    ----------
+    F. Kohlrausch, Annalen der Physik 306 (1900) 132-158
+    R. Holm, Electric Contacts, 4th edition, Springer 1967, doi:10.1007/978-3-662-06688-1
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Radius
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(2e-3), HalfSpace.between(Elastic(83e9, 0.37)))
+    >>> pair = ElectricalConductors(ElectricalConductor(15.9e-9), ElectricalConductor(15.9e-9))
+    >>> hot = JouleHeating(bed, pair, Radius(20e-6), Voltage(0.1)).solve()
+    >>> round(hot.max_temperature, 2)  # sqrt(T0^2 + V^2/(4L))
+    434.05
+    """
+
+    bed: Bed
+    conductors: ElectricalConductors
+    load: Load
+    drive: Drive
+    law: WiedemannFranz = METAL
+    temperature: float = ROOM
+
+    references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
+
+    def __post_init__(self) -> None:
+        wanted = (("conductors", ElectricalConductors), ("law", WiedemannFranz))
+        for word, cls in wanted:
+            if not isinstance(getattr(self, word), cls):
+                raise InvalidInput(
+                    f"JouleHeating: {word} is a {type(getattr(self, word)).__name__}; give a {cls.__name__}."
+                )
+        if not isinstance(self.drive, Current | Voltage):
+            raise InvalidInput(f"JouleHeating: drive is a {type(self.drive).__name__}; give Current or Voltage.")
+        given = self.temperature
+        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 < given < math.inf:
+            raise InvalidInput(
+                f"JouleHeating: temperature is {given!r}; give a positive, finite absolute temperature in K."
+            )
+
+    def solve(self) -> JouleHeatingSolution:
+        """Return voltage, current, heat and temperatures in the steady state.
+
+        Returns
+        -------
+        JouleHeatingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            As for `winkler.problems.conduction.constriction.Constriction.solve`; if no voltage drives the current
+            through the ever hotter contact; if a plating and what carries it resist differently as they are heated.
+        InvalidInput
+            If a current is sent through bodies that do not touch.
+        """
+        contact = Constriction(self.bed, self.conductors, self.load).solve()
+        radius = np.atleast_1d(np.asarray(contact.radius, dtype=float)).ravel()
+        hot = self._driven(radius)
+        cold = np.atleast_1d(np.asarray(contact.resistance, dtype=float)).ravel()
+        flowing = hot.current > 0.0
+        resistance = np.where(flowing, hot.voltage / np.where(flowing, hot.current, 1.0), cold)
+        touch, most = _temperatures(self, hot)
+
+        shape = np.shape(contact.radius)
+        return JouleHeatingSolution(
+            self,
+            contact.depth,
+            contact.force,
+            contact.radius,
+            resistance=shaped(resistance, shape),
+            cold_resistance=contact.resistance,
+            current=shaped(hot.current, shape),
+            voltage=shaped(hot.voltage, shape),
+            film_voltage=shaped(hot.film, shape),
+            heat_rate=shaped(hot.current * hot.voltage, shape),
+            contact_temperature=shaped(touch, shape),
+            max_temperature=shaped(most, shape),
+        )
+
+    def _driven(self, radius: Array) -> Hot:
+        touching = radius > 0.0
+        none = np.zeros(radius.shape)
+        hot = Hot(none.copy(), none.copy(), none.copy(), none.copy())
+        if isinstance(self.drive, Current) and self.drive.current > 0.0 and not touching.all():
+            raise InvalidInput(
+                f"JouleHeating: {self.drive.current:g} A cannot flow where the bodies do not touch; give a load that "
+                "presses them together, or a voltage."
+            )
+        if touching.any():
+            cold = cold_contact(self, radius[touching])
+            drive = np.ones(int(touching.sum()))
+            if isinstance(self.drive, Current):
+                found = hot_at_current(cold, self.drive.current * drive)
+            else:
+                found = hot_at_voltage(cold, self.drive.voltage * drive)
+            for whole, part in zip(hot, found, strict=True):
+                whole[touching] = part
+        if isinstance(self.drive, Voltage):
+            # apart, all the voltage stands between the surfaces
+            hot.film[~touching] = self.drive.voltage
+        return hot
+
+
+def cold_contact(problem: JouleHeating, radius: Array) -> Cold:
+    """Return what is known of contacts of given radii `(m,)` before they are heated.
+
+    Raises
+    ------
+    OutsideValidity
+        If a plating and what carries it resist differently as they are heated.
+    """
+    parts = resistances_of(problem.bed, problem.conductors, radius)
+    first, second = problem.conductors.first, problem.conductors.second
+    return Cold(
+        parts.first + parts.bulk_first,
+        parts.second + parts.bulk_second,
+        parts.film,
+        (_coefficient(first), _coefficient(second)),
+        problem.temperature,
+        problem.law,
+    )
+
+
+def _coefficient(body: ConductingBody) -> float:
+    """Return the coefficient of temperature of a body."""
+    parts = [body.plating, body.on] if isinstance(body, Plated) else [surface_of(body)]
+    found = {part.temperature_coefficient for part in parts if isinstance(part, ElectricalConductor)}
+    if len(found) > 1:
+        raise OutsideValidity(
+            "JouleHeating: a plating and what carries it have different temperature coefficients, so the current would "
+            "change its way as they are heated; give both the same one, or zero."
+        )
+    return found.pop()
+
+
+def _temperatures(problem: JouleHeating, hot: Hot) -> tuple[Array, Array]:
+    """Return the temperature of the contact and the greatest one [K]."""
+    both = hot.first + hot.second
+    share = hot.film / np.where(both > 0.0, both, 1.0)
+    touch = problem.law.temperature(problem.temperature, hot.first * hot.second * (0.5 + share))
+    greatest = touch
+    for fall, inflow in zip((hot.first, hot.second), hot.inflow(), strict=True):
+        # heat flows out of the contact into both bodies, or the hottest place lies within one of them
+        inside = problem.law.temperature(problem.temperature, 0.5 * (fall + inflow) ** 2)
+        greatest = np.where((inflow < 0.0) & (both > 0.0), inside, greatest)
+    return touch, greatest
+
+
+@value
+class JouleHeatingSolution(ConductingSolution):
+    """The answer to a `JouleHeating`; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : JouleHeating
+        What was asked.
+    depth, force, radius : float or ndarray
+        d [m], F_N [N], a [m] of the contact.
+    resistance, cold_resistance : float or ndarray
+        Voltage over current [ohm], and what it would be without heating; infinite without contact.
+    current, voltage : float or ndarray
+        I [A]; V [V] between the ends.
+    film_voltage : float or ndarray
+        Over the film [V].
+    heat_rate : float or ndarray
+        Joule heat I V [W].
+    contact_temperature : float or ndarray
+        T_c [K] where the bodies touch.
+    max_temperature : float or ndarray
+        T_max [K]; inside the body that resists more, if they differ.
+    """
+
+    problem: JouleHeating
+    cold_resistance: Quantity
+    current: Quantity
+    voltage: Quantity
+    film_voltage: Quantity
+    heat_rate: Quantity
+    contact_temperature: Quantity
+    max_temperature: Quantity
+
+    @property
+    def rise(self) -> Quantity:
+        """Supertemperature: by how much the hottest place is hotter than the bodies [K]."""
+        return self.max_temperature - self.problem.temperature
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the answer can be trusted."""
+        problem = self.problem
+        resistance = Constriction(problem.bed, problem.conductors, problem.load).solve()
+        notes = [
+            *resistance.validity,
+            Note(
+                Assumption.CONDUCTION,
+                Standing.EXACT,
+                "Steady state; temperature follows from voltage for a contact of any shape, if the metals obey "
+                "Wiedemann's and Franz' law with one Lorenz number, the ends are kept at the temperature of the bodies "
+                "and nothing is lost around them; thermoelectric effects are left out.",
+                KOHLRAUSCH,
+            ),
+        ]
+        if problem.conductors.film.area_resistance:
+            notes.append(
+                Note(
+                    Assumption.CONDUCTION,
+                    Standing.APPROXIMATE,
+                    "The heat of the film is taken as spread like the current, and the contact as of one temperature.",
+                    KOHLRAUSCH,
+                )
+            )
+        if float(np.max(self.max_temperature)) > 2.0 * problem.temperature:
+            notes.append(
+                Note(
+                    Assumption.TEMPERATURE,
+                    Standing.OUTSIDE,
+                    f"The hottest place has {float(np.max(self.max_temperature)):.4g} K: metals soften there, and the "
+                    "elastic contact, its radius and its resistance change; compare the softening voltage, "
+                    "WiedemannFranz().voltage_at(temperature).",
+                    KOHLRAUSCH,
+                )
+            )
+        return tuple(notes)

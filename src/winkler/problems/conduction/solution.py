@@ -1,0 +1,51 @@
+"""What every answer about conducting bodies has in common: the contact, its resistance, and one load out of many."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Self
+
+from winkler.foundation.bed import Pressed
+from winkler.numerics.types import Quantity
+from winkler.problems.one_load import picked, single
+from winkler.values import value
+
+__all__ = ["ConductingSolution"]
+
+
+@value
+class ConductingSolution:
+    """The contact through which something flows; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : Constriction, ThermalConstriction or JouleHeating
+        What was asked, of a bed and a load.
+    depth, force, radius : float or ndarray
+        d [m], F_N [N], a [m] of the contact.
+    resistance : float or ndarray
+        R [ohm or K/W]; infinite without contact.
+    """
+
+    problem: Any
+    depth: Quantity
+    force: Quantity
+    radius: Quantity
+    resistance: Quantity
+
+    @property
+    def pressed(self) -> Pressed:
+        """The springs, from which pressure and stress are restored; of one load."""
+        return Pressed(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
+
+    def at(self, index: int | tuple[int, ...]) -> Self:
+        """Return the solution of one load of an array.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such load.
+        """
+        load, *_ = picked(self.problem.load, index, self.depth, self.force, self.radius)
+        one: Self = dataclasses.replace(self.problem, load=load).solve()
+        return one

@@ -1,0 +1,204 @@
+r"""Many spots at once: rough bodies touch in clusters, and the spots of a cluster stand in each other's way.
+
+If every spot took a current in proportion to its radius, the resistance were Greenwood's
+
+.. math:: R \approx \frac{\rho_1+\rho_2}{4\sum_i a_i}
+          + \frac{\rho_1+\rho_2}{2\pi}\,\frac{\sum_{i\ne j} a_i a_j/s_{ij}}{(\sum_i a_i)^2} ,
+
+each on its own and Holm's constriction of the whole cluster; the second part is that of a disc of the *Holm radius*.
+Here the currents are found so that all spots have one voltage (`winkler.numerics.fields.disc_charges`).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.materials.conducting_body import resistivity_of
+from winkler.materials.conductor import ElectricalConductor
+from winkler.numerics.fields.disc_charges import currents
+from winkler.numerics.types import Array
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["SpotCluster", "SpotClusterSolution"]
+
+DEGREES = ((40, 6), (120, 4), (400, 2))
+"""Up to how many spots their fluxes are expanded to which degree."""
+GREENWOOD = (
+    "J. A. Greenwood, Constriction resistance and the real area of contact, Brit. J. Appl. Phys. 17 (1966) 1621-1632, "
+    "doi:10.1088/0508-3443/17/12/310"
+)
+
+
+@value
+class SpotCluster:
+    """Two thick conductors that touch in round spots of one plane.
+
+    Parameters
+    ----------
+    x, y : array_like, (n,)
+        Middles of the spots [m].
+    radii : array_like, (n,)
+        [m], positive; the spots must not overlap.
+    first, second : ElectricalConductor
+        The bodies.
+
+    Raises
+    ------
+    InvalidInput
+        If the arrays do not fit one another, a radius is not positive, spots overlap, or there are more than 400.
+
+    References
+    ----------
+    J. A. Greenwood, Brit. J. Appl. Phys. 17 (1966) 1621-1632, doi:10.1088/0508-3443/17/12/310
+
+    Examples
+    --------
+    >>> unit = ElectricalConductor(resistivity=1.0)
+    >>> pair = SpotCluster([0.0, 1.0], [0.0, 0.0], [0.334, 0.255], unit, unit).solve()
+    >>> round(pair.resistance, 5), round(pair.greenwood, 4)
+    (1.00767, 1.0052)
+    """
+
+    x: Array
+    y: Array
+    radii: Array
+    first: ElectricalConductor
+    second: ElectricalConductor
+
+    references: ClassVar[tuple[str, ...]] = ("greenwood_1966", "holm_1967")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESOLUTION,))
+
+    def __post_init__(self) -> None:
+        for word in ("x", "y", "radii"):
+            try:
+                found = np.array(getattr(self, word), dtype=float)
+            except (TypeError, ValueError):
+                raise InvalidInput(f"SpotCluster: {word} are not numbers; give an array in m.") from None
+            if found.ndim != 1 or not np.all(np.isfinite(found)):
+                raise InvalidInput(f"SpotCluster: {word} must be a one-dimensional array of finite numbers in m.")
+            found.flags.writeable = False
+            object.__setattr__(self, word, found)
+        sizes = {word: getattr(self, word).size for word in ("x", "y", "radii")}
+        if len(set(sizes.values())) > 1 or self.radii.size == 0:
+            raise InvalidInput(
+                f"SpotCluster: there are {sizes['x']} x, {sizes['y']} y and {sizes['radii']} radii; give one of each "
+                "for every spot."
+            )
+        if self.radii.size > DEGREES[-1][0]:
+            raise InvalidInput(
+                f"SpotCluster: {self.radii.size} spots are too many; give at most {DEGREES[-1][0]}, or take groups of "
+                "them for spots of their Holm radius."
+            )
+        if np.min(self.radii) <= 0.0:
+            raise InvalidInput(
+                f"SpotCluster: the radius {np.min(self.radii):g} m is not positive; leave such spots out."
+            )
+        for word in ("first", "second"):
+            if not isinstance(getattr(self, word), ElectricalConductor):
+                raise InvalidInput(
+                    f"SpotCluster: {word} is a {type(getattr(self, word)).__name__}; give "
+                    "ElectricalConductor(resistivity)."
+                )
+        spacing = self._spacing
+        i, j = np.unravel_index(int(np.argmin(spacing - np.add.outer(self.radii, self.radii))), spacing.shape)
+        if spacing[i, j] <= self.radii[i] + self.radii[j]:
+            raise InvalidInput(
+                f"SpotCluster: the spots {min(i, j)} and {max(i, j)} overlap; move them apart, or give one in their "
+                "place."
+            )
+
+    @property
+    def _spacing(self) -> Array:
+        """Distances of the spots [m]; infinite from themselves."""
+        apart = np.hypot(np.subtract.outer(self.x, self.x), np.subtract.outer(self.y, self.y))
+        np.fill_diagonal(apart, np.inf)
+        return np.asarray(apart)
+
+    def solve(self) -> SpotClusterSolution:
+        """Return the resistance and the share of every spot.
+
+        Returns
+        -------
+        SpotClusterSolution
+        """
+        degree = next(degree for most, degree in DEGREES if self.radii.size <= most)
+        charges, coarse = currents(self.x, self.y, self.radii, degree)
+        rho = resistivity_of(self.first) + resistivity_of(self.second)
+        resistance = rho / (2.0 * math.pi * float(np.sum(charges)))
+        own = rho / (4.0 * float(np.sum(self.radii)))
+        near = self.radii @ (1.0 / self._spacing) @ self.radii
+        greenwood = own + rho / (2.0 * math.pi) * float(near) / float(np.sum(self.radii)) ** 2
+        return SpotClusterSolution(
+            self,
+            resistance=resistance,
+            greenwood=greenwood,
+            alone=own,
+            shares=charges / np.sum(charges),
+            uncertainty=abs(float(np.sum(charges)) / float(np.sum(coarse)) - 1.0),
+        )
+
+
+@value
+class SpotClusterSolution:
+    """The answer to a `SpotCluster`.
+
+    Parameters
+    ----------
+    problem : SpotCluster
+        What was asked.
+    resistance : float
+        R [ohm], all spots at one voltage.
+    greenwood : float
+        Greenwood's estimate of it [ohm].
+    alone : float
+        (rho_1 + rho_2) / (4 sum of radii) [ohm]: spots that are far from each other.
+    shares : ndarray, (n,)
+        Part of the current that goes through every spot [-].
+    uncertainty : float
+        By how much the resistance changed, relatively, in the last refinement; its error is below that, or of its
+        order if spots nearly touch.
+    """
+
+    problem: SpotCluster
+    resistance: float
+    greenwood: float
+    alone: float
+    shares: Array
+    uncertainty: float
+
+    @property
+    def conductance(self) -> float:
+        """1 / R [S]."""
+        return 1.0 / self.resistance
+
+    @property
+    def holm_radius(self) -> float:
+        """Radius [m] of the one disc that would stand in the way like the spots' crowding; infinite for one spot."""
+        rho = resistivity_of(self.problem.first) + resistivity_of(self.problem.second)
+        crowding = self.resistance - self.alone
+        return rho / (4.0 * crowding) if self.problem.radii.size > 1 else math.inf
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the answer can be trusted."""
+        return (
+            Note(
+                Assumption.RESOLUTION,
+                Standing.EXACT,
+                f"All spots have one voltage; the last refinement changed the resistance by {self.uncertainty:.1g} of "
+                "itself.",
+                "W. Wolfe's eigenfunctions of the disc, Galerkin's method",
+            ),
+            Note(
+                Assumption.RESOLUTION,
+                Standing.APPROXIMATE,
+                f"Greenwood's estimate, with currents in proportion to the radii, is off by "
+                f"{100.0 * (self.greenwood / self.resistance - 1.0):.2g} %.",
+                GREENWOOD,
+            ),
+        )

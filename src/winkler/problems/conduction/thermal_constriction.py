@@ -1,0 +1,185 @@
+r"""Heat through a contact: the same squeeze as for a current, with temperature for voltage.
+
+:math:`Q = 4\lambda_h a\,\Delta T` with :math:`1/\lambda_h = 1/\lambda_1+1/\lambda_2` for a round contact, and
+:math:`Q = \frac{2\lambda_h}{E^*}\frac{\mathrm dF}{\mathrm dd}\Delta T` for a contact of any shape between homogeneous
+elastic bodies: steady conduction, nothing lost around the contact.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.loading import Load
+from winkler.materials.conducting_body import surface_of
+from winkler.materials.conductor import ThermalConductor
+from winkler.media.conduction.conductors import HeatConductors
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import CONDUCTING
+from winkler.problems.conduction.disc import disc_yield_notes, pressed_disc, resistances_of, scope_notes
+from winkler.problems.conduction.solution import ConductingSolution
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
+
+
+@value
+class ThermalConstriction:
+    """Two bodies of different temperature pressed together: the heat that flows.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation, PlaneFoundation, or MeasuredBed (a contact of any shape).
+    conductors : HeatConductors
+        What the bodies conduct, and how well heat passes between the surfaces.
+    load : Force, Depth or Radius
+        What is prescribed; its value may be an array, the answers then have its shape.
+    temperature_drop : float
+        Temperature of the first body far away less that of the second [K].
+
+    Raises
+    ------
+    InvalidInput
+        If something of another kind is given.
+
+    References
+    ----------
+    J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Radius
+    >>> from winkler.materials.conductor import ThermalConductor
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(Elastic(210e9, 0.3)))
+    >>> steel = ThermalConductor(conductivity=45.0, diffusivity=12e-6)
+    >>> joint = ThermalConstriction(bed, HeatConductors(steel, steel), Radius(1e-4), temperature_drop=10.0).solve()
+    >>> round(joint.heat_rate, 6)  # 4 lambda_h a dT
+    0.09
+    """
+
+    bed: Bed
+    conductors: HeatConductors
+    load: Load
+    temperature_drop: float
+
+    references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.conductors, HeatConductors):
+            raise InvalidInput(
+                f"ThermalConstriction: conductors is a {type(self.conductors).__name__}; give "
+                "HeatConductors(first, second)."
+            )
+        drop = self.temperature_drop
+        if isinstance(drop, bool) or not isinstance(drop, int | float) or not math.isfinite(drop):
+            raise InvalidInput(f"ThermalConstriction: temperature_drop is {drop!r}; give a finite number in K.")
+
+    def solve(self) -> ThermalConstrictionSolution:
+        """Return the heat rate and what stands in its way.
+
+        Returns
+        -------
+        ThermalConstrictionSolution
+
+        Raises
+        ------
+        OutsideValidity
+            As for `winkler.problems.conduction.constriction.Constriction.solve`.
+        """
+        contact = pressed_disc(self.bed, self.load)
+        radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
+        parts = resistances_of(self.bed, self.conductors, radius.ravel())
+
+        bulk = parts.bulk_first + parts.bulk_second
+        whole = parts.first + parts.second + parts.film + bulk
+        heat = self.temperature_drop / whole
+        shape = np.shape(contact.radius)
+        return ThermalConstrictionSolution(
+            self,
+            contact.depth,
+            contact.force,
+            contact.radius,
+            resistance=shaped(whole, shape),
+            constriction=shaped(parts.first + parts.second, shape),
+            interface_resistance=shaped(parts.film, shape),
+            bulk_resistance=bulk,
+            heat_rate=shaped(heat, shape),
+            first_drop=shaped(_drop(heat, parts.first, parts.bulk_first), shape),
+            second_drop=shaped(_drop(heat, parts.second, parts.bulk_second), shape),
+        )
+
+
+def _drop(heat: Array, constriction: Array, bulk: float) -> Array:
+    """Return the drop of temperature in one body; none where no heat flows."""
+    flowing = heat != 0.0
+    return np.where(flowing, heat * (np.where(flowing, constriction, 0.0) + bulk), 0.0)
+
+
+@value
+class ThermalConstrictionSolution(ConductingSolution):
+    """The answer to a `ThermalConstriction`; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : ThermalConstriction
+        What was asked.
+    depth, force, radius : float or ndarray
+        d [m], F_N [N], a [m] of the contact.
+    resistance : float or ndarray
+        Temperature drop over heat rate [K/W], all parts in series; infinite without contact.
+    constriction : float or ndarray
+        What the constriction costs in both bodies [K/W].
+    interface_resistance : float or ndarray
+        1 / (h pi a^2) [K/W].
+    bulk_resistance : float
+        Of the lengths of rods [K/W]; zero without rods.
+    heat_rate : float or ndarray
+        Q [W], from the first body to the second.
+    first_drop, second_drop : float or ndarray
+        By how much temperature falls within either body [K].
+    """
+
+    problem: ThermalConstriction
+    constriction: Quantity
+    interface_resistance: Quantity
+    bulk_resistance: float
+    heat_rate: Quantity
+    first_drop: Quantity
+    second_drop: Quantity
+
+    @property
+    def conductance(self) -> Quantity:
+        """Heat rate per drop of temperature [W/K]; zero without contact."""
+        return shaped(1.0 / np.asarray(self.resistance))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the heat rate can be trusted."""
+        radius = np.asarray(self.radius, dtype=float)
+        slowest = min(
+            body.diffusivity
+            for body in map(surface_of, (self.problem.conductors.first, self.problem.conductors.second))
+            if isinstance(body, ThermalConductor)
+        )
+        widest = float(np.max(radius, initial=0.0))
+        steady = Note(
+            Assumption.STEADY,
+            Standing.ASYMPTOTIC,
+            f"Steady state: within 9 % after {10.0 * widest**2 / slowest:.3g} s, ten times the square of the contact "
+            "radius over the diffusivity; transients are not included.",
+            "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
+        )
+        problem = self.problem
+        yielding = disc_yield_notes(problem.bed, problem.load)
+        return (*scope_notes(problem.bed, radius), *yielding, *problem.conductors.notes, steady)

@@ -1,0 +1,1 @@
+"""Tangential contact, torsion and damping by friction, under any loading history."""

@@ -1,0 +1,315 @@
+r"""Pressed and pushed at the same time: what a contact loses when its depth and its shift both oscillate.
+
+.. math:: d = d_0 + A_z\cos n\theta ,\qquad U = A_x\cos(m\theta+\varphi)
+
+Every spring runs through its own closed cycle, known without steps in time
+(`winkler.problems.friction.spring_cycle`); the loss is their sum.  Where nothing slides (infinite coefficient)
+springs lose what they hold when they part,
+
+.. math:: W = 4A_x^2\,S\int c_T(x)\,\sin^2\!\bigl(\tfrac mn\tau\bigr)\,\mathrm dx,\qquad
+          \cos\tau = \frac{g(x)-d_0}{A_z},\qquad
+          S = \begin{cases}\sin^2\varphi & n = 1\\ 2\sin^2\varphi & n = 2\ (m\text{ odd})\\ n/2 & n\ge3\end{cases}
+
+which is relaxation damping: for m = n = 1 and small :math:`A_z` it is
+:math:`\tfrac83(\mathrm dk_x/\mathrm dd)A_x^2|A_z|\sin^2\varphi`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.given import affordable, whole_number
+from winkler.laws.friction import Coulomb
+from winkler.limits import SPRINGS
+from winkler.loading import Depth, Shift
+from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import Path
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.friction.damping import positive_frequency
+from winkler.problems.friction.damping_validity import STEADY, damping_notes
+from winkler.problems.friction.spring_cycle import SpringCycle
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.normal.yield_statement import Rubbing
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["BimodalDamping", "BimodalDampingSolution"]
+
+TOLERANCE = 1e-12
+"""Of the integral over the springs."""
+EDGE = 30
+"""How often the panels halve their distance from the edges of the widest and the narrowest contact."""
+
+
+@value
+class BimodalDamping:
+    """A contact that is pressed and pushed along the surface in harmonic motion, d_0 + A_z cos, A_x cos(. + phase).
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs, on a homogeneous or power-law medium.
+    law : Coulomb
+        Friction; an infinite coefficient if nothing slides (relaxation damping), zero is refused.
+    depth : float
+        Mean depth d_0 [m].
+    depth_amplitude : float
+        A_z [m], zero or more; beyond the mean depth the bodies part in every cycle.
+    shift_amplitude : float or ndarray
+        A_x [m], zero or more.
+    phase : float or ndarray
+        By which the shift is ahead of the depth [rad], in its own cycle.
+    normal_cycles, lateral_cycles : int, optional
+        How often the contact is pressed and pushed in a closed cycle; without a common divisor.  A frequency ratio of
+        3/2 is three lateral cycles to two normal ones.
+
+    Raises
+    ------
+    InvalidInput
+        If one of them is out of bounds, or the shapes do not go together.
+
+    References
+    ----------
+    M. Popov, V. L. Popov, R. Pohrt, Sci. Rep. 5 (2015) 16189, doi:10.1038/srep16189
+
+    Examples
+    --------
+    In phase a ball that does not slide loses nothing; a quarter of a cycle apart it loses most.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.conical import Cone
+    >>> bed = Foundation(Cone(half_angle=1.4), HalfSpace(Elastic(1.0, 0.0)))
+    >>> swing = BimodalDamping(bed, Coulomb(math.inf), depth=0.1, depth_amplitude=0.02, shift_amplitude=0.01,
+    ...                        phase=np.array([0.0, math.pi / 2])).solve()
+    >>> swing.loss_per_cycle / (16 / 3 * bed.medium.shear_modulus * 0.01**2 * 0.02 / bed.gap_slope(np.ones(1)))
+    array([0., 1.])
+    """
+
+    bed: Bed
+    law: Coulomb
+    depth: float
+    depth_amplitude: float
+    shift_amplitude: Quantity
+    phase: Quantity = 0.0
+    normal_cycles: int = 1
+    lateral_cycles: int = 1
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.law, Coulomb) or not self.law.coefficient > 0.0:
+            raise InvalidInput(
+                f"BimodalDamping: the law is {self.law!r}; give Coulomb(coefficient) with a positive "
+                "coefficient, infinite if nothing slides."
+            )
+        for word in ("depth", "depth_amplitude"):
+            number = getattr(self, word)
+            if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+                raise InvalidInput(f"BimodalDamping: {word} is {number!r}; give one finite number in m.")
+        for word, unit in (("shift_amplitude", "m"), ("phase", "rad")):
+            numbers = np.asarray(getattr(self, word))
+            if numbers.dtype.kind not in "fiu" or not numbers.size or not np.all(np.isfinite(numbers)):
+                raise InvalidInput(f"BimodalDamping: {word} is {numbers!r}; give finite numbers in {unit}.")
+        if self.depth_amplitude < 0.0 or np.any(np.asarray(self.shift_amplitude) < 0.0):
+            raise InvalidInput(
+                "BimodalDamping: an amplitude is negative; give how far to each side, zero or more, and turn "
+                "the phase by pi instead."
+            )
+        for word in ("normal_cycles", "lateral_cycles"):
+            whole_number("BimodalDamping", word, getattr(self, word), 1)
+        affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, SPRINGS)
+        common = math.gcd(self.normal_cycles, self.lateral_cycles)
+        if common > 1:
+            raise InvalidInput(
+                f"BimodalDamping: {self.normal_cycles} normal and {self.lateral_cycles} lateral cycles close "
+                f"{common} times; give {self.normal_cycles // common} and {self.lateral_cycles // common}."
+            )
+        try:
+            np.broadcast_shapes(np.shape(self.shift_amplitude), np.shape(self.phase))
+        except ValueError:
+            raise InvalidInput(
+                f"BimodalDamping: shift_amplitude has the shape {np.shape(self.shift_amplitude)}, phase "
+                f"{np.shape(self.phase)}; give shapes that go together."
+            ) from None
+
+    def solve(self) -> BimodalDampingSolution:
+        """Return the loss of every closed cycle, in the steady state.
+
+        Returns
+        -------
+        BimodalDampingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies never touch, the profile ends before the greatest depth, or the ratio of the springs'
+            stiffnesses is not the same for all of them (layers).
+        NotConverged
+            If the profile is too rough.
+        """
+        deepest = Indentation(self.bed, Depth(self.depth + self.depth_amplitude)).solve()
+        radius = float(deepest.radius)
+        if radius == 0.0:
+            raise OutsideValidity(
+                f"BimodalDamping: a depth of {self.depth:.6g} m with an amplitude of {self.depth_amplitude:.6g} "
+                "m never brings the bodies into touch; press them together."
+            )
+        ratios = stiffness_ratios(self.bed, radius)
+        if not alike(ratios):
+            raise OutsideValidity(
+                f"BimodalDamping: the springs' tangential stiffness is between {ratios[0]:.4g} and "
+                f"{ratios[1]:.4g} of their normal one; with a varying normal load that ratio must be the same "
+                "everywhere: give a homogeneous or power-law medium."
+            )
+        pushed, ahead = np.broadcast_arrays(
+            np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
+        )
+        loss = np.array(
+            [
+                self._lost(ratios[0], radius, float(a), float(p))
+                for a, p in zip(pushed.ravel(), ahead.ravel(), strict=True)
+            ]
+        )
+        if pushed.ndim == 0:
+            return BimodalDampingSolution(self, deepest, float(loss[0]))
+        return BimodalDampingSolution(self, deepest, loss.reshape(pushed.shape))
+
+    def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
+        """Return the motion as a path of straight pieces, for `Tangential`; its time counts closed cycles.
+
+        Parameters
+        ----------
+        phase : float
+            [rad].
+        shift_amplitude : float
+            [m].
+        cycles : int, optional
+            How many closed cycles.
+        count : int, optional
+            Points of each, evenly spaced, beside those where depth or shift turn.  Straight pieces cut corners: losses
+            are off by the square of the distance of points.
+        """
+        n, m = self.normal_cycles, self.lateral_cycles
+        aside = np.mod(np.arange(2 * m) / 2 - phase / (2.0 * np.pi), m) / m
+        points = np.unique(np.concatenate([np.arange(count) / count, np.arange(2 * n) / (2 * n), aside]))
+        time = np.append((np.arange(cycles)[:, None] + points).ravel(), float(cycles))
+        cycle = self._cycle(1.0, shift_amplitude, phase)
+        angle = 2.0 * np.pi * np.mod(time, 1.0)
+        return Path(time, Depth(self.depth + cycle.sunk(angle)), Shift(cycle.moved(angle)))
+
+    def _cycle(self, bound: float, pushed: float, ahead: float) -> SpringCycle:
+        return SpringCycle(self.depth_amplitude, pushed, ahead, self.normal_cycles, self.lateral_cycles, bound)
+
+    def _lost(self, ratio: float, radius: float, pushed: float, ahead: float) -> float:
+        """Return the loss per closed cycle [J] of one amplitude [m] and phase [rad]."""
+        if pushed == 0.0 and not math.isinf(self.law.coefficient):
+            # pressing alone moves nothing along the surface
+            return 0.0
+        lowest = float(Indentation(self.bed, Depth(self.depth - self.depth_amplitude)).solve().radius)
+        edges = self._edges(lowest, radius)
+        bound = self.law.coefficient / ratio
+        cycle = self._cycle(bound, pushed, ahead)
+
+        def density(x: Array, _: Array) -> Array:
+            gap = self.bed.gap(x) - self.depth
+            lost = self._released(cycle, gap) if math.isinf(bound) else cycle.loss(gap)
+            return np.asarray(2.0 * self.bed.tangential_stiffness(x) * lost)
+
+        return float(along_springs(density, edges, np.array([self._tolerance(cycle)]), "loss of the springs")[0])
+
+    def _tolerance(self, cycle: SpringCycle) -> float:
+        """Return what rounding spoils: small differences of depths, and of displacements below a high bound."""
+        stiff, pushed = not math.isinf(cycle.bound), cycle.shift_amplitude
+        span = self.depth_amplitude + (pushed / cycle.bound if stiff else 0.0)
+        if span == 0.0:
+            return TOLERANCE
+        lost = (abs(self.depth) + self.depth_amplitude) / span
+        if stiff:
+            lost *= 1.0 + cycle.bound * self.depth_amplitude / pushed
+        return max(TOLERANCE, 16.0 * np.finfo(float).eps * lost)
+
+    def _edges(self, lowest: float, radius: float) -> Array:
+        """Return ends of panels, finest at the edges of the narrowest and the widest contact [m]."""
+        kinks = [b for b, _ in self.bed.kinks]
+        parts = [towards(radius, kinks, EDGE)]
+        if 0.0 < lowest < radius:
+            parts += [towards(lowest, [], EDGE), lowest + (radius - lowest) * 0.5 ** np.arange(1, EDGE)]
+        return np.unique(np.concatenate(parts))
+
+    def _released(self, cycle: SpringCycle, gap: Array) -> Array:
+        """Return what springs that never slide lose when they part, over their stiffness [m^2]."""
+        n, m = self.normal_cycles, self.lateral_cycles
+        share = math.sin(cycle.phase) ** 2 * n if n <= 2 else 0.5 * n
+        span = self.depth_amplitude
+        if span == 0.0:
+            return np.zeros(gap.shape)
+        touching = np.arccos(np.clip(gap / span, -1.0, 1.0))
+        never = (gap <= -span) | (gap >= span)
+        lost = 2.0 * share * cycle.shift_amplitude**2 * np.sin(m * touching / n) ** 2
+        return np.where(never, 0.0, lost)
+
+
+@value
+class BimodalDampingSolution:
+    """The answer to a `BimodalDamping`; arrays have the shape of amplitude and phase together.
+
+    Parameters
+    ----------
+    problem : BimodalDamping
+        What was asked.
+    contact : IndentationSolution
+        The contact at its greatest depth.
+    loss_per_cycle : float or ndarray
+        Energy lost in every closed cycle [J].
+    """
+
+    problem: BimodalDamping
+    contact: IndentationSolution
+    loss_per_cycle: Quantity
+
+    @property
+    def loss_stiffness(self) -> Quantity:
+        """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper."""
+        moved = np.broadcast_to(np.asarray(self.problem.shift_amplitude, dtype=float), np.shape(self.loss_per_cycle))
+        moving = moved > 0.0
+        whole = np.pi * np.where(moving, moved, 1.0) ** 2 * self.problem.lateral_cycles
+        return shaped(np.where(moving, self.loss_per_cycle / whole, 0.0))
+
+    def damping(self, frequency: float) -> Quantity:
+        """Return the viscous damper that loses as much.
+
+        Parameters
+        ----------
+        frequency : float
+            Of the lateral oscillation [Hz].
+
+        Returns
+        -------
+        float or ndarray
+            [N s/m].
+
+        Raises
+        ------
+        InvalidInput
+            If the frequency is not positive.
+        """
+        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        return (
+            *self.contact.notes_with(Rubbing(self.problem.law.coefficient)),
+            STEADY,
+            *damping_notes(self.problem.bed, float(self.contact.radius), self.problem.law.coefficient),
+        )

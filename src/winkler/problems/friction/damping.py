@@ -1,0 +1,349 @@
+r"""Damping by friction: what a contact loses when it is pushed to and fro under a steady normal load.
+
+Every spring is elastic up to its friction bound :math:`b(x)=\mu c_N(d-g)/c_T` and slides beyond it.  Pushed to and fro
+by
+:math:`\pm U` it runs round a parallelogram, and the contact loses
+
+.. math:: W = 8\int_{b<U} c_T\,b\,(U-b)\,\mathrm dx ,\qquad F_x(U) = 2\int_0^a c_T\min(b,U)\,\mathrm dx
+
+per cycle: the loop of Mindlin and Deresiewicz for every profile.  Of small amplitudes it is the cube,
+:math:`W\to\tfrac43 G^{*2}U^3/(\mu E^*g'(a))`; beyond gross slip each further :math:`\mathrm dU` costs
+:math:`4\mu F_N\mathrm dU`.  A static shift or shear force about which the contact oscillates changes nothing, as long
+as the whole does not slide away: the loop depends on the amplitude alone.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.friction import Coulomb
+from winkler.loading import Depth, Force, Normal, ShearForce, Shift
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import SHEARED
+from winkler.problems.friction.damping_validity import damping_notes
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.normal.yield_statement import Rubbing, slid_depth
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["FrictionDamping", "FrictionDampingSolution"]
+
+TOLERANCE = 1e-13
+"""Of each integral over the springs."""
+EDGE = 30
+"""How often the panels halve their distance from the edge of the contact, where sliding begins."""
+SAMPLES = 257
+"""Places along springs of different kinds at which their bounds are compared."""
+ROUNDING = 1e-12
+"""Part of the sliding force by which rounding may exceed it."""
+
+
+@value
+class FrictionDamping:
+    """A contact pushed to and fro along the surface, under a steady normal load.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) or another bed.
+    law : Coulomb
+        Friction; its coefficient positive and finite.
+    normal : Depth or Force
+        The steady normal load, one number.
+    amplitude : Shift or ShearForce
+        How far to each side the contact is pushed, half of the whole stroke; may be an array, the answers then have
+        its shape.  Zero or more.
+
+    Raises
+    ------
+    InvalidInput
+        If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
+        negative.
+
+    References
+    ----------
+    R. D. Mindlin, H. Deresiewicz, J. Appl. Mech. 20 (1953) 327-344, doi:10.1115/1.4010702; V. L. Popov, M. Hess, Method
+    of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+
+    Examples
+    --------
+    The loss of a ball at six tenths of the sliding force, in units of (mu F)^2 / (a G*).
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> medium = HalfSpace(Elastic(young=1.0, poisson=0.3))
+    >>> bed = Foundation(Paraboloid(1.0), medium)
+    >>> swing = FrictionDamping(bed, Coulomb(0.5), Force(1e-3), ShearForce(3e-4)).solve()
+    >>> round(swing.loss_per_cycle * swing.contact.radius * medium.shear_modulus / 0.5e-3**2, 9)
+    0.041057384
+    """
+
+    bed: Bed
+    law: Coulomb
+    normal: Normal
+    amplitude: Shift | ShearForce
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
+            raise InvalidInput(
+                f"FrictionDamping: the law is {self.law!r}; give Coulomb(coefficient) with a positive, finite "
+                "coefficient: without friction, or without sliding, nothing is lost under a steady normal load."
+            )
+        if not isinstance(self.normal, Depth | Force) or np.ndim(_number(self.normal)) != 0:
+            raise InvalidInput(
+                f"FrictionDamping: normal is {self.normal!r}; give Depth(d) or Force(F) with one number, and "
+                "sweep over several."
+            )
+        if not isinstance(self.amplitude, Shift | ShearForce):
+            raise InvalidInput(
+                f"FrictionDamping: amplitude is a {type(self.amplitude).__name__}; give Shift(U) in m or "
+                "ShearForce(F_x) in N."
+            )
+        least = float(np.min(_number(self.amplitude)))
+        if least < 0.0:
+            raise InvalidInput(
+                f"FrictionDamping: the amplitude {least:g} is negative; give how far to each side, zero or more."
+            )
+
+    def solve(self) -> FrictionDampingSolution:
+        """Return the loss per cycle with the stiffness and the loss factor that belong to it.
+
+        Returns
+        -------
+        FrictionDampingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If a shear force exceeds the coefficient times the normal force: the bodies would slide away.  If the bodies
+            do not touch.
+        NotConverged
+            If the profile is too rough.
+        """
+        contact = Indentation(self.bed, self.normal).solve()
+        if float(contact.radius) == 0.0:
+            raise OutsideValidity(
+                "FrictionDamping: the bodies do not touch under this normal load; press them together."
+            )
+        given = np.asarray(_number(self.amplitude), dtype=float)
+        springs = _Slipping(self.law.coefficient, contact)
+        flat = np.atleast_1d(given).ravel()
+        if isinstance(self.amplitude, ShearForce):
+            force = np.minimum(flat, self._bearable(flat, float(contact.force)))
+            moved = springs.shift(force)
+        else:
+            moved, force = flat, springs.force(flat)
+        answers = (answer.reshape(given.shape) for answer in (moved, force, springs.loss(moved)))
+        shift, shear_force, loss = (float(each) if given.ndim == 0 else each for each in answers)
+        return FrictionDampingSolution(self, contact, shift, shear_force, loss)
+
+    def _bearable(self, asked: Array, force: float) -> float:
+        """Return the sliding force [N]; refuse what exceeds it."""
+        most = self.law.coefficient * force
+        bad = np.flatnonzero(asked > most * (1.0 + ROUNDING))
+        if bad.size:
+            where = "" if asked.size == 1 else f" at index {', '.join(map(str, bad[:5]))}"
+            raise OutsideValidity(
+                f"FrictionDamping: a shear force of {asked[bad[0]]:.6g} N{where} exceeds the coefficient of "
+                f"friction times the normal force, {most:.6g} N: the bodies would slide away; give less, or "
+                "prescribe a Shift."
+            )
+        return most
+
+
+@value
+class FrictionDampingSolution:
+    """The answer to a `FrictionDamping`; every quantity has the shape of the amplitude.
+
+    Parameters
+    ----------
+    problem : FrictionDamping
+        What was asked.
+    contact : IndentationSolution
+        The contact under its normal load.
+    shift : float or ndarray
+        Amplitude of the shift [m].
+    shear_force : float or ndarray
+        Amplitude of the shear force [N].
+    loss_per_cycle : float or ndarray
+        Energy lost in every cycle [J].
+    """
+
+    problem: FrictionDamping
+    contact: IndentationSolution
+    shift: Quantity
+    shear_force: Quantity
+    loss_per_cycle: Quantity
+
+    @property
+    def secant_stiffness(self) -> Quantity:
+        """Amplitude of the force over that of the shift [N/m]; at no amplitude the stiffness without slip."""
+        moving = np.asarray(self.shift) > 0.0
+        stuck = 0.0
+        if not np.all(moving):
+            stuck = _Slipping(self.problem.law.coefficient, self.contact).stiffness
+        return shaped(np.where(moving, self.shear_force / np.where(moving, self.shift, 1.0), stuck))
+
+    @property
+    def loss_stiffness(self) -> Quantity:
+        """W / (pi U^2) [N/m], the imaginary part of the equivalent linear spring.
+
+        Divided by the angular frequency it is the viscous damper.
+        """
+        moved = np.asarray(self.shift)
+        moving = moved > 0.0
+        return shaped(np.where(moving, self.loss_per_cycle / (np.pi * np.where(moving, moved, 1.0) ** 2), 0.0))
+
+    @property
+    def loss_factor(self) -> Quantity:
+        """W / (pi F_x U) [-]: the loss per radian over the greatest energy of a spring with the secant stiffness.
+
+        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.
+        """
+        whole = np.pi * np.asarray(self.shear_force) * np.asarray(self.shift)
+        moving = whole > 0.0
+        return shaped(np.where(moving, self.loss_per_cycle / np.where(moving, whole, 1.0), 0.0))
+
+    def damping(self, frequency: float) -> Quantity:
+        """Return the viscous damper that loses as much.
+
+        Parameters
+        ----------
+        frequency : float
+            Of the oscillation [Hz].
+
+        Returns
+        -------
+        float or ndarray
+            W / (2 pi^2 f U^2) [N s/m].
+
+        Raises
+        ------
+        InvalidInput
+            If the frequency is not positive.
+        """
+        return shaped(np.asarray(self.loss_stiffness) / (2.0 * np.pi * positive_frequency(frequency)))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        mu, shape = self.problem.law.coefficient, np.shape(self.shear_force)
+        depth, force = (np.broadcast_to(part, shape) for part in (self.contact.depth, self.contact.force))
+        rubbing = Rubbing(mu, slid_depth(mu, depth, force, np.asarray(self.shear_force)))
+        return (
+            *self.contact.notes_with(rubbing),
+            *damping_notes(self.problem.bed, float(self.contact.radius), mu),
+        )
+
+
+def positive_frequency(frequency: float) -> float:
+    """Return a frequency [Hz]; refuse one that is not positive and finite."""
+    if isinstance(frequency, bool) or not isinstance(frequency, int | float) or not 0.0 < frequency < math.inf:
+        raise InvalidInput(f"frequency: {frequency!r} is not positive and finite; give one number in Hz.")
+    return float(frequency)
+
+
+def _number(load: Normal | Shift | ShearForce) -> Quantity:
+    match load:
+        case Depth(number) | Force(number) | Shift(number) | ShearForce(number):
+            return number
+
+
+@value
+class _Slipping:
+    """The springs of one pressed contact, pushed to and fro."""
+
+    coefficient: float
+    contact: IndentationSolution
+
+    @property
+    def bed(self) -> Bed:
+        return self.contact.problem.bed
+
+    @property
+    def depth(self) -> float:
+        return float(self.contact.depth)
+
+    @property
+    def radius(self) -> float:
+        return float(self.contact.radius)
+
+    @property
+    def _edges(self) -> Array:
+        return towards(self.radius, [b for b, _ in self.bed.kinks], EDGE)
+
+    def _springs(self, x: Array) -> tuple[Array, Array]:
+        """Return c_T [Pa] and the bounds b [m] of springs in contact."""
+        stiffness = self.bed.tangential_stiffness(x)
+        pressed = np.maximum(self.depth - self.bed.gap(x), 0.0)
+        return stiffness, self.coefficient * self.bed.normal_stiffness(x) / stiffness * pressed
+
+    @property
+    def stiffness(self) -> float:
+        """Stiffness without slip [N/m]."""
+        tolerance = np.array([TOLERANCE])
+        total = along_springs(
+            lambda x, _: self.bed.tangential_stiffness(x), self._edges, tolerance, "tangential stiffness of the contact"
+        )
+        return 2.0 * float(total[0])
+
+    @property
+    def reach(self) -> float:
+        """The shift from which every spring slides [m]."""
+        least, greatest = stiffness_ratios(self.bed, self.radius)
+        if alike((least, greatest)):
+            return self.coefficient * self.depth / least
+        x = self.radius * np.linspace(0.0, 1.0, SAMPLES)[1:]
+        return float(np.max(self._springs(x)[1]))
+
+    def _tolerance(self, moved: Array) -> Array:
+        # only springs with b < U count: their d - g, and their places, are small differences when U is small
+        lost = 16.0 * np.finfo(float).eps * self.reach / np.where(moved > 0.0, moved, self.reach)
+        return np.maximum(TOLERANCE, lost)
+
+    def loss(self, moved: Array) -> Array:
+        """Return the loss per cycle [J] at amplitudes of the shift [m], both ``(m,)``."""
+
+        def density(x: Array, index: Array) -> Array:
+            stiffness, bound = self._springs(x)
+            return np.asarray(8.0 * stiffness * bound * np.maximum(moved[index] - bound, 0.0))
+
+        return along_springs(density, self._edges, self._tolerance(moved), "loss of the springs")
+
+    def force(self, moved: Array) -> Array:
+        """Return the amplitude of the shear force [N] at amplitudes of the shift [m], both ``(m,)``."""
+
+        def density(x: Array, index: Array) -> Array:
+            stiffness, bound = self._springs(x)
+            return np.asarray(2.0 * stiffness * np.minimum(bound, moved[index]))
+
+        return along_springs(density, self._edges, np.full(moved.shape, TOLERANCE), "shear force of the springs")
+
+    def shift(self, asked: Array) -> Array:
+        """Return amplitudes of the shift [m] at amplitudes of the shear force [N], both ``(m,)``.
+
+        The least one, where the force is that of sliding throughout.
+        """
+        least, greatest = stiffness_ratios(self.bed, self.radius)
+        if alike((least, greatest)):
+            # Ciavarella, Jaeger: the shear force is mu times what the normal force falls by as far as the stick edge
+            core = np.maximum(float(self.contact.force) - asked / self.coefficient, 0.0)
+            stick = np.asarray(Indentation(self.bed, Force(core)).solve().depth)
+            return np.asarray(self.coefficient * (self.depth - stick) / least)
+        reach = np.full(asked.shape, self.reach)
+        short = self.force(reach) <= asked
+        found = between(lambda moved, index: self.force(moved) - asked[index], np.zeros(asked.shape), reach)
+        return np.where(short, reach, found)

@@ -1,0 +1,236 @@
+r"""A contact that is pressed and moved along the surface: stick, partial slip and sliding, with memory of what was.
+
+Springs stick until the friction they bear is used up, slide on that bound, and let go when nothing presses them any
+more.  In one direction the springs are not needed one by one: told apart by their gap they follow straight pieces
+(`winkler.problems.friction.slip_memory`), so that every history of straight ways in depth and shift is solved exactly,
+
+.. math:: F_x = \frac{G^*}{E^*}\int u_t\,\mathrm dK, \qquad U_t = \frac{G^*}{2E^*}\int u_t^2\,\mathrm dK .
+
+Where a prescribed force bends the way between two points it is refined.  In the plane, under other laws of friction and
+on layered media the springs march one by one (`winkler.problems.friction.spring_march`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.loading import Depth, Force, ShearForce, Shift
+from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.collect_states import rows
+from winkler.problems.friction.spring_march import march
+from winkler.problems.friction.spring_states import OwnLaw, SpringLaw, SpringState
+from winkler.problems.friction.tangential_march import Ways
+from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["Tangential", "TangentialSolution"]
+
+
+@value
+class Tangential:
+    """A body pressed and moved along the surface on a path, with friction.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium).
+    law : Coulomb, StaticKinetic or OwnLaw
+        How the surfaces rub; a law of one's own has a method ``shear_bound(line_load)``.
+    path : Path
+        Depth or normal force, and shift or shear force, over time.
+
+    Raises
+    ------
+    InvalidInput
+        If the path twists the bodies (ask for Torsion), or the law is none of friction.
+
+    References
+    ----------
+    J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661;
+    M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6
+
+    Examples
+    --------
+    Half of the shift at which all slides (Cattaneo, Mindlin):
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(Elastic(210e9, 0.3)))
+    >>> most = 0.3 * 1e-6 * bed.medium.modulus / bed.medium.shear_modulus
+    >>> pushed = Tangential(bed, Coulomb(0.3), Path([0.0, 1.0], Depth(1e-6), Shift([0.0, 0.5 * most]))).solve()
+    >>> round(float(pushed.shear_force[-1] / (0.3 * pushed.force[-1])), 6)  # 1 - 2^(-3/2)
+    0.646447
+    """
+
+    bed: Bed
+    law: SpringLaw
+    path: Path
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "cattaneo_1938", "mindlin_1949", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.law, Coulomb | StaticKinetic | OwnLaw):
+            raise InvalidInput(
+                f"Tangential: the law is a {type(self.law).__name__}; give Coulomb(coefficient), "
+                "StaticKinetic(static_coefficient, kinetic_coefficient), or a law with a method shear_bound."
+            )
+        if not isinstance(self.path, Path):
+            raise InvalidInput(
+                f"Tangential: the path is a {type(self.path).__name__}; give Path(time, normal, lateral)."
+            )
+        if not isinstance(self.path.lateral, Shift | ShearForce):
+            raise InvalidInput(
+                f"Tangential: the path prescribes a {type(self.path.lateral).__name__}; give Shift or ShearForce, or "
+                "ask for Torsion."
+            )
+        refuse_plane("Tangential", self.bed, self.path)
+
+    @property
+    def normal(self) -> IndentationSolution:
+        """The frictionless contact at every point of the path."""
+        across = self.path.across
+        return Indentation(self.bed, Depth(across) if isinstance(self.path.normal, Depth) else Force(across)).solve()
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
+    def steps(self) -> Iterator[TangentialState | SpringState]:
+        """Yield the contact at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If friction does not bear a prescribed shear force, at that step: the states before it have been yielded.
+        NotConverged
+            If a way that is bent by prescribed forces is too long to be followed; give more points.
+        """
+        contact = self.normal
+        widest = float(np.max(contact.radius, initial=0.0))
+        ratios = stiffness_ratios(self.bed, widest) if widest > 0.0 else (1.0, 1.0)
+        if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
+            yield from march(self)
+            return
+        ways = Ways(self.bed, self.law.coefficient, ratios[1], self.path, contact)
+        points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
+        lost = work = 0.0
+        for (time, depth, force, radius), end in zip(points, ways.arrivals(), strict=True):
+            lost, work = lost + end.lost, work + end.spent
+            stored = ways.stored(end.memory)
+            yield TangentialState(
+                self.bed, self.law, ratios[1], time, depth, force, radius, end.shift, end.shear_force, work, stored,
+                lost, end.memory,
+            )  # fmt: skip
+
+    def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return TangentialSolution.of(self, list(states))
+
+    def solve(self) -> TangentialSolution:
+        """Return the contact along the whole path.
+
+        Returns
+        -------
+        TangentialSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class TangentialSolution:
+    """The answer to a `Tangential` problem, point by point.
+
+    Parameters
+    ----------
+    problem : Tangential
+        What was asked.
+    time : ndarray, (steps,)
+        t [s].
+    depth, force, radius : ndarray, (steps,)
+        d [m], F_N [N], a [m].
+    shift, shear_force : ndarray, (steps,) or (steps, 2)
+        u_x [m] and F_x [N]; what drags the upper body along, positive towards +x.
+    stick_radius : ndarray, (steps,)
+        c [m]: springs within stick; a where all do, zero where the bodies slide or are apart.
+    stored_energy : ndarray, (steps,)
+        In the springs' displacement along the surface [J].
+    dissipation : ndarray, (steps,)
+        Energy lost since the beginning [J].
+    states : tuple
+        The states themselves, from which fields are restored.
+    """
+
+    problem: Tangential
+    time: Array
+    depth: Array
+    force: Array
+    radius: Array
+    shift: Array
+    shear_force: Array
+    stick_radius: Array
+    stored_energy: Array
+    dissipation: Array
+    states: tuple[TangentialState | SpringState, ...]
+
+    @classmethod
+    def of(cls, problem: Tangential, states: list[TangentialState | SpringState]) -> TangentialSolution:
+        """Gather states, of the whole path or of its beginning."""
+        return cls(
+            problem,
+            stick_radius=stick_radii(problem.bed, states),
+            **rows(cls, states, "stick_radius"),
+            states=tuple(states),
+        )
+
+    @property
+    def work(self) -> Array:
+        """What the lateral motion has spent since the beginning [J], ``(steps,)``: stored or lost."""
+        return np.array([state.work for state in self.states])
+
+    def at(self, index: int) -> TangentialState | SpringState:
+        """Return the state at one point of the path.
+
+        Raises
+        ------
+        InvalidInput
+            If there is none.
+        """
+        try:
+            return self.states[index]
+        except (IndexError, TypeError):
+            raise InvalidInput(
+                f"solution.at: there is no point {index!r} on a path of {len(self.states)} points."
+            ) from None
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        notes = friction_notes(
+            self.problem.bed, self.problem.law, self.depth, self.force, self.shear_force, self.radius, self.states
+        )
+        return (*notes, energy_note(self.work, self.stored_energy, self.dissipation))
+
+
+def _three(contact: IndentationSolution) -> tuple[Array, Array, Array]:
+    return np.asarray(contact.depth), np.asarray(contact.force), np.asarray(contact.radius)

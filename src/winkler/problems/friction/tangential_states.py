@@ -1,0 +1,179 @@
+"""What a sheared contact is at one point of its path, and how far that can be trusted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.sheared import ShearedSprings
+from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
+from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.friction.sheared_springs import sheared_by_pieces
+from winkler.problems.friction.slip_memory import SlipMemory
+from winkler.problems.friction.spring_states import SpringLaw, SpringState, spring_notes
+from winkler.problems.friction.tangential_march import BENT
+from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.validity import indentation_notes
+from winkler.problems.normal.yield_statement import Rubbing, slid_depth
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["TangentialState", "friction_notes", "stick_radii"]
+
+MINDLIN = (
+    "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973; J. Jaeger, Arch. Appl. Mech. 65 (1995) "
+    "478-487, doi:10.1007/BF00835661"
+)
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"
+
+
+@value
+class TangentialState:
+    """The contact at one point of the path.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs.
+    law : Coulomb
+        Friction.
+    mindlin_ratio : float
+        c_T/c_N [-], the same for all springs.
+    time : float
+        t [s].
+    depth, force, radius : float
+        d [m], F_N [N], a [m].
+    shift, shear_force : float
+        u_x [m] and F_x [N].
+    work, stored_energy, dissipation : float
+        Spent by the lateral motion since the beginning, stored in the springs' displacement along the surface, and lost
+        since the beginning [J].
+    memory : SlipMemory
+        What the springs remember.
+    """
+
+    bed: Bed
+    law: Coulomb
+    mindlin_ratio: float
+    time: float
+    depth: float
+    force: float
+    radius: float
+    shift: float
+    shear_force: float
+    work: float
+    stored_energy: float
+    dissipation: float
+    memory: SlipMemory
+
+    @property
+    def stick_radius(self) -> float:
+        """Radius c within which nothing slides [m]; a where all sticks, zero where all slides."""
+        return float(_stick_radii(self.bed, np.array([self.memory.stick_gap]), self.depth, self.radius)[0])
+
+    @property
+    def sliding(self) -> bool:
+        """Whether the bodies slide: every spring in contact does."""
+        return self.radius > 0.0 and self.memory.stick_gap == 0.0
+
+    @property
+    def pressed(self) -> Pressed:
+        """The springs' displacement across the surface."""
+        return Pressed(self.bed, self.depth, self.radius)
+
+    @property
+    def sheared(self) -> ShearedSprings:
+        """The springs' displacement along the surface, as a sum of earlier contacts: fields are restored from it."""
+        memory = self.memory
+        return sheared_by_pieces(self.bed, self.depth, self.shift, memory.edges, memory.left, memory.right)
+
+
+def stick_radii(bed: Bed, states: Sequence[TangentialState | SpringState]) -> Array:
+    """Return the stick radii of many states of one bed [m], (steps,)."""
+    ours = [state for state in states if isinstance(state, TangentialState)]
+    if len(ours) < len(states):
+        return np.array([state.stick_radius for state in states])
+    gaps, depths, radii = (
+        np.array(column) for column in zip(*((s.memory.stick_gap, s.depth, s.radius) for s in ours), strict=True)
+    )
+    return _stick_radii(bed, gaps, depths, radii)
+
+
+def _stick_radii(bed: Bed, gaps: Array, depth: Quantity, radius: Quantity) -> Array:
+    """Return where springs of given gaps stand [m], within contacts of given depth and radius; zero for no gap."""
+    inner = (gaps > 0.0) & (gaps < depth)
+    found, where = np.unique(np.where(inner, gaps, 0.0), return_inverse=True)
+    return np.where(inner, at_depth(bed, found)[1][where], np.where(gaps > 0.0, radius, 0.0))
+
+
+def friction_notes(
+    bed: Bed,
+    law: SpringLaw,
+    depth: Array,
+    force: Array,
+    shear_force: Array,
+    radius: Array,
+    states: Sequence[TangentialState | SpringState],
+) -> tuple[Note, ...]:
+    """Return how far a sheared contact can be trusted.
+
+    Parameters
+    ----------
+    bed : Bed
+    law : Coulomb, StaticKinetic or OwnLaw
+    depth, force, shear_force, radius : ndarray, (steps,)
+        [m], [N], [N], [m]; the shear force also in the plane, ``(steps, 2)``.
+    states : sequence
+        The states of the path.
+    """
+    rubbing = _rubbing(law, depth, force, shear_force)
+    notes = [*indentation_notes(bed, depth, radius, rubbing), sticking_note(bed.medium, coefficient_of(law))]
+    notes += direction_notes(bed)
+    last = states[-1]
+    if isinstance(last, SpringState):
+        notes += spring_notes(last.springs, law, in_plane=np.ndim(last.shift) == 1)
+    else:
+        notes.append(EXACT)
+    medium = bed.medium
+    if isinstance(medium, HalfSpace):
+        poisson = max(body.poisson for body in (medium.first, medium.second) if isinstance(body, Elastic))
+        if poisson > 0.0:
+            angle = np.degrees(poisson / (4.0 - 2.0 * poisson))
+            notes.append(
+                Note(
+                    Assumption.SLIP,
+                    Standing.ASYMPTOTIC,
+                    f"Slip is taken to be parallel to the shear force; with Poisson's ratio {poisson:.3g} it deviates "
+                    f"by up to about {angle:.2g} degrees, whose effect on forces is of second order in that angle.",
+                    JOHNSON,
+                )
+            )
+    return tuple(notes)
+
+
+def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> Rubbing:
+    match law:
+        case Coulomb(coefficient):
+            most = kinetic = coefficient
+        case StaticKinetic(static, kinetic):
+            most = static
+        case _:
+            return Rubbing(math.inf)
+    return Rubbing(most, slid_depth(kinetic, depth, force, shear_force), kinetic)
+
+
+EXACT = Note(
+    Assumption.SLIP,
+    Standing.EXACT,
+    "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
+    "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "
+    f"force bends the way, springs are followed to {BENT:.0e} of the greatest displacement.",
+    MINDLIN,
+)

@@ -1,0 +1,324 @@
+r"""Torsion with friction: two bodies pressed together and twisted about the axis of their contact, along any path.
+
+Torsion of a round contact is exact in springs.  A spring at x is displaced by :math:`\varphi x`, it carries
+
+.. math:: q(x) = 8G_t\,\varphi\,x ,\qquad |q(x)| \le 4\mu x\int_x^a\frac{p(r)\,\mathrm dr}{\sqrt{r^2-x^2}} ,\qquad
+          M_z = 2\int_0^a x\,q\,\mathrm dx ,\qquad \frac1{G_t} = \frac1{G_1}+\frac1{G_2} ,
+
+its bound depends on the pressure of all rings farther out.  What sticks is the inner part of the contact: towards the
+axis the bound grows without limit against the displacement, so that no finite angle makes all of it slide, and the
+greatest torque is only approached.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed, Pressed
+from winkler.laws.friction import Coulomb
+from winkler.loading import Angle, Depth, Torque
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.assumptions.declared import BALANCED, PRESSED
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.collect_states import rows
+from winkler.problems.friction.torsion_bound import Press, TwistBound, twist_bound
+from winkler.problems.friction.torsion_march import LOSS, TURN, Turned, square, torque_of, turned, turned_to
+from winkler.problems.friction.torsion_memory import TwistMemory, fresh, pieces_of
+from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
+from winkler.problems.friction.torsion_yield import torsion_yield_notes
+from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.normal.validity import contact_notes
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["Torsion", "TorsionSolution"]
+
+CLOSE = 1e-12
+"""Part of the level by which two contacts may differ whose bounds are the same."""
+
+ROUNDING = 1e-6
+"""Excess of the traction over friction that is none."""
+LOOKED_AT, PLACES = 24, 193
+"""At so many points of a path where the load falls the traction is looked at, at so many radii."""
+
+
+@value
+class Torsion:
+    """Two bodies pressed together and twisted against each other.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a homogeneous half-space.
+    law : Coulomb
+        Friction.
+    path : Path
+        Its normal load a Depth or Force, its lateral load an Angle or Torque.
+
+    Raises
+    ------
+    InvalidInput
+        If the law is not Coulomb's, or the path prescribes a shift.
+    OutsideValidity
+        If the medium is not homogeneous: in graded and layered half-spaces the bound of the springs is not known.
+
+    References
+    ----------
+    J. L. Lubkin, J. Appl. Mech. 18 (1951) 183-187; H. Deresiewicz, J. Appl. Mech. 21 (1954) 52-56; J. Jaeger, Arch.
+    Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661
+
+    Examples
+    --------
+    The greatest torque that a ball bears is (3 pi/16) mu F a; under a fifth of it little slides.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), HalfSpace(Elastic(young=1.0, poisson=0.3)))
+    >>> path = Path([0.0, 1.0], Force(1e-3), Torque([0.0, 5e-6]))
+    >>> twist = Torsion(bed, Coulomb(0.5), path).solve()
+    >>> round(float(twist.torque_limit[1] / (0.5 * 1e-3 * twist.radius[1]) / np.pi), 12)  # 3/16
+    0.1875
+    >>> round(float(twist.stick_radius[1] / twist.radius[1]), 6)
+    0.938664
+    """
+
+    bed: Bed
+    law: Coulomb
+    path: Path
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lubkin_1951", "deresiewicz_1954", "jaeger_1995")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED | {Assumption.SLIP}
+    needs_round: ClassVar[str] = "torsion"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.law, Coulomb):
+            raise InvalidInput(f"Torsion: the law is a {type(self.law).__name__}; give Coulomb(coefficient).")
+        if not isinstance(self.path, Path) or not isinstance(self.path.lateral, Angle | Torque):
+            given = self.path.lateral if isinstance(self.path, Path) else self.path
+            raise InvalidInput(
+                f"Torsion: the path prescribes a {type(given).__name__}; give Path(time, normal, lateral) with the "
+                "lateral load Angle([...]) or Torque([...])."
+            )
+        if not isinstance(self.bed.medium, HomogeneousMedium):
+            raise OutsideValidity(
+                f"Torsion: the medium of the bed is a {type(self.bed.medium).__name__}; what twisted springs bear is "
+                "only known on homogeneous half-spaces: give HalfSpace or TransverselyIsotropicHalfSpace."
+            )
+
+    @property
+    def _forced(self) -> bool:
+        return not isinstance(self.path.normal, Depth)
+
+    def _pressed(self) -> tuple[Array, Array, Array]:
+        """Return depths, forces and radii along the path."""
+        across = self.path.across
+        depth, radius = at_force(self.bed, across) if self._forced else at_depth(self.bed, across)
+        force = across if self._forced else self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
+        return depth, np.where(radius > 0.0, force, 0.0), radius
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
+    def steps(self) -> Iterator[TorsionState]:
+        """Yield the state at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If a torque exceeds what friction bears: at that step, the states before it have been yielded.  If the
+            contact grows beyond what is known of the profile, or is no disc.
+        NotConverged
+            If the profile is too rough, or a step too long for the angle or the loss to settle.
+        """
+        modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
+        depth, force, radius = self._pressed()
+        widest = float(np.max(radius))
+        bound = twist_bound(self.bed, self.law.coefficient, widest if widest > 0.0 else 1.0, self._forced)
+        excess = np.where(radius >= self.bed.rim, depth - self.bed.gap(radius), 0.0)
+        rows = (self.path.across, radius, np.maximum(excess, 0.0))
+        presses = [Press(*row) for row in zip(*(each.tolist() for each in rows), strict=True)]
+        memory = turned(bound, fresh(min(presses[0].level, 0.0)), presses[0], 0.0).memory
+        angle = lost = work = 0.0
+        for i, (press, target) in enumerate(zip(presses, self.path.along.tolist(), strict=True)):
+            step = self._step(bound, memory, press, target, angle, i)
+            memory = step.memory
+            lost, work = lost + step.loss / (4.0 * modulus), work + step.work / (4.0 * modulus)
+            angle = target if isinstance(self.path.lateral, Angle) else angle + step.twist / (8.0 * modulus)
+            yield TorsionState(
+                time=float(self.path.time[i]),
+                depth=float(depth[i]),
+                force=float(force[i]),
+                radius=press.radius,
+                angle=angle,
+                torque=torque_of(bound, memory),
+                torque_limit=bound.most(press),
+                stick_radius=_stick_radius(memory),
+                work=work,
+                stored_energy=square(bound, memory) / (8.0 * modulus),
+                dissipation=lost,
+                nested=step.nested,
+                springs=TwistedSprings(self.bed, self.law.coefficient, bound.widest, self._forced, memory),
+            )
+
+    def _step(
+        self, bound: TwistBound, memory: TwistMemory, press: Press, target: float, angle: float, index: int
+    ) -> Turned:
+        if isinstance(self.path.lateral, Angle):
+            modulus = self.bed.medium.torsional_modulus  # type: ignore[attr-defined]
+            return turned(bound, memory, press, 8.0 * modulus * (target - angle))
+        try:
+            return turned_to(bound, memory, press, target)
+        except OutsideValidity as error:
+            raise OutsideValidity(f"Torsion: at index {index} of the path {error}") from None
+
+    def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = tuple(states)
+        return TorsionSolution(self, **rows(TorsionSolution, every), states=every)
+
+    def solve(self) -> TorsionSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        TorsionSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class TorsionSolution:
+    """The answer to a `Torsion`, point by point.
+
+    Parameters
+    ----------
+    problem : Torsion
+        What was asked.
+    time : ndarray, (steps,)
+        [s].
+    depth, force, radius : ndarray, (steps,)
+        Of the normal contact: d [m], F_N [N], a [m], zero without contact.
+    angle, torque : ndarray, (steps,)
+        phi [rad] and M_z [N m].
+    torque_limit : ndarray, (steps,)
+        At which everything would slide [N m].
+    stick_radius : ndarray, (steps,)
+        Of the part that is not at its bound [m].
+    work, stored_energy, dissipation : ndarray, (steps,)
+        Spent by the twist since the beginning, its elastic energy, and energy lost since the beginning [J].
+    nested : ndarray of bool, (steps,)
+        Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
+    states : tuple of TorsionState
+        One by one, with the springs from which fields are restored.
+    """
+
+    problem: Torsion
+    time: Array
+    depth: Array
+    force: Array
+    radius: Array
+    angle: Array
+    torque: Array
+    torque_limit: Array
+    stick_radius: Array
+    work: Array
+    stored_energy: Array
+    dissipation: Array
+    nested: Array
+    states: tuple[TorsionState, ...]
+
+    def at(self, index: int) -> TorsionState:
+        """Return the state at one point of the path.
+
+        Parameters
+        ----------
+        index : int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such point.
+        """
+        if not -len(self.states) <= index < len(self.states):
+            raise InvalidInput(f"at: there is no point {index} on this path of {len(self.states)}.")
+        return self.states[index]
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        problem = self.problem
+        bed = problem.bed
+        contact = (*bed.notes, *contact_notes(bed, self.depth, self.radius), *torsion_yield_notes(bed, self.states))
+        return (*contact, *_notes(self), energy_note(self.work, self.stored_energy, self.dissipation))
+
+
+def _notes(solution: TorsionSolution) -> Iterator[Note]:
+    yield Note(
+        Assumption.SLIP,
+        Standing.EXACT,
+        "Torsion of a round contact and its normal load do not act on each other, whatever the Poisson ratios are, "
+        "also of elastically dissimilar bodies: for small rotations the springs give the three-dimensional solution "
+        "itself, as long as what slides is an outer ring.",
+        "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
+    )
+    bad = np.flatnonzero(~solution.nested.astype(bool))
+    excess, index = _excess(solution)
+    if bad.size or excess > ROUNDING:
+        yield Note(
+            Assumption.SLIP,
+            Standing.APPROXIMATE,
+            f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of them: "
+            "the normal load falls while the twist turns back.  There the law holds for the springs, but not on all "
+            f"of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where looked at.",
+            "traction restored at points where the load falls",
+        )
+    moving = isinstance(solution.problem.path.lateral, Torque)
+    yield Note(
+        Assumption.RESOLUTION,
+        Standing.EXACT,
+        "Angle, torque and slip are known without a grid; under a changing normal load "
+        + (f"the angle to {TURN:g} of what friction bears." if moving else f"the loss to {LOSS:g} of the energies."),
+        "moves along the path halved until they agree",
+    )
+
+
+def _excess(solution: TorsionSolution) -> tuple[float, int]:
+    """Return by which part the traction exceeds friction at most, where the load falls, and the first such point."""
+    last = len(solution.states)
+    falling = np.flatnonzero((np.diff(solution.depth) < 0.0) & (solution.radius[1:] > 0.0)) + 1
+    greatest, first = 0.0, last
+    for index in falling[:: max(1, falling.size // LOOKED_AT)].tolist():
+        state = solution.states[index]
+        r = np.linspace(0.02, 0.98, PLACES) * state.radius
+        pressed = Pressed(solution.problem.bed, state.depth, state.radius)
+        borne = solution.problem.law.coefficient * solution.problem.bed.medium.pressure(pressed, r)
+        excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
+        if excess > ROUNDING:
+            greatest, first = max(greatest, excess), min(first, index)
+    return greatest, first
+
+
+def _stick_radius(memory: TwistMemory) -> float:
+    """Return the radius up to which no spring is at the bound of the contact as it is."""
+    for piece in pieces_of(memory):
+        same = abs(piece.bound.level - memory.level) <= CLOSE * abs(memory.level)
+        if piece.side != 0.0 and piece.held == 0.0 and piece.entered == 0.0 and same:
+            return piece.low
+    return memory.radius

@@ -1,0 +1,207 @@
+"""What a twisted contact is at one moment, and the load of its springs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.media.interior.twist_field import (
+    TwistBelow,
+    twist_below,
+    twist_constants,
+    twist_displacement,
+    twist_traction,
+)
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.friction.torsion_bound import TwistBound, twist_bound
+from winkler.problems.friction.torsion_memory import TwistMemory, pieces_of
+from winkler.values import value
+
+__all__ = ["TorsionState", "TwistedSprings"]
+
+
+@value
+class TwistedSprings:
+    """The load q(x) = x h(x) of the springs of a twisted contact.
+
+    Parameters
+    ----------
+    bed : Bed
+        On a homogeneous half-space.
+    coefficient : float
+        mu [-].
+    widest : float
+        A contact radius that was never exceeded [m].
+    forced : bool
+        Whether the memory counts forces, not depths.
+    memory : TwistMemory
+        What the springs remember.
+    """
+
+    bed: Bed
+    coefficient: float
+    widest: float
+    forced: bool
+    memory: TwistMemory
+
+    @property
+    def radius(self) -> float:
+        """Of the contact, a [m]."""
+        return self.memory.radius
+
+    @property
+    def edge(self) -> float:
+        """h(a-) [Pa]; zero where the contact closes smoothly."""
+        if self.radius == 0.0 or (self.radius < self.bed.rim and not self._bound.endless):
+            return 0.0
+        return float(self.value(np.array([self.radius]))[0])
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)``: just above x the slope of h holds -strength / sqrt(x^2 - x_kink^2)."""
+        found = {b: 0.0 for b, _ in self.bed.kinks if b < self.radius}
+        for piece in pieces_of(self.memory):
+            if piece.low > 0.0:
+                found.setdefault(piece.low, 0.0)
+            for b, strength in self.bed.kinks:
+                if piece.low <= b < piece.high:
+                    rate = float(self.bed.stiffness(np.array([b]))[0]) if self.forced else 1.0
+                    bounded = piece.side if b < piece.bound.radius else 0.0
+                    found[b] = bounded * self._bound.onset(b, strength) - piece.entered * rate * strength
+        return tuple(sorted(found.items()))
+
+    @property
+    def _bound(self) -> TwistBound:
+        return twist_bound(self.bed, self.coefficient, self.widest, self.forced)
+
+    def value(self, x: Array) -> Array:
+        """h(x) [Pa] for 0 < x <= a."""
+        return self._read(x, self._bound.panels.value)
+
+    def slope(self, x: Array) -> Array:
+        """h'(x) [Pa/m] for 0 < x < a."""
+        return self._read(x, self._bound.panels.slope)
+
+    def load(self, x: ArrayLike) -> Array:
+        """q(x) [N/m], odd in x, zero outside the contact."""
+        places = np.asarray(x, dtype=float)
+        inside = (np.abs(places) <= self.radius) & (places != 0.0)
+        where = np.where(inside, np.abs(places), 0.5 * self.radius)
+        return np.where(inside, places * self.value(where), 0.0) if self.radius > 0.0 else np.zeros(places.shape)
+
+    def _read(self, x: Array, reading: Callable[[Array, Array], Array]) -> Array:
+        x = np.asarray(x, dtype=float)
+        result = np.zeros(x.shape)
+        inner = self.memory.edges[1:-1]
+        which = np.searchsorted(inner, x, side="right")
+        for index, piece in enumerate(pieces_of(self.memory)):
+            here = which == index
+            if here.any():
+                result[here] = reading(piece.values(self._bound), x[here])
+        return result
+
+
+@value
+class TorsionState:
+    """A twisted contact at one moment.
+
+    Parameters
+    ----------
+    time : float
+        [s].
+    depth, force, radius : float
+        Of the normal contact: d [m], F_N [N], a [m].
+    angle, torque : float
+        phi [rad] and M_z [N m].
+    torque_limit : float
+        At which everything would slide [N m].
+    stick_radius : float
+        Of the part that is not at its bound [m].
+    work, stored_energy, dissipation : float
+        Spent by the twist since the beginning, its elastic energy, and energy lost since the beginning [J].
+    nested : bool
+        Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
+    springs : TwistedSprings
+        Their load.
+    """
+
+    time: float
+    depth: float
+    force: float
+    radius: float
+    angle: float
+    torque: float
+    torque_limit: float
+    stick_radius: float
+    work: float
+    stored_energy: float
+    dissipation: float
+    nested: bool
+    springs: TwistedSprings
+
+    def line_load(self, x: ArrayLike) -> Array:
+        """Return the load of the springs q(x) [N/m], odd in x.
+
+        Parameters
+        ----------
+        x : array_like
+            [m].
+        """
+        return self.springs.load(x)
+
+    def traction(self, r: ArrayLike) -> Array:
+        """Return the traction tau_theta(r) [Pa], positive the way of a positive torque; zero outside the contact.
+
+        Parameters
+        ----------
+        r : array_like
+            Distance from the axis [m], not negative.
+        """
+        return twist_traction(self.springs, np.asarray(r, dtype=float))
+
+    def turning(self, r: ArrayLike) -> Array:
+        """Return the displacement u_theta(r) of the surface [m], the sum over both bodies.
+
+        Parameters
+        ----------
+        r : array_like
+            Distance from the axis [m], not negative.
+        """
+        modulus = self.springs.bed.medium.torsional_modulus  # type: ignore[attr-defined]
+        return twist_displacement(self.springs, np.asarray(r, dtype=float), modulus)
+
+    def below(self, r: ArrayLike, z: ArrayLike) -> TwistBelow:
+        """Return displacement and shear stresses inside the bodies.
+
+        Parameters
+        ----------
+        r, z : array_like
+            Distance from the axis, and depth below the surface [m]: positive in the first body, negative in the second.
+
+        Returns
+        -------
+        TwistBelow
+            In the common shape of r and z, with z from the surface into the first body throughout; a positive torque
+            turns the first body forwards and the second one back.
+
+        Raises
+        ------
+        InvalidInput
+            If a place lies on the surface.
+        OutsideValidity
+            If the body there is rigid.
+        """
+        places, depths = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
+        parts = np.zeros((3, *places.shape))
+        medium = self.springs.bed.medium
+        for sign, body in ((1.0, "first"), (-1.0, "second")):
+            here = sign * depths >= 0.0 if sign > 0.0 else depths < 0.0
+            if here.any():
+                modulus, stretch = twist_constants(getattr(medium, body))
+                parts[:, here] = twist_below(self.springs, places[here], np.abs(depths[here]), modulus, stretch)
+        # the second body is turned the other way; there z, and with it tau_theta-z, counts from its own surface
+        parts[0] *= np.where(depths < 0.0, -1.0, 1.0)
+        parts[2] *= np.where(depths < 0.0, -1.0, 1.0)
+        return TwistBelow(*parts)

@@ -1,0 +1,87 @@
+"""Whether a contact that is pressed and twisted stays elastic.
+
+The twist adds shear stresses of its own to those of the pressure, so that the squares of both von Mises stresses add.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+
+import numpy as np
+
+from winkler.foundation.bed import Bed, Pressed
+from winkler.media.halfspace import HalfSpace
+from winkler.media.interior.peak import greatest
+from winkler.numerics.types import Array
+from winkler.problems.friction.torsion_fields import body_of_twisted
+from winkler.problems.friction.torsion_states import TorsionState
+from winkler.problems.normal.greatest_stress import sharp_places
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.yield_statement import MISES, Rubbing, unknown_yield, yield_notes_of_bed
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["torsion_yield_notes"]
+
+SKIN = 1e-3
+"""Stresses of a twist are looked for below this depth, in contact radii."""
+ZOOMS = 4
+"""Rounds of refinement: the value is good to about a per mille."""
+
+
+def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note, ...]:
+    """Return whether a twisted contact stays elastic; nothing where no body has a strength.
+
+    Parameters
+    ----------
+    bed : Bed
+    states : sequence of TorsionState
+        Those of a path; looked at are that of the greatest torque and that of the greatest depth.
+    """
+    depth, radius, torque = (
+        np.array([abs(getattr(state, word)) for state in states]) for word in ("depth", "radius", "torque")
+    )
+    if not np.any(torque > 0.0):
+        return yield_notes_of_bed(bed, depth, radius)
+    plain = yield_notes_of_bed(bed, depth, radius)
+    if not plain or any(note.standing is Standing.OUTSIDE for note in plain):
+        return plain
+    if not isinstance(bed.medium, HalfSpace):
+        return yield_notes_of_bed(bed, depth, radius, Rubbing(np.inf))
+    looked = [states[index] for index in sorted({int(np.argmax(torque)), int(np.argmax(depth))})]
+    if any(_sharp(state, part) for state in looked for part in strong_parts(bed.medium)):
+        why = "the stresses of a twist next to a sharp place, or where nothing slips, are not resolved"
+        return unknown_yield(bed.medium, why, plain[0].statement)
+    weakest: dict[float, StrongPart] = {}  # bodies of one Poisson's ratio have the same stresses
+    for part in sorted(strong_parts(bed.medium), key=lambda part: -part.solid.strength):
+        weakest[part.solid.poisson] = part
+    share, part = max(
+        ((_greatest(state, part.first) / part.solid.strength, part) for state in looked for part in weakest.values()),
+        key=lambda pair: pair[0],
+    )
+    stays = "the contact stays elastic" if share < 1.0 else "yielding has begun, and the result is not elastic"
+    statement = (
+        f"By von Mises' criterion {stays}: at the greatest torque and the greatest load of the path the greatest "
+        f"stress is {share:.3g} {'times' if share >= 1.0 else 'of'} the strength of the {part.name}."
+    )
+    return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, statement, MISES),)
+
+
+def _sharp(state: TorsionState, part: StrongPart) -> bool:
+    pressed = Pressed(state.springs.bed, state.depth, state.radius)
+    if state.radius == 0.0:
+        return False
+    return state.springs.edge != 0.0 or any(sharp_places(pressed, part.solid.poisson, 1.0))
+
+
+@functools.lru_cache(maxsize=64)
+def _greatest(state: TorsionState, first: bool) -> float:
+    """Return the greatest von Mises stress in one of the bodies [Pa]."""
+    if state.radius == 0.0:
+        return 0.0
+    sign = 1.0 if first else -1.0
+
+    def field(r: Array, z: Array) -> Array:
+        return body_of_twisted(state, r, np.zeros(r.shape), sign * np.maximum(z, SKIN * state.radius)).von_mises
+
+    return greatest(field, state.radius, zooms=ZOOMS).value

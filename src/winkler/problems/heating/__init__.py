@@ -1,0 +1,1 @@
+"""Frictional heating: flash temperatures, steady and in time."""

@@ -1,0 +1,47 @@
+r"""Estimates of flash temperatures to compare with: slow and fast sliding, and the fit of Tian and Kennedy.
+
+Each gives the greatest temperature of either body for 1 W; the bodies share the heat by Blok's rule, or as given.
+Tian and Kennedy fitted the greatest temperature under a parabolic flux (that of Hertz' pressure) with the mean q by
+
+.. math:: T = \frac{1.31\,q\,a}{\lambda\sqrt{1.2344+\mathrm{Pe}}} .
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.laws.heat import FixedShare, HeatPartition
+from winkler.numerics.types import Array
+from winkler.problems.heating.heat_source import HeatSource
+
+__all__ = ["fast", "shared", "stationary", "tian_kennedy"]
+
+
+def stationary(heat: HeatSource, peclet: Array) -> Array:
+    """Return the greatest lambda T of 1 W [1/m] as if the body were at rest."""
+    return np.full(np.shape(peclet), heat.source.peak(0.0).height)
+
+
+def fast(heat: HeatSource, peclet: Array) -> Array:
+    """Return the greatest lambda T of 1 W [1/m] as if a body that moves did so fast; one at rest counts as such."""
+    moving = np.asarray(peclet) > 0.0
+    if not np.any(moving):
+        return stationary(heat, peclet)
+    return np.where(moving, heat.fast / np.sqrt(2.0 * np.where(moving, peclet, 1.0)), heat.source.peak(0.0).height)
+
+
+def tian_kennedy(heat: HeatSource, peclet: Array) -> Array:
+    """Return the greatest lambda T of 1 W [1/m] under a parabolic flux on the same disc, by the fit."""
+    return np.asarray(1.31 / (math.pi * heat.pressed.radius * np.sqrt(1.2344 + np.asarray(peclet))))
+
+
+def shared(first: Array, second: Array, partition: HeatPartition) -> Array:
+    """Return the greatest temperature per watt of both bodies together, from those each would have alone [K/W]."""
+    if isinstance(partition, FixedShare):
+        share = partition.first_share
+        with np.errstate(invalid="ignore"):
+            parts = [np.where(part > 0.0, part * own, 0.0) for part, own in ((share, first), (1.0 - share, second))]
+        return np.maximum(*parts)
+    return np.asarray(1.0 / (1.0 / first + 1.0 / second))

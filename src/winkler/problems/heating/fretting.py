@@ -1,0 +1,272 @@
+r"""Fretting heat: how warm a contact gets that is pushed to and fro.
+
+Where the surfaces slip by :math:`\mathrm d\mathbf s` under the traction :math:`\boldsymbol\tau`, each cycle turns
+:math:`w(r)=\oint\boldsymbol\tau\cdot\mathrm d\mathbf s` into heat per area: in partial slip a ring.  At f cycles per
+second the mean flux is f w(r).  The source stays in its place, so that both bodies are at rest, take the heat in
+proportion to their conductivities, and have one temperature everywhere on the contact.
+
+About that mean the temperature swings, twice in every cycle.  Of a flux that varies as 1 + cos the swing is less than
+the mean itself; where heat reaches less far in a cycle, :math:`\sqrt{\kappa/(2\pi f)}`, than the source is wide, it is
+that of a plane, :math:`fw/\bigl((e_1+e_2)\sqrt{4\pi f}\bigr)` with the effusivities :math:`e=\lambda/\sqrt\kappa`.  The
+smaller of both is the estimate.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.sheared_fields import sheared_surface
+from winkler.materials.conductor import ThermalConductor
+from winkler.media.conduction.conductors import HeatConductors
+from winkler.numerics.fields.line_source import LineSource, projected
+from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
+from winkler.problems.assumptions.temperature import temperature_note
+from winkler.problems.friction.damping import positive_frequency
+from winkler.problems.friction.tangential import Tangential, TangentialSolution
+from winkler.problems.heating.input_checks import thick_bodies
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["FrettingHeat", "FrettingHeatSolution"]
+
+CLOSED = 1e-6
+"""Part of the greatest shift, or force, by which two ends of a closed cycle may differ."""
+SAMPLES = 513
+LEFT = 1e-9
+"""Part of the contact radius below which a ring is none."""
+ERROR = 0.01
+"""Part of the loss by which the sum over the steps may miss it before a note says more than by how much."""
+JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
+
+
+@value
+class FrettingHeat:
+    """A contact that is pushed to and fro along the surface, again and again, and warms up.
+
+    Parameters
+    ----------
+    motion : Tangential
+        The problem of the motion; its path ends with a closed cycle, which is then repeated for ever.  Two cycles of an
+        oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one differs.
+    frequency : float
+        How often the cycle is repeated [Hz]; the times of the path do not matter.
+    conductors : HeatConductors
+        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+
+    Raises
+    ------
+    InvalidInput
+        If the motion is no `Tangential`, the frequency not positive, or a body does not conduct heat.
+
+    References
+    ----------
+    J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224; R. D. Mindlin, H. Deresiewicz, J. Appl. Mech. 20
+    (1953) 327-344, doi:10.1115/1.4010702
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.path import Path
+    >>> from winkler.profiles.power import Paraboloid
+    >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
+    >>> motion = Tangential(bed, Coulomb(0.5), Path.oscillation(force=100.0, amplitude=1e-6, cycles=2))
+    >>> warm = FrettingHeat(motion, 100.0, HeatConductors(steel, steel)).solve()
+    >>> round(warm.heat_rate / (100.0 * warm.loss_per_cycle), 12), warm.max_temperature < 1.0
+    (1.0, True)
+    """
+
+    motion: Tangential
+    frequency: float
+    conductors: HeatConductors
+
+    references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED | SHEARED | {Assumption.STEADY} | BALANCED
+    needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.motion, Tangential):
+            raise InvalidInput(
+                f"FrettingHeat: motion is a {type(self.motion).__name__}; give Tangential(bed, law, path)."
+            )
+        positive_frequency(self.frequency)
+        thick_bodies("FrettingHeat", self.conductors)
+
+    @property
+    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
+        return thick_bodies("FrettingHeat", self.conductors)
+
+    def solve(self) -> FrettingHeatSolution:
+        """Return the temperature of the contact, after many cycles.
+
+        Returns
+        -------
+        FrettingHeatSolution
+
+        Raises
+        ------
+        InvalidInput
+            If the path does not end with a closed cycle.
+        OutsideValidity
+            If nothing slips, or the traction is not known in this medium; else as `Tangential`.
+        """
+        march = self.motion.solve()
+        begin = _begin(march)
+        loss = float(march.dissipation[-1] - march.dissipation[begin])
+        if loss <= 0.0:
+            raise OutsideValidity(
+                "FrettingHeat: nothing slips in the last cycle of the path, so nothing warms up; move further, or "
+                "press less."
+            )
+        end = float(np.max(march.radius[begin:]))
+        narrow = float(np.min(march.radius[begin:]))
+        joints = [float(np.min(march.stick_radius[begin:])), narrow]
+        joints = [joint for joint in joints if joint < end * (1.0 - LEFT)]
+        flux = round_flux(lambda r: _losses(march, begin, r), joints, end)
+        source = projected(flux.at, joints, end)
+        found = source.heat
+        scale = self.frequency * loss / found
+        heated = LineSource(end, source.scale * scale, source.joints, source.curve)
+        return FrettingHeatSolution(self, march, loss, abs(found / loss - 1.0), flux.scaled(scale), heated)
+
+
+def _begin(march: TangentialSolution) -> int:
+    """Return where the cycle begins that the path ends with."""
+    same = np.ones(march.time.size - 1, dtype=bool)
+    for column in (march.shift, march.shear_force, march.depth):
+        apart = np.abs(column[:-1] - column[-1]).reshape(march.time.size - 1, -1)
+        same &= np.all(apart <= CLOSED * np.max(np.abs(column)), axis=1)
+    moved = np.abs(np.diff(march.shift, axis=0)).reshape(march.time.size - 1, -1).sum(axis=1)
+    found = [i for i in np.flatnonzero(same) if moved[i:].sum() > CLOSED * np.max(np.abs(march.shift))]
+    if not found:
+        raise InvalidInput(
+            "FrettingHeat: the path does not come back to where it has been, with the same depth, shift and shear "
+            "force; let it end with a closed cycle, as two cycles of an oscillation do."
+        )
+    return int(found[-1])
+
+
+def _losses(march: TangentialSolution, begin: int, r: Array) -> Array:
+    """Return the heat per area of the cycle [J/m^2] at distances r, by the trapezoidal rule over its points."""
+    total = np.zeros(r.shape)
+    before = None
+    for state in march.states[begin:]:
+        fields = sheared_surface(state.sheared, r)
+        now = (fields.traction.reshape(*r.shape, -1), fields.slip.reshape(*r.shape, -1))
+        if before is not None:
+            total += np.sum(0.5 * (now[0] + before[0]) * (now[1] - before[1]), axis=-1)
+        before = now
+    return np.maximum(total, 0.0)
+
+
+@value
+class FrettingHeatSolution:
+    """The answer to a `FrettingHeat`: means over a cycle, after many cycles; rises above that far away.
+
+    Parameters
+    ----------
+    problem : FrettingHeat
+        What was asked.
+    march : TangentialSolution
+        The motion.
+    loss_per_cycle : float
+        Energy lost in every cycle [J].
+    misfit : float
+        Part of it by which the sum over the surface missed it, before it was scaled [-].
+    flux : RoundFlux
+        Mean heat per area and time, at any distance from the axis: ``flux.at(r)`` [W/m^2].
+    source : LineSource
+        The same as a line load.
+    """
+
+    problem: FrettingHeat
+    march: TangentialSolution
+    loss_per_cycle: float
+    misfit: float
+    flux: RoundFlux
+    source: LineSource
+
+    @property
+    def heat_rate(self) -> float:
+        """Mean heat per time [W]."""
+        return self.problem.frequency * self.loss_per_cycle
+
+    @property
+    def first_share(self) -> float:
+        """Part of it that goes into the first body [-]."""
+        return self.problem._bodies[0].conductivity / self._conductivity
+
+    @property
+    def _conductivity(self) -> float:
+        return sum(body.conductivity for body in self.problem._bodies)
+
+    @property
+    def max_temperature(self) -> float:
+        """Greatest mean temperature [K]."""
+        return self.source.peak(0.0).height / self._conductivity
+
+    @property
+    def mean_temperature(self) -> float:
+        """Mean temperature over contact and time [K]."""
+        return self.source.mean(0.0) / self._conductivity
+
+    @property
+    def swing(self) -> float:
+        """Estimate of how far the temperature swings about its mean, where that is most [K]."""
+        effusivity = sum(body.conductivity / math.sqrt(body.diffusivity) for body in self.problem._bodies)
+        most = float(np.max(self.flux.at(np.linspace(0.0, self.source.radius, SAMPLES))))
+        plane = most / (effusivity * math.sqrt(4.0 * math.pi * self.problem.frequency))
+        return min(plane, self.max_temperature)
+
+    def temperature(self, r: ArrayLike) -> Array:
+        """Return the mean temperature of the surface [K] at distances r [m] from the axis."""
+        places = np.asarray(r, dtype=float)
+        return np.asarray(self.source.surface(0.0, places, np.zeros(places.shape)) / self._conductivity)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        reach = math.sqrt(
+            max(body.diffusivity for body in self.problem._bodies) / (2.0 * math.pi * self.problem.frequency)
+        )
+        stroke = 0.5 * float(np.max(np.ptp(self.march.shift, axis=0))) / self.source.radius
+        return (
+            *self.march.validity,
+            Note(
+                Assumption.CONDUCTION,
+                Standing.EXACT,
+                "Mean temperatures of half-spaces whose source of heat stays in its place: both bodies have the same "
+                "one everywhere, with shares in proportion to their conductivities.",
+                JAEGER,
+            ),
+            Note(
+                Assumption.STEADY,
+                Standing.ASYMPTOTIC,
+                f"The source moves by {stroke:.2g} of its radius to either side, which is left out.",
+                "the answer itself",
+            ),
+            Note(
+                Assumption.RESOLUTION,
+                Standing.APPROXIMATE if self.misfit > ERROR else Standing.ASYMPTOTIC,
+                f"Traction times slip, summed over the points of the path, misses the loss by {100 * self.misfit:.2g} "
+                "%; it was scaled to it. More points in every cycle bring both together.",
+                "the answer itself",
+            ),
+            Note(
+                Assumption.CONDUCTION,
+                Standing.APPROXIMATE,
+                f"The swing about the mean, about {self.swing:.3g} K, is an estimate for a flux that varies as 1 + cos"
+                f": the mean, or that of a plane, whichever is less. Heat reaches {reach:.2g} m in a cycle.",
+                "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
+            ),
+            temperature_note(float(self.max_temperature) + float(self.swing)),
+        )

@@ -1,0 +1,73 @@
+"""One of two bodies that rub, with the temperature of its surface."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.foundation.bed import Pressed
+from winkler.materials.conductor import ThermalConductor
+from winkler.numerics.fields.line_source import Peak
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.heating.heat_source import heat_source
+from winkler.values import value
+
+__all__ = ["HeatedBody"]
+
+
+@value
+class HeatedBody:
+    """A body under a steady source of heat that its surface moves past.
+
+    Parameters
+    ----------
+    conductor : ThermalConductor
+        What it is made of.
+    speed : float
+        Velocity of its surface along x, past the contact [m/s].
+    heat_rate : float
+        What flows into it [W].
+    pressed : Pressed
+        The springs; the flux has the shape of their pressure.
+    """
+
+    conductor: ThermalConductor
+    speed: float
+    heat_rate: float
+    pressed: Pressed
+
+    @property
+    def peclet(self) -> float:
+        """Pe = V a / (2 kappa) [-]."""
+        return 0.5 * abs(self.speed) * self.pressed.radius / self.conductor.diffusivity
+
+    @property
+    def _wave(self) -> float:
+        return self.speed / self.conductor.diffusivity
+
+    def temperature(self, x: ArrayLike, y: ArrayLike = 0.0) -> Array:
+        """Return the temperature of the surface above that far away.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Places [m], broadcast against each other; x points to where the surface moves, so that the wake lies at
+            x > 0 of a body with positive speed.
+
+        Returns
+        -------
+        ndarray
+            [K].
+        """
+        along, across = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(y, dtype=float))
+        if self.pressed.radius == 0.0 or self.heat_rate == 0.0:
+            return np.zeros(along.shape)
+        source = heat_source(self.pressed).source
+        return source.surface(self._wave, along, across) * (self.heat_rate / self.conductor.conductivity)
+
+    @property
+    def warmest(self) -> Peak:
+        """The greatest temperature within the contact: `height` [K] and its place [m]."""
+        if self.pressed.radius == 0.0 or self.heat_rate == 0.0:
+            return Peak(0.0, 0.0, 0.0)
+        peak = heat_source(self.pressed).source.peak(self._wave)
+        return Peak(peak.height * self.heat_rate / self.conductor.conductivity, peak.x, peak.y)

@@ -1,0 +1,345 @@
+r"""Frictional heating: how warm two bodies get where they rub.
+
+The flux of heat is :math:`\mu\,p\,v`, with the pressure of the frictionless contact and the speed v of sliding.  A body
+that rests against the contact warms up to
+
+.. math:: T = \frac{\mu v E^*}{2\lambda}\,u_z(r) ,
+
+the displacement of the surface times a constant; one that moves past it at the speed V, with the Peclet number
+:math:`\mathrm{Pe}=Va/2\kappa`, stays cooler, and its warmest place lies behind the middle.  Both come from the same
+springs: at rest, temperature is a mean of line loads over all directions, and motion changes each of these line loads
+by itself (`winkler.numerics.fields.moving_source`).  The two bodies share the heat by a rule of their own.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.friction import Coulomb
+from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
+from winkler.loading import Load
+from winkler.materials.conductor import ThermalConductor
+from winkler.media.conduction.conductors import HeatConductors
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import HEATED
+from winkler.problems.heating.estimates import fast, shared, stationary, tian_kennedy
+from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
+from winkler.problems.heating.heated_body import HeatedBody
+from winkler.problems.heating.input_checks import all_finite, checked_heating, load_number, thick_bodies
+from winkler.problems.heating.validity import heating_notes
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.one_load import single
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["FrictionHeating", "FrictionHeatingSolution"]
+
+FASTEST = 1e8
+"""Peclet number above which rounding is felt in means over the contact."""
+
+
+@value
+class FrictionHeating:
+    """Two bodies that slide on each other and warm up.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) or another bed.
+    law : Coulomb
+        Friction, with a finite coefficient.
+    load : Force, Depth or Radius
+        The normal load, which may be an array.
+    conductors : HeatConductors
+        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+    first_speed, second_speed : float or ndarray, optional
+        Velocities [m/s] along x at which the surface of either body moves past the contact; they slide with the
+        difference.  A pin of the second body on a plate has `second_speed` 0, the default.  Arrays broadcast with each
+        other and with the load.
+    partition : EqualMaximum, EqualMean or FixedShare, optional
+        How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If the law is not Coulomb's with a finite coefficient, a conductor or partition is none, a speed is not finite,
+        or speeds and load do not broadcast.
+
+    References
+    ----------
+    J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224; X. Tian, F. E. Kennedy, J. Tribol. 116 (1994)
+    167-174, doi:10.1115/1.2927035; V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015,
+    doi:10.1007/978-3-642-53876-6
+
+    Examples
+    --------
+    A ball on a plate, both of steel, at Pe = 1 of the plate:
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Radius
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
+    >>> pair = HeatConductors(steel, steel)
+    >>> rubbing = FrictionHeating(bed, Coulomb(0.3), Radius(1e-4), pair, first_speed=0.24).solve()
+    >>> round(rubbing.first_peclet, 12), round(rubbing.first_share, 5), round(rubbing.flash_temperature, 3)
+    (1.0, 0.57328, 39.39)
+    """
+
+    bed: Bed
+    law: Coulomb
+    load: Load
+    conductors: HeatConductors
+    first_speed: Quantity
+    second_speed: Quantity = 0.0
+    partition: HeatPartition = EqualMaximum()
+
+    references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "tian_kennedy_1994", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED
+    needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
+
+    def __post_init__(self) -> None:
+        checked_heating("FrictionHeating", self.law, self.partition, self.conductors)
+        for word in ("first_speed", "second_speed"):
+            if not all_finite(getattr(self, word)):
+                raise InvalidInput(f"FrictionHeating: {word} is {getattr(self, word)!r}; give finite numbers in m/s.")
+        shapes = [
+            np.shape(each) for each in (load_number("FrictionHeating", self.load), self.first_speed, self.second_speed)
+        ]
+        try:
+            np.broadcast_shapes(*shapes)
+        except ValueError:
+            raise InvalidInput(
+                f"FrictionHeating: load, first_speed and second_speed have the shapes {shapes[0]}, {shapes[1]} and "
+                f"{shapes[2]}, which do not broadcast; give arrays of one shape, or single numbers."
+            ) from None
+
+    @property
+    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
+        return thick_bodies("FrictionHeating", self.conductors)
+
+    def solve(self) -> FrictionHeatingSolution:
+        """Return how warm the bodies get.
+
+        Returns
+        -------
+        FrictionHeatingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is refused by `Indentation`, the pressure is not known in the medium, or a Peclet number is
+            above 1e8.
+        NotConverged
+            If the profile is too rough.
+        """
+        contact = Indentation(self.bed, self.load).solve()
+        speeds = [np.asarray(each, dtype=float) for each in (self.first_speed, self.second_speed)]
+        shape = np.broadcast_shapes(np.shape(contact.radius), *(each.shape for each in speeds))
+        rates = [np.broadcast_to(each, shape) for each in speeds]
+        peclets = [
+            0.5 * np.abs(rate) * contact.radius / body.diffusivity
+            for rate, body in zip(rates, self._bodies, strict=True)
+        ]
+        fastest = max(float(np.max(each, initial=0.0)) for each in peclets)
+        if fastest > FASTEST:
+            raise OutsideValidity(
+                f"FrictionHeating: a Peclet number V a / (2 kappa) is {fastest:.3g}; temperatures of moving bodies are "
+                f"computed up to {FASTEST:g}: check speeds and diffusivities."
+            )
+        which, sources = loads_over(contact, shape), heat_sources(contact)
+        table = np.zeros((5, *shape))
+        for place in np.ndindex(shape):
+            table[(slice(None), *place)] = _shares(self, sources[which[place]], *(float(rate[place]) for rate in rates))
+        heat = self.law.coefficient * np.broadcast_to(contact.force, shape) * np.abs(rates[0] - rates[1])
+        columns = [heat, table[0], *peclets, *(table[1:] * heat)]
+        return FrictionHeatingSolution(self, contact, *(float(each) if shape == () else each for each in columns))
+
+
+def _shares(problem: FrictionHeating, heat: HeatSource | None, *speeds: float) -> tuple[float, ...]:
+    """Return the share of the first body, and greatest and mean temperatures of both for 1 W in all [K/W]."""
+    bodies = problem._bodies
+    if heat is None:
+        return bodies[0].conductivity / (bodies[0].conductivity + bodies[1].conductivity), 0.0, 0.0, 0.0, 0.0
+    waves = [speed / body.diffusivity for speed, body in zip(speeds, bodies, strict=True)]
+    same = abs(waves[0]) == abs(waves[1])
+    peaks = [heat.source.peak(abs(waves[0])).height]
+    means = [heat.source.mean(waves[0])]
+    peaks.append(peaks[0] if same else heat.source.peak(abs(waves[1])).height)
+    means.append(means[0] if same else heat.source.mean(waves[1]))
+    peaks, means = (
+        [each / body.conductivity for each, body in zip(pair, bodies, strict=True)] for pair in (peaks, means)
+    )
+    match problem.partition:
+        case FixedShare(given):
+            share = given
+        case EqualMean():
+            share = means[1] / (means[0] + means[1])
+        case _:
+            share = peaks[1] / (peaks[0] + peaks[1])
+    return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
+
+
+@value
+class FrictionHeatingSolution:
+    """The answer to a `FrictionHeating`; every quantity has the common shape of load and speeds.
+
+    Temperatures are rises above that of the bodies far away.
+
+    Parameters
+    ----------
+    problem : FrictionHeating
+        What was asked.
+    contact : IndentationSolution
+        The contact, of the shape of the load.
+    heat_rate : float or ndarray
+        Q = mu F v, the heat of friction per time [W].
+    first_share : float or ndarray
+        Part of it that goes into the first body [-].
+    first_peclet, second_peclet : float or ndarray
+        Pe = V a / (2 kappa) of either body [-].
+    first_max_temperature, second_max_temperature : float or ndarray
+        Greatest temperature of either surface within the contact [K].
+    first_mean_temperature, second_mean_temperature : float or ndarray
+        Mean temperature of either surface over the contact [K].
+    """
+
+    problem: FrictionHeating
+    contact: IndentationSolution
+    heat_rate: Quantity
+    first_share: Quantity
+    first_peclet: Quantity
+    second_peclet: Quantity
+    first_max_temperature: Quantity
+    second_max_temperature: Quantity
+    first_mean_temperature: Quantity
+    second_mean_temperature: Quantity
+
+    @property
+    def radius(self) -> Quantity:
+        """Radius of the contact a [m]."""
+        return shaped(np.broadcast_to(self.contact.radius, np.shape(self.heat_rate)))
+
+    @property
+    def flash_temperature(self) -> Quantity:
+        """The greatest temperature of the contact, that of the warmer body [K]."""
+        return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
+
+    @property
+    def stationary_temperature(self) -> Quantity:
+        """What the rule of slow sliding gives for the flash temperature [K]: both bodies as if at rest.
+
+        mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the greatest displacement is d.
+        """
+        return self._estimate(stationary)
+
+    @property
+    def fast_temperature(self) -> Quantity:
+        """What the flash temperature tends to when all that moves does so fast [K]; a body at rest stays at rest.
+
+        Infinite under a rigid punch with a sharp edge.
+        """
+        return self._estimate(fast)
+
+    @property
+    def tian_kennedy_temperature(self) -> Quantity:
+        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]."""
+        return self._estimate(tian_kennedy)
+
+    def _estimate(self, per_watt: Callable[[HeatSource, Array], Array]) -> Quantity:
+        problem, shape = self.problem, np.shape(self.heat_rate)
+        which = loads_over(self.contact, shape)
+        found = np.zeros(shape)
+        for j, source in enumerate(heat_sources(self.contact)):
+            mine = which == j
+            if source is not None:
+                first, second = (
+                    per_watt(source, np.asarray(peclet)[mine]) / body.conductivity
+                    for peclet, body in zip((self.first_peclet, self.second_peclet), problem._bodies, strict=True)
+                )
+                found[mine] = shared(first, second, problem.partition)
+        return shaped(found * self.heat_rate)
+
+    @property
+    def overestimate(self) -> Quantity:
+        """By how much the rule of slow sliding exceeds the flash temperature, relative to that [-]."""
+        flash = np.asarray(self.flash_temperature)
+        warm = flash > 0.0
+        return shaped(np.where(warm, self.stationary_temperature / np.where(warm, flash, 1.0) - 1.0, 0.0))
+
+    @property
+    def first(self) -> HeatedBody:
+        """The first body with its temperature field; of one load and speed, not of an array."""
+        return self._body(0)
+
+    @property
+    def second(self) -> HeatedBody:
+        """The second body with its temperature field; of one load and speed, not of an array."""
+        return self._body(1)
+
+    def _body(self, which: int) -> HeatedBody:
+        heat = single(self.heat_rate, "temperature field")
+        share = (self.first_share, 1.0 - self.first_share)[which]
+        speed = (self.problem.first_speed, self.problem.second_speed)[which]
+        return HeatedBody(self.problem._bodies[which], float(speed), float(share) * heat, self.contact.pressed)
+
+    def at(self, index: int | tuple[int, ...]) -> FrictionHeatingSolution:
+        """Return the solution of one load and speed of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is none.
+        """
+        shape = np.shape(self.heat_rate)
+        try:
+            which = int(np.arange(math.prod(shape)).reshape(shape)[index])
+        except (IndexError, TypeError):
+            raise InvalidInput(f"solution.at: there is no answer {index!r} in one of shape {shape}.") from None
+        place = tuple(int(each) for each in np.unravel_index(which, shape))
+
+        def one(given: Quantity) -> float:
+            return float(np.broadcast_to(given, shape)[place])
+
+        contact, loads = self.contact, np.shape(self.contact.radius)
+        if loads:
+            kept = np.unravel_index(int(loads_over(contact, shape)[place]), loads)
+            contact = contact.at(tuple(int(each) for each in kept))
+        problem = dataclasses.replace(
+            self.problem,
+            load=contact.problem.load,
+            first_speed=one(self.problem.first_speed),
+            second_speed=one(self.problem.second_speed),
+        )
+        words = [field.name for field in dataclasses.fields(self)][2:]
+        return FrictionHeatingSolution(problem, contact, **{word: one(getattr(self, word)) for word in words})
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        pairs = (
+            (np.asarray(self.first_peclet), np.asarray(self.second_peclet)),
+            (np.asarray(self.first_max_temperature), np.asarray(self.second_max_temperature)),
+            (np.asarray(self.first_mean_temperature), np.asarray(self.second_mean_temperature)),
+        )
+        notes = heating_notes(*pairs, np.asarray(self.overestimate), self.problem.partition)
+        problem = self.problem
+        coupled = sliding_note(problem.bed.medium, problem.law.coefficient)
+        contact = self.contact.notes_with(Rubbing(problem.law.coefficient, math.inf))
+        return (*contact, coupled, *notes)

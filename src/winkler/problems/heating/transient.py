@@ -1,0 +1,285 @@
+r"""How a contact that begins to rub warms up.
+
+Both bodies are taken at rest under a flux :math:`\mu\,p\,v` that is switched on: it moves too slowly, or to and fro by
+too little, to matter.  Waves of temperature of the wave number k have then grown by the time t to the part
+:math:`\mathrm{erf}(k\sqrt{\kappa t})` of their last value, whatever their direction; so each line load of the flux
+grows by itself (`winkler.numerics.fields.line_source`), and the surface follows by T3.  At first the temperature
+grows as
+:math:`2\,\mu p v\sqrt{\kappa t/\pi}/\lambda`, point by point; it settles as slowly as :math:`a/\sqrt{\pi\kappa t}`.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.laws.friction import Coulomb
+from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
+from winkler.loading import Load
+from winkler.materials.conductor import ThermalConductor
+from winkler.media.conduction.conductors import HeatConductors
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.assumptions.coupling import sliding_note
+from winkler.problems.assumptions.declared import HEATED
+from winkler.problems.assumptions.temperature import temperature_note
+from winkler.problems.heating.estimates import shared
+from winkler.problems.heating.heat_source import heat_source
+from winkler.problems.heating.input_checks import all_finite, checked_heating, load_number, thick_bodies
+from winkler.problems.heating.validity import STEADY_SOURCE
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.yield_statement import Rubbing
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import frozen_array, value
+
+__all__ = ["TransientHeating", "TransientHeatingSolution"]
+
+CIRCLES = 33
+"""Circles on which the greatest temperature is looked for where the flux does not fall from the axis on."""
+
+
+@value
+class TransientHeating:
+    """Two bodies that begin to slide on each other, slowly, and warm up in the course of time.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs.
+    law : Coulomb
+        Friction, with a finite coefficient.
+    load : Force, Depth or Radius
+        The normal load, one number.
+    conductors : HeatConductors
+        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+    speed : float
+        Speed of sliding [m/s], not negative.
+    time : ndarray, (steps,)
+        Since the sliding began [s], positive.
+    partition : EqualMaximum, EqualMean or FixedShare, optional
+        How the bodies share the heat, at every time anew; EqualMaximum() unless given.
+
+    Raises
+    ------
+    InvalidInput
+        If the load is an array, a time is not positive, the speed negative, or as `FrictionHeating` says.
+
+    References
+    ----------
+    H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959, sect. 10.5
+
+    Examples
+    --------
+    Under a ball the middle has reached three quarters of its last temperature at the time a^2/kappa.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Radius
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
+    >>> pair, settling = HeatConductors(steel, steel), 1e-8 / 12e-6
+    >>> start = TransientHeating(bed, Coulomb(0.3), Radius(1e-4), pair, speed=1e-3, time=[settling]).solve()
+    >>> round(float(start.flash_temperature[0] / start.stationary_temperature), 4)
+    0.7682
+    """
+
+    bed: Bed
+    law: Coulomb
+    load: Load
+    conductors: HeatConductors
+    speed: float
+    time: Array
+    partition: HeatPartition = EqualMaximum()
+
+    references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = HEATED
+    needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
+
+    def __post_init__(self) -> None:
+        speed = self.speed
+        if isinstance(speed, bool) or not isinstance(speed, int | float) or not 0.0 <= speed < math.inf:
+            raise InvalidInput(f"TransientHeating: speed is {speed!r}; give zero or a positive number in m/s.")
+        time = np.asarray(self.time, dtype=float) if all_finite(self.time) else np.empty(0)
+        if time.ndim != 1 or time.size == 0 or not np.all(time > 0.0):
+            raise InvalidInput("TransientHeating: time must be a list of positive, finite numbers in s.")
+        if np.ndim(load_number("TransientHeating", self.load)) != 0:
+            raise InvalidInput("TransientHeating: the load is an array; give one number, and sweep over several.")
+        checked_heating("TransientHeating", self.law, self.partition, self.conductors)
+        object.__setattr__(self, "time", frozen_array(time))
+
+    @property
+    def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:
+        return thick_bodies("TransientHeating", self.conductors)
+
+    def solve(self) -> TransientHeatingSolution:
+        """Return the temperatures in the course of time.
+
+        Returns
+        -------
+        TransientHeatingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is refused by `Indentation`, or the pressure is not known in the medium.
+        NotConverged
+            If the profile is too rough.
+        """
+        contact = Indentation(self.bed, self.load).solve()
+        heat = self.law.coefficient * float(contact.force) * self.speed
+        conductivities = [body.conductivity for body in self._bodies]
+        share = np.full(self.time.shape, conductivities[0] / sum(conductivities))
+        parts = [np.zeros(self.time.shape)] * 4
+        if contact.radius > 0.0:
+            source = heat_source(contact.pressed).source
+            # two bodies of one diffusivity warm up alike
+            rises = {
+                rate: [
+                    np.array([grown(math.sqrt(rate * time)) for time in self.time])
+                    for grown in (partial(_greatest, source), source.risen_mean)
+                ]
+                for rate in {body.diffusivity for body in self._bodies}
+            }
+            first, first_mean, second, second_mean = (
+                rise * heat / body.conductivity for body in self._bodies for rise in rises[body.diffusivity]
+            )
+            if heat > 0.0:
+                share = _share(self.partition, (first, second), (first_mean, second_mean))
+            parts = [share * first, (1.0 - share) * second, share * first_mean, (1.0 - share) * second_mean]
+        return TransientHeatingSolution(self, contact, heat, self.time, share, *parts)
+
+
+def _share(partition: HeatPartition, greatest: tuple[Array, Array], means: tuple[Array, Array]) -> Array:
+    match partition:
+        case FixedShare(given):
+            return np.full(greatest[0].shape, given)
+        case EqualMean():
+            return np.asarray(means[1] / (means[0] + means[1]))
+        case _:
+            return np.asarray(greatest[1] / (greatest[0] + greatest[1]))
+
+
+def _greatest(source: LineSource, length: float) -> float:
+    """Return the greatest lambda T: on the axis if the flux falls from there, else on the warmest of many circles."""
+    if source.fading:
+        return float(source.risen(length, np.zeros(1))[0])
+    circles = source.radius * np.sin(np.linspace(0.0, 0.5 * np.pi, CIRCLES))
+    return source.warmest(length, circles)
+
+
+@value
+class TransientHeatingSolution:
+    """The answer to a `TransientHeating`; temperatures are rises above that of the bodies far away.
+
+    Parameters
+    ----------
+    problem : TransientHeating
+        What was asked.
+    contact : IndentationSolution
+        The contact.
+    heat_rate : float
+        Q = mu F v, the heat of friction per time [W].
+    time : ndarray, (steps,)
+        Since the sliding began [s].
+    first_share : ndarray, (steps,)
+        Part of the heat that goes into the first body [-].
+    first_max_temperature, second_max_temperature : ndarray, (steps,)
+        Greatest temperature of either surface [K].
+    first_mean_temperature, second_mean_temperature : ndarray, (steps,)
+        Mean temperature of either surface over the contact [K].
+    """
+
+    problem: TransientHeating
+    contact: IndentationSolution
+    heat_rate: float
+    time: Array
+    first_share: Array
+    first_max_temperature: Array
+    second_max_temperature: Array
+    first_mean_temperature: Array
+    second_mean_temperature: Array
+
+    @property
+    def flash_temperature(self) -> Array:
+        """The greatest temperature of the contact, that of the warmer body [K], (steps,)."""
+        return np.maximum(self.first_max_temperature, self.second_max_temperature)
+
+    @property
+    def stationary_temperature(self) -> float:
+        """What the flash temperature tends to in the end [K]."""
+        if self.heat_rate == 0.0 or self.contact.radius == 0.0:
+            return 0.0
+        last = np.array(heat_source(self.contact.pressed).source.peak(0.0).height)
+        first, second = (last / body.conductivity for body in self.problem._bodies)
+        return self.heat_rate * float(shared(first, second, self.problem.partition))
+
+    def first_temperature(self, r: ArrayLike) -> Array:
+        """Return the temperature of the first body's surface [K], (steps, ...), at distances r [m] from the axis."""
+        return self._field(self.problem._bodies[0], self.first_share, r)
+
+    def second_temperature(self, r: ArrayLike) -> Array:
+        """Return the temperature of the second body's surface [K], (steps, ...), at distances r [m] from the axis."""
+        return self._field(self.problem._bodies[1], 1.0 - self.first_share, r)
+
+    def _field(self, body: ThermalConductor, share: Array, r: ArrayLike) -> Array:
+        places = np.asarray(r, dtype=float)
+        if self.contact.radius == 0.0:
+            return np.zeros((self.time.size, *places.shape))
+        source = heat_source(self.contact.pressed).source
+        rows = [source.risen(math.sqrt(body.diffusivity * time), places) for time in self.time]
+        scale = share * self.heat_rate / body.conductivity
+        return np.asarray(scale.reshape(-1, *(1 for _ in places.shape)) * np.array(rows))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        hottest = temperature_note(float(np.max(self.flash_temperature, initial=0.0)))
+        coupled = sliding_note(self.problem.bed.medium, self.problem.law.coefficient)
+        contact = self.contact.notes_with(Rubbing(self.problem.law.coefficient, math.inf))
+        return (*contact, coupled, STEADY_SOURCE, self._rest, self._sharing, hottest)
+
+    @property
+    def _rest(self) -> Note:
+        radius, speed = float(self.contact.radius), self.problem.speed
+        if radius == 0.0 or speed == 0.0:
+            return Note(Assumption.CONDUCTION, Standing.EXACT, "Nothing rubs.", "the problem")
+        waves = [speed / body.diffusivity for body in self.problem._bodies]
+        source = heat_source(self.contact.pressed).source
+        excess = 100.0 * (source.peak(0.0).height / source.peak(max(waves)).height - 1.0)
+        return Note(
+            Assumption.CONDUCTION,
+            Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
+            f"Both bodies are taken at rest against the contact; if one of them moves at the whole speed "
+            f"(Pe = {0.5 * max(waves) * radius:.3g}), its last temperatures are up to {excess:.2g} % too high.",
+            "own quadrature of the moving source",
+        )
+
+    @property
+    def _sharing(self) -> Note:
+        first, second = self.problem._bodies
+        if isinstance(self.problem.partition, FixedShare) or first.diffusivity == second.diffusivity:
+            return Note(
+                Assumption.CONDUCTION,
+                Standing.EXACT,
+                "Both surfaces warm up in proportion, with one share at all times.",
+                CARSLAW,
+            )
+        spread = float(np.ptp(self.first_share))
+        return Note(
+            Assumption.CONDUCTION,
+            Standing.APPROXIMATE,
+            "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
+            "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "
+            f"changes by {spread:.2g} over the times asked.",
+            CARSLAW,
+        )
+
+
+CARSLAW = "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959"

@@ -1,0 +1,1 @@
+"""Impact of bodies, straight and oblique, with friction and adhesion."""

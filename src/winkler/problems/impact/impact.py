@@ -1,0 +1,362 @@
+r"""Impact: a body that strikes a surface, straight or obliquely, with or without spin, and with dry friction.
+
+The bodies are rigid but for the contact, whose force is that of slow motion.  With the approach velocity
+:math:`v=\dot d`, and :math:`w=\dot u_x` of the touching points, which spin :math:`\omega` moves by :math:`\ell\omega`,
+
+.. math:: m\dot v = -F_N(d), \qquad \dot w = -\Bigl(\frac1m+\frac{\ell^2}{I}\Bigr)F_x, \qquad w = v_x - \ell\omega .
+
+The shear force of the springs is followed through sticking, sliding and turning back without a grid
+(`winkler.problems.impact.march`); friction is all that takes energy.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.given import positive_fields
+from winkler.laws.friction import Coulomb
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.direction import direction_notes
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
+from winkler.problems.collect_states import rows
+from winkler.problems.impact.march import Moment, Motion, stages, turning
+from winkler.problems.impact.states import ImpactStage, ImpactState
+from winkler.problems.impact.validity import PLANAR, checked_count, gravity_note
+from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
+from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.validity import indentation_notes
+from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, slid_depth
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["Impact", "ImpactSolution"]
+
+MUCH = 1e5
+"""More friction than this is told from no slip by rounding alone."""
+
+
+@value
+class Impact:
+    """A body strikes a surface.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium).  With friction and a motion along the surface, of a medium whose
+        springs all have the same ratio of tangential to normal stiffness.
+    law : Coulomb
+        Coulomb(coefficient); infinite if nothing slides, zero without friction.
+    mass : float
+        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+    velocity : float
+        v [m/s] of approach at first touch, positive.
+    lateral_velocity : float, optional
+        v_x [m/s] of the centre of mass along the surface at first touch.
+    angular_velocity : float, optional
+        omega [rad/s] at first touch, about the axis in the surface and across the motion; positive as of a ball that
+        rolls forwards.  It needs a lever.
+    inertia : float, optional
+        I [kg m^2] about that axis through the centre of mass; infinite if the body does not turn.
+    lever : float, optional
+        From the centre of mass to the surface [m]: the radius of a ball.
+    count : int, optional
+        At how many moments the answer is wanted; it does not depend on them.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is of the wrong sign or kind, a body spins without a lever, or friction exceeds 1e5 but is finite.
+
+    References
+    ----------
+    N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5;
+    I. A. Lyashenko, V. L. Popov, Sci. Rep. 5 (2015) 8479, doi:10.1038/srep08479
+
+    Examples
+    --------
+    A rubber ball thrown forwards without spin goes on with forward spin, slower.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> radius, mass = 0.02, 0.04
+    >>> bed = Foundation(Paraboloid(radius), HalfSpace.between(Elastic(young=5e6, poisson=0.5)))
+    >>> thrown = Impact(bed, Coulomb(0.8), mass=mass, velocity=1.0, lateral_velocity=0.5,
+    ...                 inertia=0.4 * mass * radius**2, lever=radius).solve()
+    >>> print(f"{thrown.lateral_velocity[-1]:.4f} m/s, {thrown.angular_velocity[-1]:.3f} rad/s")
+    0.3208 m/s, 22.406 rad/s
+    """
+
+    bed: Bed
+    law: Coulomb
+    mass: float
+    velocity: float
+    lateral_velocity: float = 0.0
+    angular_velocity: float = 0.0
+    inertia: float = math.inf
+    lever: float = 0.0
+    count: int = 201
+
+    references: ClassVar[tuple[str, ...]] = (
+        "popov_hess_2015",
+        "hertz_1882",
+        "maw_barber_fawcett_1976",
+        "lyashenko_popov_2015",
+    )
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.law, Coulomb):
+            raise InvalidInput(f"Impact: the law is a {type(self.law).__name__}; give Coulomb(coefficient).")
+        if MUCH < self.law.coefficient < math.inf:
+            raise InvalidInput(
+                f"Impact: with a friction coefficient of {self.law.coefficient:g} hardly a spring slides, and rounding "
+                f"hides which; give at most {MUCH:g}, or Coulomb(math.inf) if nothing slides."
+            )
+        positive_fields(self, mass="kg", velocity="m/s")
+        if self.inertia != math.inf:
+            positive_fields(self, inertia="kg m^2")
+        for word, unit in (("lateral_velocity", "m/s"), ("angular_velocity", "rad/s"), ("lever", "m")):
+            number = getattr(self, word)
+            if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
+                raise InvalidInput(f"Impact: {word} is {number!r}; give a finite number in {unit}.")
+        if self.lever < 0.0 or (self.lever == 0.0 and self.angular_velocity != 0.0):
+            raise InvalidInput(
+                f"Impact: with an angular velocity of {self.angular_velocity:g} rad/s the lever is {self.lever:g} m; "
+                "it must be positive: give the distance from the centre of mass to the surface, the radius of a ball."
+            )
+        checked_count("Impact", self.count)
+
+    @property
+    def sliding_velocity(self) -> float:
+        """Of the touching points along the surface at first touch, v_x - lever omega [m/s]."""
+        return self.lateral_velocity - self.lever * self.angular_velocity
+
+    @property
+    def mobility(self) -> float:
+        """What a shear impulse changes the velocity of the touching points by, 1/m + lever^2 / I [1/kg]."""
+        return 1.0 / self.mass + self.lever**2 / self.inertia
+
+    @property
+    def _motion(self) -> Motion:
+        depth = deepest(self.bed, 0.5 * self.mass * self.velocity**2)
+        ratio = 1.0
+        if self.law.coefficient > 0.0 and self.sliding_velocity != 0.0:
+            _, radius = at_depth(self.bed, np.array([depth]))
+            ratio = stiffness_ratio(self.bed, float(radius[0]))
+        curve = normal_curve(self.bed, depth)
+        mobility, sliding = self.mobility, self.sliding_velocity
+        return Motion(curve, depth, self.mass, mobility, self.velocity, sliding, ratio, float(self.law.coefficient))
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: `count`."""
+        return self.count
+
+    def steps(self) -> Iterator[ImpactState]:
+        """Yield the state at `count` moments, evenly spaced from first touch to the end of contact.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is pressed in beyond what is known of its profile, a contact on the way is no disc, or the
+            springs of an oblique impact are not alike; before the first state.
+        NotConverged
+            If the profile is too rough, or the march comes to a halt.
+        """
+        motion = self._motion
+        turn = turning(motion)
+        times = np.linspace(0.0, 2.0 * turn, self.count)
+        done, begun = 0, tuple[ImpactStage, ...]()
+        for stage in stages(motion, turn):
+            begun = (*begun, ImpactStage(stage.start, stage.end, stage.sign))
+            stop = int(np.searchsorted(times, stage.end, side="right"))
+            asked = times[done:stop]
+            moments = [stage.moment(time) for time in asked.tolist()]
+            if stop == self.count:
+                moments[-1] = _parted(moments[-1])
+            if moments:
+                yield from self._states(asked, moments, begun, 2.0 * turn)
+                done, begun = stop, ()
+
+    def _states(
+        self, times: Array, moments: list[Moment], begun: tuple[ImpactStage, ...], duration: float
+    ) -> list[ImpactState]:
+        gaps = np.array([(max(moment.depth, 0.0), max(moment.stuck, 0.0)) for moment in moments])
+        _, radii = at_depth(self.bed, gaps.ravel())
+        return [
+            ImpactState(
+                time=time,
+                depth=depth,
+                shift=moment.shift,
+                velocity=moment.velocity,
+                sliding_velocity=moment.sliding,
+                force=moment.force,
+                shear_force=moment.shear,
+                radius=radius,
+                stick_radius=min(stick, radius),
+                energy=moment.pressed,
+                stored_energy=moment.stored,
+                dissipation=moment.loss,
+                side=begun[-1].side,
+                stages=() if place else begun,
+                duration=duration,
+            )
+            for place, (time, moment, (depth, _), (radius, stick)) in enumerate(
+                zip(times.tolist(), moments, gaps.tolist(), radii.reshape(-1, 2).tolist(), strict=True)
+            )
+        ]
+
+    def gathered(self, states: Iterable[ImpactState]) -> ImpactSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        every = list(states)
+        stages = _joined([stage for state in every for stage in state.stages], every[-1].time)
+        return ImpactSolution(self, **rows(ImpactSolution, every), duration=every[-1].duration, stages=stages)
+
+    def solve(self) -> ImpactSolution:
+        """Return the whole impact.
+
+        Returns
+        -------
+        ImpactSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+def _parted(end: Moment) -> Moment:
+    """Return the moment after the last springs have parted: what they still stored is lost."""
+    loss = end.loss + end.stored
+    return end._replace(depth=0.0, loss=loss, force=0.0, shear=0.0, pressed=0.0, stored=0.0, stuck=0.0)
+
+
+def _joined(stages: list[ImpactStage], last: float) -> tuple[ImpactStage, ...]:
+    """Return the stages up to a time [s], those of one side after the other as one."""
+    joined: list[ImpactStage] = []
+    for stage in stages:
+        end = min(stage.end, last)
+        if joined and stage.side == joined[-1].side:
+            joined[-1] = ImpactStage(joined[-1].start, end, stage.side)
+        else:
+            joined.append(ImpactStage(stage.start, end, stage.side))
+    return tuple(joined)
+
+
+@value
+class ImpactSolution:
+    """The answer to an `Impact`, moment by moment.
+
+    Parameters
+    ----------
+    problem : Impact
+        What was asked.
+    time : ndarray, (steps,)
+        Since first touch [s]; the last one is the end of contact.
+    depth, shift : ndarray, (steps,)
+        d and u_x [m]: how far the bodies have approached, and moved along the surface, since first touch.
+    velocity, sliding_velocity : ndarray, (steps,)
+        Of approach, and of the touching points along the surface [m/s].
+    force, shear_force : ndarray, (steps,)
+        F_N and F_x [N], which press the body back and hold it up.
+    radius, stick_radius : ndarray, (steps,)
+        Of the contact, and of the part of it that sticks [m].
+    energy, stored_energy : ndarray, (steps,)
+        Elastic energy of the normal and of the tangential displacement [J].
+    dissipation : ndarray, (steps,)
+        Energy lost since first touch [J].
+    stages : tuple of ImpactStage
+        When nothing slides, and when the edge of the contact slides to which side.
+    duration : float
+        How long the bodies touch [s], also of an answer that was stopped before.
+    """
+
+    problem: Impact
+    time: Array
+    depth: Array
+    shift: Array
+    velocity: Array
+    sliding_velocity: Array
+    force: Array
+    shear_force: Array
+    radius: Array
+    stick_radius: Array
+    energy: Array
+    stored_energy: Array
+    dissipation: Array
+    stages: tuple[ImpactStage, ...]
+    duration: float
+
+    @property
+    def _impulse(self) -> Array:
+        """What the shear force has transferred since first touch [N s]."""
+        return np.asarray((self.problem.sliding_velocity - self.sliding_velocity) / self.problem.mobility)
+
+    @property
+    def lateral_velocity(self) -> Array:
+        """v_x [m/s] of the centre of mass, ``(steps,)``."""
+        return np.asarray(self.problem.lateral_velocity - self._impulse / self.problem.mass)
+
+    @property
+    def angular_velocity(self) -> Array:
+        """omega [rad/s], ``(steps,)``."""
+        problem = self.problem
+        return np.asarray(problem.angular_velocity + problem.lever / problem.inertia * self._impulse)
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """Kinetic energy that the contact can take or give, m v^2/2 + w^2/(2 kappa) [J], ``(steps,)``.
+
+        The rest belongs to the motion that rolls on: no force at the contact changes it.
+        """
+        problem = self.problem
+        return np.asarray(0.5 * problem.mass * self.velocity**2 + 0.5 * self.sliding_velocity**2 / problem.mobility)
+
+    @property
+    def balance(self) -> Array:
+        """Kinetic, elastic and lost energy together over what there was at first touch, ``(steps,)``; should be one."""
+        total = self.kinetic_energy + self.energy + self.stored_energy + self.dissipation
+        return np.asarray(total / total[0])
+
+    @property
+    def restitution(self) -> float:
+        """Velocity of parting over that of approach [-]; nan if the answer was stopped before."""
+        return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
+
+    @property
+    def lateral_restitution(self) -> float:
+        """The same of the touching points along the surface [-]: -1 without friction, at most 1; nan if they rest."""
+        before = self.problem.sliding_velocity
+        return -float(self.sliding_velocity[-1]) / before if before and self.time[-1] == self.duration else math.nan
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the contact at its widest, slowness, gravity, friction."""
+        problem = self.problem
+        widest = int(np.argmax(self.depth))
+        depth, force, radius = (x[widest : widest + 1] for x in (self.depth, self.force, self.radius))
+        bed = problem.bed
+        modulus = float(bed.normal_stiffness(radius)[0])
+        share = wave_loss(modulus=modulus, mass=problem.mass, size=bed.size, velocity=problem.velocity)
+        mu = problem.law.coefficient
+        rubs = mu > 0.0 and problem.sliding_velocity != 0.0
+        rubbing = Rubbing(mu, slid_depth(mu, self.depth, self.force, self.shear_force)) if rubs else FRICTIONLESS
+        kept = self.kinetic_energy + self.energy + self.stored_energy
+        balance = energy_note(np.full(kept.size, kept[0]), kept, self.dissipation)
+        notes = [*indentation_notes(bed, depth, radius, rubbing), balance, wave_note(share), gravity_note(force)]
+        if rubs:
+            notes += [PLANAR, sticking_note(bed.medium, mu), *direction_notes(bed)]
+        return tuple(notes)

@@ -1,0 +1,347 @@
+r"""The march of an oblique impact: stages of sticking and sliding, each as exact as its integrator.
+
+With the approach :math:`v=\dot d`, the velocity of the touching points :math:`w=\dot U` and their mobility
+:math:`\kappa = 1/m+\ell^2/I`
+
+.. math:: m\dot v = -F(d), \qquad \dot w = -\kappa F_x, \qquad
+          F_x = \varrho\Bigl[U K(c) + \int_0^c h\,\mathrm dK\Bigr]
+                + \sigma\mu\int_c^d (d-\gamma)\,\mathrm dK .
+
+Springs up to the gap c stick, those beyond slide towards the side :math:`\sigma`; their bound moves with
+:math:`\beta v`, so all slide at :math:`\sigma w-\beta v>0`.  When that vanishes, they stick: all of them while the
+bodies still approach, otherwise sliding towards the other side begins at the edge at once.  Because the normal motion
+is its own mirror image, the end of contact is known beforehand.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged
+from winkler.numerics.equations.marching import Marched, Stop, march
+from winkler.numerics.types import Array
+from winkler.problems.impact.memory import NOTHING, Entered, Recalled, Slid, Stuck, ring
+from winkler.problems.normal.force_curve import NormalCurve
+
+__all__ = ["Moment", "Motion", "Stage", "stages", "turning"]
+
+PRECISION = 3e-14
+"""Relative error allowed per step."""
+DEGREE = 7
+"""Of the integrator's own interpolation within a step."""
+MOST_STAGES = 1000
+NODES = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
+
+
+class Motion(NamedTuple):
+    """What moves, and on which springs.
+
+    Parameters
+    ----------
+    curve : NormalCurve
+    depth : float
+        The greatest depth [m].
+    mass : float
+        [kg].
+    mobility : float
+        kappa [1/kg].
+    velocity, sliding : float
+        v and w at first touch [m/s].
+    ratio : float
+        rho, tangential over normal stiffness of the springs.
+    coefficient : float
+        mu; infinite where nothing slides.
+    """
+
+    curve: NormalCurve
+    depth: float
+    mass: float
+    mobility: float
+    velocity: float
+    sliding: float
+    ratio: float
+    coefficient: float
+
+    def beta(self) -> float:
+        """mu / rho, by which the bound of the displacement rises with the depth."""
+        return self.coefficient / self.ratio
+
+    def scales(self) -> Array:
+        """What is large for d, v, U, w, the loss, the shear force and the stored energy."""
+        time = self.depth / self.velocity
+        climb = self.beta() if math.isfinite(self.coefficient) else 0.0
+        # where springs slide by little, it is the difference of two large lengths and known to their rounding
+        sliding = max(abs(self.sliding), 1e-3 * self.velocity * max(1.0, climb))
+        energy = 0.5 * sliding**2 / self.mobility
+        return np.array(
+            [self.depth, self.velocity, sliding * time, sliding, energy, sliding / (self.mobility * time), energy]
+        )
+
+
+class Moment(NamedTuple):
+    """One moment of the contact.
+
+    Parameters
+    ----------
+    depth, velocity, shift, sliding, loss : float
+        d [m], v [m/s], U [m], w [m/s], energy lost since first touch [J].
+    force, shear : float
+        F_N and F_x [N].
+    pressed, stored : float
+        Elastic energy of the normal and of the tangential displacement [J].
+    stuck : float
+        The gap up to which springs stick [m].
+    """
+
+    depth: float
+    velocity: float
+    shift: float
+    sliding: float
+    loss: float
+    force: float
+    shear: float
+    pressed: float
+    stored: float
+    stuck: float
+
+
+class Stage(NamedTuple):
+    """A stretch of time over which the same springs slide towards the same side, or none.
+
+    Parameters
+    ----------
+    start, end : float
+        [s].
+    sign : int
+        The side to which the edge slides; zero where all stick.
+    moment : Callable
+        Time -> Moment.
+    """
+
+    start: float
+    end: float
+    sign: int
+    moment: Callable[[float], Moment]
+
+
+def stages(motion: Motion, turn: float) -> Iterator[Stage]:
+    """Yield the stages of an impact, from first touch to the end of contact.
+
+    Parameters
+    ----------
+    motion : Motion
+    turn : float
+        When the depth is greatest [s].
+
+    Raises
+    ------
+    NotConverged
+        If the integrator gives up.
+    """
+    if math.isinf(motion.coefficient) or motion.sliding == 0.0:
+        return _without_slip(motion, turn)
+    return _with_slip(motion, turn)
+
+
+def _march(
+    motion: Motion,
+    rates: Callable[[float, Array], list[float]],
+    span: tuple[float, float],
+    start: Array,
+    stops: list[Stop],
+) -> Marched:
+    unit, scales = motion.depth / motion.velocity, motion.scales()[: start.size]
+    return march(rates, span, start, unit=unit, precision=PRECISION, scales=scales, stops=stops)
+
+
+def turning(motion: Motion) -> float:
+    """Return when the depth is greatest [s]."""
+
+    def rates(time: float, state: Array) -> list[float]:
+        return [state[1], -motion.curve.at(state[0])[1] / motion.mass]
+
+    longest = 2.0 * motion.depth / motion.velocity  # the force never falls with the depth
+    stopped = Stop(lambda time, state: state[1], -1)
+    found = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
+    return found.end
+
+
+def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[Stop]) -> Marched:
+    """March on while all springs stick: d, v, U, w, loss, shear force and stored energy."""
+    mass, ratio, mobility = motion.mass, motion.ratio, motion.mobility
+
+    def rates(time: float, state: Array) -> list[float]:
+        depth, velocity, _, sliding, _, shear, _ = state.tolist()
+        stiffness, force, _ = motion.curve.at(depth)
+        return [velocity, -force / mass, sliding, -mobility * shear, 0.0, ratio * stiffness * sliding, shear * sliding]
+
+    return _march(motion, rates, span, start, stops)
+
+
+def _sticking(motion: Motion, found: Marched) -> Stage:
+    def moment(time: float) -> Moment:
+        depth, velocity, shift, sliding, loss, shear, stored = found.at(time).tolist()
+        _, force, pressed = motion.curve.at(depth)
+        return Moment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, depth)
+
+    return Stage(float(found.times[0]), found.end, 0, moment)
+
+
+def _entered(motion: Motion, found: Marched, turn: float) -> Entered:
+    """Return what springs remember that came into contact while all stuck."""
+    times = found.times
+    places = 0.5 * (times[:-1] + times[1:])[:, None] + 0.5 * np.diff(times)[:, None] * NODES
+    values = found.at(places.ravel())[[0, 2, 5, 6]].reshape(4, *places.shape)
+    return Entered(times.tolist(), np.moveaxis(values @ POWERS.T, 0, 1), motion.ratio, motion.beta(), turn)
+
+
+def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
+    beta, end = motion.beta(), 2.0 * turn
+    time, state = 0.0, np.array([0.0, motion.velocity, 0.0, motion.sliding, 0.0])
+    memory: list[Stuck] = []
+    excess = abs(motion.sliding) - beta * motion.velocity
+    # at the limit the force decides: it slows the sliding by kappa mu F, and the growth of the bound by beta F / m
+    slides = excess > 0.0 or (excess == 0.0 and motion.mobility * motion.ratio < 1.0 / motion.mass)
+    sign = int(np.sign(motion.sliding)) if slides else 0
+    shear = stored = 0.0
+    for _ in range(MOST_STAGES):
+        if sign == 0:
+            forward = Stop(lambda time, y: y[3] - beta * y[1], 1)
+            backward = Stop(lambda time, y: y[3] + beta * y[1], -1)
+            found = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
+            if found.end > time:
+                yield _sticking(motion, found)
+                memory.append(_entered(motion, found, turn))
+            time, state = found.end, found.last[:5]
+            ahead, back = found.stopped
+            # where the bodies turn back before anything slides, those that part next slide as the points move
+            sign = int(ahead) - int(back) or int(np.sign(state[3])) or -int(np.sign(found.last[5])) or 1
+            continue
+        while memory and sign * state[2] - beta * state[0] >= memory[-1].highest(sign):
+            memory.pop()
+        slip = _Slip(motion, sign, memory[-1] if memory else None, turn)
+        found = slip.march(time, turn if time < turn else end, state)
+        if found.end > time:
+            yield Stage(time, found.end, sign, slip.reader(found))
+        time, state = found.end, found.last
+        stopped, eaten, passed = found.stopped
+        if not any(found.stopped) and time == end:
+            return
+        last = slip.recall(state)
+        if eaten:
+            memory.pop()
+            while memory and isinstance(memory[-1], Slid) and memory[-1].sign == sign:
+                memory.pop()
+        elif passed:
+            sign = -sign
+        elif stopped:
+            shear, stored = slip.shear(state, last)
+            if last.gap < state[0]:
+                memory.append(Slid(sign, float(state[0]), float(state[2]), beta, last))
+            sign = 0 if time < turn else -sign
+    raise NotConverged(f"Impact: sticking and sliding have taken turns {MOST_STAGES} times; give fewer waves.")
+
+
+class _Slip(NamedTuple):
+    """The edge slides towards a side, over springs of which the last ones remember `stuck`."""
+
+    motion: Motion
+    sign: int
+    stuck: Stuck | None
+    turn: float
+
+    def level(self, state: Array) -> float:
+        return float(self.sign * state[2] - self.motion.beta() * state[0])
+
+    def recall(self, state: Array) -> Recalled:
+        if self.stuck is None:
+            return NOTHING
+        return self.stuck.front(self.sign, self.level(state), float(state[0]), self.motion.curve)
+
+    def shear(self, state: Array, inner: Recalled) -> tuple[float, float]:
+        """Return shear force and stored energy."""
+        motion, shift = self.motion, float(state[2])
+        linear, square = ring(motion.curve, inner, float(state[0]))
+        force = motion.ratio * (shift * inner.stiffness + inner.first) + self.sign * motion.coefficient * linear
+        inside = shift * shift * inner.stiffness + 2.0 * shift * inner.first + inner.second
+        return force, 0.5 * motion.ratio * (inside + motion.beta() ** 2 * square)
+
+    def march(self, time: float, end: float, start: Array) -> Marched:
+        motion, sign, stuck = self.motion, self.sign, self.stuck
+        beta, mass, mobility = motion.beta(), motion.mass, motion.mobility
+
+        def rates(time: float, state: Array) -> list[float]:
+            depth, velocity, shift, sliding, _ = state.tolist()
+            inner = self.recall(state)
+            slid = sign * motion.coefficient * ring(motion.curve, inner, depth).linear
+            shear = motion.ratio * (shift * inner.stiffness + inner.first) + slid
+            force = motion.curve.at(depth)[1]
+            return [velocity, -force / mass, sliding, -mobility * shear, slid * (sliding - sign * beta * velocity)]
+
+        def eaten(time: float, state: Array) -> float:
+            return -1.0 if stuck is None else self.level(state) - stuck.highest(sign)
+
+        def passed(time: float, state: Array) -> float:
+            if stuck is None or time <= self.turn:
+                return 1.0
+            return stuck.excess(sign, float(state[2]), float(state[0]), time)
+
+        stops = [
+            Stop(lambda time, state: sign * state[3] - beta * state[1], -1),
+            Stop(eaten, 1),
+            Stop(passed, -1),
+        ]
+        return _march(motion, rates, (time, end), start, stops)
+
+    def reader(self, found: Marched) -> Callable[[float], Moment]:
+        def moment(time: float) -> Moment:
+            state = found.at(time)
+            depth, velocity, shift, sliding, loss = state.tolist()
+            inner = self.recall(state)
+            shear, stored = self.shear(state, inner)
+            _, force, pressed = self.motion.curve.at(depth)
+            return Moment(depth, velocity, shift, sliding, loss, force, shear, pressed, stored, inner.gap)
+
+        return moment
+
+
+def _without_slip(motion: Motion, turn: float) -> Iterator[Stage]:
+    r"""All springs stick until they part; those of the gap d then lose what they have stored.
+
+    With the displacement :math:`\delta` of the springs at the edge the loss is
+    :math:`\tfrac12\varrho\int\delta^2\mathrm dK`, integrated by parts because K may jump.
+    """
+    loaded = _stick(motion, (0.0, turn), np.array([0.0, motion.velocity, 0.0, motion.sliding, 0.0, 0.0, 0.0]), [])
+    yield _sticking(motion, loaded)
+    mass, ratio, mobility, curve = motion.mass, motion.ratio, motion.mobility, motion.curve
+    sign = 0
+
+    def edge(time: float, shift: float) -> tuple[float, Array]:
+        earlier = loaded.at(max(2.0 * turn - time, 0.0))
+        return shift - float(earlier[2]), earlier
+
+    def rates(time: float, state: Array) -> list[float]:
+        depth, velocity, shift, sliding, _ = state.tolist()
+        displaced, earlier = edge(time, shift)
+        stiffness, force, _ = curve.at(depth)
+        shear = ratio * stiffness * displaced + float(earlier[5])
+        lost = ratio * stiffness * displaced * (sliding + float(earlier[3]))
+        return [velocity, -force / mass, sliding, -mobility * shear, lost]
+
+    parted = _march(motion, rates, (turn, 2.0 * turn), loaded.last[:5], [])
+
+    def moment(time: float) -> Moment:
+        depth, velocity, shift, sliding, loss = parted.at(time).tolist()
+        displaced, earlier = edge(time, shift)
+        stiffness, force, pressed = curve.at(depth)
+        stretch = 0.5 * ratio * stiffness * displaced**2
+        before = float(earlier[6]) + float(earlier[5]) * displaced
+        shear = ratio * stiffness * displaced + float(earlier[5])
+        return Moment(depth, velocity, shift, sliding, loss - stretch, force, shear, pressed, before + stretch, depth)
+
+    yield Stage(turn, 2.0 * turn, sign, moment)

@@ -1,0 +1,110 @@
+"""What an impact is made of: states at one moment, and the stages of sticking and sliding."""
+
+from __future__ import annotations
+
+from winkler.problems.adhesion.cycle_states import AdhesiveJump
+from winkler.values import value
+
+__all__ = ["AdhesiveImpactState", "ImpactStage", "ImpactState"]
+
+
+@value
+class ImpactStage:
+    """A stretch of time over which the edge of the contact slides to one side, or nothing slides.
+
+    Parameters
+    ----------
+    start, end : float
+        [s].
+    side : int
+        Where the body slides at the edge of the contact: 1 forwards, -1 backwards, 0 nowhere.
+    """
+
+    start: float
+    end: float
+    side: int
+
+
+@value
+class ImpactState:
+    """An impact at one moment.
+
+    Parameters
+    ----------
+    time : float
+        Since first touch [s].
+    depth, shift : float
+        d and u_x [m]: how far the bodies have approached, and moved along the surface, since first touch.
+    velocity, sliding_velocity : float
+        Of approach, and of the touching points along the surface [m/s].
+    force, shear_force : float
+        F_N and F_x [N], which press the body back and hold it up.
+    radius, stick_radius : float
+        Of the contact, and of the part of it that sticks [m].
+    energy, stored_energy : float
+        Elastic energy of the normal and of the tangential displacement [J].
+    dissipation : float
+        Energy lost since first touch [J].
+    side : int
+        Where the body slides at the edge of the contact: 1 forwards, -1 backwards, 0 nowhere.
+    stages : tuple of ImpactStage
+        Those that have begun since the moment before.
+    duration : float
+        How long the bodies will have touched [s].
+    """
+
+    time: float
+    depth: float
+    shift: float
+    velocity: float
+    sliding_velocity: float
+    force: float
+    shear_force: float
+    radius: float
+    stick_radius: float
+    energy: float
+    stored_energy: float
+    dissipation: float
+    side: int
+    stages: tuple[ImpactStage, ...]
+    duration: float
+
+
+@value
+class AdhesiveImpactState:
+    """An impact of a sticky body at one moment.
+
+    Parameters
+    ----------
+    time : float
+        Since first touch [s].
+    depth : float
+        d [m].
+    velocity : float
+        Of approach [m/s].
+    force : float
+        F_N [N], compression positive.
+    radius : float
+        a [m].
+    energy : float
+        Of bodies and surfaces, less what closing has gained [J]; zero apart.
+    dissipation : float
+        Energy lost since first touch [J].
+    jumps : tuple of AdhesiveJump
+        Those since the moment before.
+    duration : float
+        How long the bodies will have touched [s].
+    captured : bool
+        Whether the body will stay.
+    """
+
+    time: float
+    depth: float
+    velocity: float
+    force: float
+    radius: float
+    energy: float
+    dissipation: float
+    jumps: tuple[AdhesiveJump, ...]
+    duration: float
+    captured: bool

@@ -1,0 +1,230 @@
+r"""Bodies of two curvatures pressed together: Hertz's elliptic contact, exactly, and the round body that stands for it.
+
+With the larger semi-axis :math:`\alpha`, the smaller :math:`\beta`, :math:`m=1-\beta^2/\alpha^2`, and
+:math:`\alpha\propto F^{1/3}` of `winkler.profiles.ellipse.CurvedBodies`,
+
+.. math:: d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) , \qquad \frac{\mathrm dF}{\mathrm dd} = \frac{3F}{2d} , \qquad
+          p = p_0\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}} , \quad p_0 = \frac{3F}{2\pi ab} .
+
+The force grows as that of a ball of the radius :math:`R_\mathrm{eq} = 9F^2/(16E^{*2}d^3)`: what asks for no more
+than force, depth and stiffness runs on its springs, `winkler.foundation.elliptic`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.elliptic import EllipticFoundation
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
+from winkler.profiles.ellipse import CurvedBodies
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["EllipticIndentation", "EllipticSolution"]
+
+HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
+SMALL = 0.1
+"""Contact over curvature radius up to which a body may be taken for a half-space, and its slopes for small."""
+
+
+@value
+class EllipticIndentation:
+    """Two bodies of two curvatures each, pressed together without friction.
+
+    Parameters
+    ----------
+    bodies : CurvedBodies
+        R_x and R_y: 1/R_x is the sum of the curvatures of both bodies along x, 1/R_y the same along y.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    load : Force or Depth
+        What is prescribed, not negative; its value may be an array, the answers then have its shape.
+
+    Raises
+    ------
+    InvalidInput
+        If something of another kind is given.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731
+
+    Examples
+    --------
+    Crossed cylinders of 10 mm and 20 mm radius, made of steel.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> steel = Elastic(210e9, 0.3)
+    >>> crossed = EllipticIndentation(CurvedBodies(20e-3, 10e-3), HalfSpace.between(steel, steel), Force(100.0)).solve()
+    >>> round(crossed.longitudinal_semi_axis * 1e6, 3), round(crossed.lateral_semi_axis * 1e6, 3)  # micrometres
+    (262.064, 165.256)
+    >>> round(crossed.equivalent_radius * 1e3, 4)
+    14.4262
+    """
+
+    bodies: CurvedBodies
+    medium: HomogeneousMedium
+    load: Force | Depth
+
+    references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bodies, CurvedBodies):
+            raise InvalidInput(
+                f"EllipticIndentation: bodies is a {type(self.bodies).__name__}; give CurvedBodies(R_x, R_y)."
+            )
+        if not isinstance(self.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"EllipticIndentation: the medium is a {type(self.medium).__name__}; Hertz's ellipse is known on "
+                "homogeneous half-spaces alone, give HalfSpace."
+            )
+        if not isinstance(self.load, Force | Depth):
+            raise InvalidInput(f"EllipticIndentation: the load is a {type(self.load).__name__}; give Force or Depth.")
+
+    @property
+    def equivalent_radius(self) -> float:
+        """R_eq [m], of the ball whose force grows with depth as this one's."""
+        return self.bodies.equivalent_radius
+
+    @property
+    def bed(self) -> EllipticFoundation:
+        """The springs that bear forces like these bodies, for problems that ask for no more; sheared along x."""
+        return EllipticFoundation(self.bodies, self.medium)  # type: ignore[arg-type]
+
+    @property
+    def _unit_axes(self) -> tuple[float, float]:
+        """Return a and b [m] under a force of 1 N."""
+        return self.bodies.semi_axes(self.medium.modulus, 1.0)
+
+    @property
+    def _unit_depth(self) -> float:
+        """Return d [m] under a force of 1 N."""
+        return float(np.cbrt(9.0 / (16.0 * self.equivalent_radius * self.medium.modulus**2)))
+
+    def solve(self) -> EllipticSolution:
+        """Return force, depth and ellipse.
+
+        Raises
+        ------
+        OutsideValidity
+            If a force is tensile.
+        InvalidInput
+            If the curvatures are so different that the contact is a line.
+        """
+        a, b = self._unit_axes
+        unit = self._unit_depth
+        if isinstance(self.load, Force):
+            force = np.asarray(self.load.force, dtype=float)
+            if np.any(force < 0.0):
+                raise OutsideValidity(
+                    f"EllipticIndentation: force {float(np.min(force)):.6g} N is tensile; without adhesion bodies can "
+                    "only be pressed together: give a force of zero or more."
+                )
+            depth = unit * np.cbrt(force) ** 2
+        else:
+            depth = np.asarray(self.load.depth, dtype=float)
+            force = (np.maximum(depth, 0.0) / unit) ** 1.5
+        grown = np.cbrt(force)
+
+        return EllipticSolution(self, shaped(depth), shaped(force), shaped(a * grown), shaped(b * grown))
+
+
+@value
+class EllipticSolution:
+    """The answer to an `EllipticIndentation`; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : EllipticIndentation
+        What was asked.
+    depth : float or ndarray
+        d [m].
+    force : float or ndarray
+        F_N [N], compression positive.
+    longitudinal_semi_axis, lateral_semi_axis : float or ndarray
+        a [m] along x and b [m] along y; zero without contact.
+    """
+
+    problem: EllipticIndentation
+    depth: Quantity
+    force: Quantity
+    longitudinal_semi_axis: Quantity
+    lateral_semi_axis: Quantity
+
+    @property
+    def equivalent_radius(self) -> float:
+        """R_eq [m], of the ball whose force grows with depth as this one's."""
+        return self.problem.equivalent_radius
+
+    @property
+    def stiffness(self) -> Quantity:
+        """dF/dd [N/m]."""
+        radius = np.sqrt(self.equivalent_radius * np.maximum(self.depth, 0.0))
+        return shaped(2.0 * self.problem.medium.modulus * radius)
+
+    @property
+    def area(self) -> Quantity:
+        """pi a b [m^2]."""
+        return shaped(np.asarray(math.pi * self.longitudinal_semi_axis * self.lateral_semi_axis))
+
+    @property
+    def peak_pressure(self) -> Quantity:
+        """p_0 = 3 F / (2 pi a b) [Pa], in the middle; zero without contact."""
+        area = np.asarray(self.area)
+        return shaped(1.5 * np.asarray(self.force) / np.where(area > 0.0, area, 1.0))
+
+    def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
+        """Return the pressure under one load [Pa], zero outside of the ellipse.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Places on the surface [m], of one shape or one that fits.
+
+        Raises
+        ------
+        InvalidInput
+            If the answer is to an array of loads.
+        """
+        if np.ndim(self.depth) != 0:
+            raise InvalidInput(
+                f"EllipticSolution: it holds {np.size(self.depth)} loads; solve one of them to ask for its pressure."
+            )
+        if self.force == 0.0:
+            return np.zeros(np.broadcast_shapes(np.shape(x), np.shape(y)))
+        squared = (np.asarray(x) / self.longitudinal_semi_axis) ** 2 + (np.asarray(y) / self.lateral_semi_axis) ** 2
+        return np.asarray(self.peak_pressure * np.sqrt(np.maximum(1.0 - squared, 0.0)))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes, onset of yield."""
+        bodies = self.problem.bodies
+        slope = max(
+            float(np.max(self.longitudinal_semi_axis)) / bodies.longitudinal_curvature_radius,
+            float(np.max(self.lateral_semi_axis)) / bodies.lateral_curvature_radius,
+        )
+        small = slope <= SMALL
+        verdict = "small, as the theory assumes" if small else "not small: deviations of the order of the slope"
+        return (
+            *self.problem.medium.notes,
+            Note(Assumption.RESPONSE, Standing.EXACT, "Hertz's ellipse is exact for bodies of two curvatures.", HERTZ),
+            Note(
+                Assumption.SMALL_SLOPES,
+                Standing.ASYMPTOTIC if small else Standing.APPROXIMATE,
+                f"The steepest slope within the contact is {slope:.3g}: {verdict}.",
+                HERTZ,
+            ),
+            *ellipse_yield_notes(
+                self.problem.medium, (self.longitudinal_semi_axis, self.lateral_semi_axis), self.force
+            ),
+        )

@@ -1,0 +1,184 @@
+r"""The greatest von Mises stress in one part of a body under a contact, without friction or where all of it slides.
+
+A contact that slides along x under the pressure p carries the traction :math:`\mu p`: its stresses are those of the
+pressure, plus :math:`\mu` times those of the same springs directed along the surface.  They are looked for in the plane
+of the load.  Of a paraboloid on a half-space only the factor
+:math:`\max\sigma_\mathrm{vM}/p_0 = H(\nu,\mu)` has to be found (Hamilton), once for all loads.
+
+Where the elastic stress is infinite (a sharp rim, a pointed apex, a jump of slope, an edge that pulls) the greatest
+stress outside a tenth of the contact radius around that place is found, and the place named.
+
+References
+----------
+G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53-59, doi:10.1243/PIME_PROC_1983_197_076_02
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.footprint import Ellipse
+from winkler.foundation.bed import Pressed
+from winkler.foundation.foundation import Foundation
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.media.interior import shear_field
+from winkler.media.interior.peak import ZOOMS, greatest
+from winkler.media.interior.stress import von_mises
+from winkler.media.interior.tensor import von_mises_of_tensor
+from winkler.media.layered.coated import LayeredMedium
+from winkler.numerics.types import Array
+from winkler.outline import refuse_unless_round
+from winkler.problems.adhesion.edge_states import Stretched
+from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
+from winkler.problems.normal.strong_parts import StrongPart
+from winkler.profiles.power import Paraboloid
+
+__all__ = ["GreatestStress", "greatest_stress", "sharp_places"]
+
+NEAR = 0.1
+"""Distance from a sharp place within which stresses do not count, in contact radii."""
+INFINITE = ", so the elastic stress is infinite there and it yields there"
+UNRESOLVED = ", where the von Mises stress of an incompressible body is finite but was not looked for"
+COARSE = 4
+"""Rounds of refinement in layers, whose stresses are Hankel integrals: the value is good to about a per mille."""
+BELOW_FACE = 1e-9
+"""How far below an interface the lower layer begins, of its depth."""
+
+
+class GreatestStress(NamedTuple):
+    """A von Mises stress [Pa] and its place along the load and below the surface [m]; why it is infinite elsewhere."""
+
+    value: float
+    x: float
+    z: float
+    sharp: str
+
+
+@functools.lru_cache(maxsize=256)
+def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -> GreatestStress:
+    """Return the greatest von Mises stress in a part of the bodies.
+
+    Parameters
+    ----------
+    pressed : Pressed
+        The springs of the contact.
+    part : StrongPart
+    friction : float
+        Traction over pressure; more than zero on a `HalfSpace` alone.
+
+    Raises
+    ------
+    OutsideValidity
+        If the stresses in this part are not known.
+    """
+    bed = pressed.bed
+    if isinstance(bed.footprint, Ellipse):
+        return _under_ellipse(pressed, bed.footprint, part, friction)
+    refuse_unless_round(bed, "yield", "the stress below the surface")
+    if type(pressed) is Pressed and _is_ball(pressed):
+        found = _ball(part.solid.poisson, friction)
+        peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
+        return GreatestStress(found.value * peak, found.x * pressed.radius, found.z * pressed.radius, "")
+    sharp = list(sharp_places(pressed, part.solid.poisson, friction)) if part.top == 0.0 else []
+    off = NEAR * pressed.radius
+
+    def field(x: Array, z: Array) -> Array:
+        stress = np.full(x.shape, -math.inf)
+        kept = np.ones(x.shape, dtype=bool)
+        for place, _ in sharp:
+            kept &= np.hypot(np.abs(x) - place, z) >= off
+        if kept.any():
+            stress[kept] = _stress(pressed, part, friction, x[kept], z[kept])
+        return stress
+
+    layered = isinstance(bed.medium, LayeredMedium)
+    place = greatest(
+        field,
+        pressed.radius,
+        top=part.top * (1.0 + BELOW_FACE),
+        bottom=part.bottom,
+        both_sides=friction > 0.0,
+        zooms=COARSE if layered else ZOOMS,
+    )
+    return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
+
+
+def _under_ellipse(pressed: Pressed, outline: Ellipse, part: StrongPart, friction: float) -> GreatestStress:
+    """Return the greatest stress under Hertz's ellipse, whose springs are those of the disc of equal stiffness."""
+    if friction > 0.0:
+        raise OutsideValidity("The stresses of a traction under an ellipse are not computed.")
+    radius = np.array([pressed.radius])
+    force = float((pressed.bed.stiffness(radius) * pressed.depth - pressed.bed.gap_load(radius))[0])
+    smaller, larger = sorted(float(axis[0]) for axis in outline.semi_axes(radius))
+    found = greatest_under_ellipse(smaller / larger, part.solid.poisson)
+    return GreatestStress(found.value * 1.5 * force / (math.pi * smaller * larger), 0.0, found.depth * smaller, "")
+
+
+def sharp_places(pressed: Pressed, poisson: float, friction: float) -> Iterator[tuple[float, str]]:
+    """Yield where the von Mises stress at the surface is infinite or not resolved [m], and why.
+
+    The pressure grows like a logarithm towards a pointed apex or a jump of slope.  In an incompressible body it is
+    then all but hydrostatic, and the deviator stays finite, as long as there is no friction: under a cone of slope m
+    it is 3/4 E* m at most.
+    """
+    if isinstance(pressed, Stretched) and pressed.edge < 0.0:
+        yield pressed.radius, f"attraction without range pulls the edge{INFINITE}"
+    elif pressed.edge > 0.0:
+        yield pressed.radius, f"the rim is sharp{INFINITE}"
+    bounded = poisson == 0.5 and friction == 0.0
+    near, far = np.abs(pressed.slope(pressed.radius * np.array([1e-8, 1e-6])))
+    if near > (1.05 if bounded else 0.95) * far > 0.0:
+        yield 0.0, f"the apex is pointed{INFINITE}"
+    for place, strength in pressed.kinks:
+        if strength != 0.0:
+            yield place, f"the slope of the profile jumps{UNRESOLVED if bounded else INFINITE}"
+
+
+def _stress(pressed: Pressed, part: StrongPart, friction: float, x: Array, z: Array) -> Array:
+    medium, springs = pressed.bed.medium, pressed.blunted
+    with np.errstate(invalid="ignore"):  # stresses are infinite in points of the surface
+        across = medium.interior(springs, np.abs(x), z, below=part.first)
+    if friction == 0.0:
+        return von_mises(across.radial_stress, across.hoop_stress, across.axial_stress, across.shear_stress)
+    assert isinstance(medium, HalfSpace)
+    with np.errstate(invalid="ignore"):
+        along = shear_field.field(
+            springs,
+            x,
+            np.zeros(x.shape),
+            z,
+            modulus=friction * medium.modulus,
+            poisson=part.solid.poisson,
+            shear=part.solid.shear,
+        )
+    return von_mises_of_tensor(
+        across.radial_stress + along.xx_stress,
+        across.hoop_stress + along.yy_stress,
+        across.axial_stress + along.zz_stress,
+        along.xy_stress,
+        np.sign(x) * across.shear_stress + along.xz_stress,
+        along.yz_stress,
+    )
+
+
+def _is_ball(pressed: Pressed) -> bool:
+    bed = pressed.bed
+    return isinstance(bed, Foundation) and isinstance(bed.profile, Paraboloid) and isinstance(bed.medium, HalfSpace)
+
+
+@functools.lru_cache(maxsize=1024)
+def _ball(poisson: float, friction: float) -> GreatestStress:
+    """Return the greatest stress over the greatest pressure, and its place over the contact radius."""
+    solid = Elastic(1.0, poisson)
+    medium = HalfSpace(solid)
+    unit, part = Pressed(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
+    peak = 2.0 * medium.modulus / math.pi
+    found = greatest(lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0)
+    return GreatestStress(found.value, found.r, found.z, "")

@@ -1,0 +1,220 @@
+r"""Normal contact without friction or adhesion: a bed pressed by a force, to a depth, or to a contact radius.
+
+The springs at :math:`|x|<a` are compressed by :math:`d-g(x)`, the last one just touches, :math:`g(a)=d`, and
+
+.. math:: F = k(a)\,d - \int_0^a k'(x)\,g(x)\,\mathrm dx, \qquad \frac{\mathrm dF}{\mathrm dd} = k(a), \qquad
+          U = \tfrac12\int_0^a k'(x)\,(d-g(x))^2\,\mathrm dx .
+
+At a vertical rim the contact is pinned: d then grows beyond g(a).
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed, Pressed
+from winkler.loading import Depth, Force, Load, Radius
+from winkler.numerics.transforms import abel
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.solve_contact import at_depth, at_force, at_radius
+from winkler.problems.normal.validity import indentation_notes
+from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing
+from winkler.problems.one_load import picked, single
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["Indentation", "IndentationSolution"]
+
+
+@value
+class Indentation:
+    """A body pressed into another one.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium).
+    load : Force, Depth or Radius
+        What is prescribed; its value may be an array, the answers then have its shape.
+
+    References
+    ----------
+    I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47-57, doi:10.1016/0020-7225(65)90019-4
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(Elastic(210e9, 0.3)))
+    >>> contact = Indentation(bed, Force(100.0)).solve()
+    >>> round(contact.radius * 1e6, 4)  # (3 F R / (4 E*))^(1/3) in micrometres
+    148.1248
+    """
+
+    bed: Bed
+    load: Load
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "galin_1946", "sneddon_1965", "popov_2013")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def solve(self) -> IndentationSolution:
+        """Return depth, force and contact radius.
+
+        Returns
+        -------
+        IndentationSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is tensile, leads beyond the reach of the profile, or opens a contact that is no disc; the
+            message names the indices of an array.
+        """
+        match self.load:
+            case Depth(depth):
+                given, asked = depth, "depth"
+            case Force(force):
+                given, asked = force, "force"
+            case Radius(radius):
+                given, asked = radius, "radius"
+            case _:
+                raise InvalidInput(
+                    f"Indentation: the load is a {type(self.load).__name__}; give Force, Depth or Radius."
+                )
+        target = np.atleast_1d(np.asarray(given, dtype=float))
+        flat = target.ravel()
+        if asked == "radius":
+            depth_, radius_ = at_radius(self.bed, flat)
+        elif asked == "depth":
+            depth_, radius_ = at_depth(self.bed, flat)
+        else:
+            depth_, radius_ = at_force(self.bed, flat)
+        load = flat if asked == "force" else self.bed.stiffness(radius_) * depth_ - self.bed.gap_load(radius_)
+        if asked == "depth":
+            load = np.where(radius_ > 0.0, load, 0.0)
+
+        return IndentationSolution(self, *(shaped(answer, np.shape(given)) for answer in (depth_, load, radius_)))
+
+
+@value
+class IndentationSolution:
+    """The answer to an `Indentation`; every quantity has the shape of the load.
+
+    Parameters
+    ----------
+    problem : Indentation
+        What was asked.
+    depth : float or ndarray
+        d [m].
+    force : float or ndarray
+        F_N [N], compression positive.
+    radius : float or ndarray
+        a [m], zero where there is no contact.
+    """
+
+    problem: Indentation
+    depth: Quantity
+    force: Quantity
+    radius: Quantity
+
+    @property
+    def stiffness(self) -> Quantity:
+        """dF/dd = k(a) [N/m]."""
+        return shaped(self.problem.bed.stiffness(np.asarray(self.radius)))
+
+    @property
+    def mean_pressure(self) -> Quantity:
+        """F over the area of the contact [Pa]; zero without contact.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bed does not tell the area.
+        """
+        area = np.asarray(self.problem.bed.footprint.area(np.asarray(self.radius)))
+        return shaped(np.where(area > 0.0, self.force / np.where(area > 0.0, area, 1.0), 0.0))
+
+    @property
+    def energy(self) -> Quantity:
+        """Elastic energy U [J], the work that was needed to press the bodies together."""
+        work = [_energy(self.problem.bed, d, a) for d, a in zip(*map(np.ravel, (self.depth, self.radius)), strict=True)]
+        return shaped(np.array(work), np.shape(self.depth))
+
+    def line_load(self, x: Array) -> Array:
+        """Load of the springs per length.
+
+        Parameters
+        ----------
+        x : ndarray
+            Places on the line [m], either side of the axis.
+
+        Returns
+        -------
+        ndarray
+            q(x) = c_N(x) (d - g(x)) [N/m], zero outside the contact.
+        """
+        pressed = self.pressed
+        x = np.abs(np.asarray(x, dtype=float))
+        inside = (x <= pressed.radius) & (pressed.radius > 0.0)
+        bed = self.problem.bed
+        place = np.where(inside, x, 0.0)
+        return np.where(inside, bed.normal_stiffness(place) * pressed.value(place), 0.0)
+
+    @property
+    def pressed(self) -> Pressed:
+        """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
+        return Pressed(self.problem.bed, single(self.depth, "line load or fields"), float(self.radius))
+
+    def at(self, index: int | tuple[int, ...]) -> IndentationSolution:
+        """Return the solution of one load of an array.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Which one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such load.
+        """
+        load, depth, force, radius = picked(self.problem.load, index, self.depth, self.force, self.radius)
+        return IndentationSolution(Indentation(self.problem.bed, load), depth, force, radius)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes, size of the body, onset of yield."""
+        return self.notes_with(FRICTIONLESS)
+
+    def notes_with(self, rubbing: Rubbing) -> tuple[Note, ...]:
+        """Return how far this contact can be trusted where its surfaces rub."""
+        return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.radius), rubbing)
+
+
+def _energy(bed: Bed, depth: float, radius: float) -> float:
+    """Return the integral of c_N (d - g)^2 over the contact.
+
+    Towards the axis, where c_N may diverge, integrated by parts: half k (d - g)^2 at the end of that piece, and the
+    integral of k (d - g) g'.
+    """
+    if radius == 0.0:
+        return 0.0
+    edges = [b for b, _ in bed.kinks]
+    inner = 0.5 * min([radius, *edges])
+    place = np.array([inner])
+    start = 0.5 * float(bed.stiffness(place)[0]) * (depth - float(bed.gap(place)[0])) ** 2
+
+    def stored(x: Array) -> Array:
+        result = depth - bed.gap(x)
+        near = x < inner
+        result[~near] *= bed.normal_stiffness(x[~near]) * result[~near]
+        result[near] *= bed.stiffness(x[near]) * bed.gap_slope(x[near])
+        return result
+
+    return start + float(abel.integral(stored, [inner, *edges], np.array(radius)))

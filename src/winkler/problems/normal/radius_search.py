@@ -1,0 +1,165 @@
+r"""Which contact radius meets a load, where g may turn: the radius jumps from crest to crest.
+
+A disc of radius a needs every spring inside compressed, so g(a) must be a record: :math:`g(a)\ge g(x)` for
+:math:`x<a`.  Beyond a crest of g the radius jumps to where g is back at the crest; forces in between belong to rings.
+Many loads are met at once: where g turns is found once for all that have the same horizon.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.numerics.equations.roots import bracketed
+from winkler.numerics.types import Array
+from winkler.problems.normal.single_contact import MOST_TURNS, SAMPLES, too_many
+
+__all__ = ["radii_at_depth", "radii_at_force"]
+
+
+class Climb(NamedTuple):
+    """An interval of x on which g rises above everything before it."""
+
+    start: float
+    stop: float
+
+
+def _turns(bed: Bed, end: float) -> Array:
+    """Return the places up to `end` where g' changes sign."""
+    x = np.linspace(0.0, end, SAMPLES + 1)[1:]
+    slope = bed.gap_slope(x)
+    changes = np.flatnonzero(np.sign(slope[1:]) * np.sign(slope[:-1]) < 0)
+    if changes.size > MOST_TURNS:
+        raise OutsideValidity(too_many(end))
+    low, high = x[changes], x[changes + 1]
+    # a kink at which g' drops from above zero is a crest itself
+    crests = np.array([b for b, strength in bed.kinks if strength < 0.0])
+    next_crest = np.append(crests, np.inf)[np.searchsorted(crests, low)]
+    crest = (slope[changes] > 0.0) & (next_crest < high)
+    found = np.where(crest, next_crest, low)
+    found[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
+    return found
+
+
+def _climbs(bed: Bed, end: float) -> list[Climb]:
+    bounds = np.concatenate([[0.0], _turns(bed, end), [end]])
+    tops = bed.gap(bounds)
+    # what was the highest before each: beyond a crest g is back at it only later
+    record = np.maximum.accumulate(np.maximum(tops, 0.0))
+    (climbing,) = np.nonzero(tops[1:] > record[:-1])
+    start, stop, before = bounds[climbing], bounds[climbing + 1], record[climbing]
+    (late,) = np.nonzero(tops[climbing] < before)
+    start[late] = bracketed(lambda t, i: bed.gap(t) - before[late][i], start[late], stop[late])
+    return [Climb(*ends) for ends in zip(start.tolist(), stop.tolist(), strict=True)]
+
+
+class _Landscape:
+    """What many loads ask of one bed, each found once: where g climbs, what it and the force are at single places."""
+
+    def __init__(self, bed: Bed, end: float) -> None:
+        self.bed, self.end = bed, end
+        self.climbs = functools.cache(lambda horizon: _climbs(bed, horizon))
+        self.gap = functools.cache(lambda x: float(bed.gap(np.array([x]))[0]))
+        self.force = functools.cache(lambda x: float(_forces(bed, np.array([x]))[0]))
+
+    def horizon(self, value: Callable[[float], float], asked: float, guess: float) -> float:
+        """Return a place at which a value is met, and not at half of it, by doubling or halving the guess."""
+        place = guess
+        for _ in range(400):
+            if value(place) >= asked:
+                if not value(0.5 * place) >= asked:
+                    return place
+                place *= 0.5
+            elif place >= self.end:
+                return self.end
+            else:
+                place = min(2.0 * place, self.end)
+        raise NotConverged(
+            "The load is not met at any contact radius that can be represented; check the profile's units."
+        )
+
+    def at_depth(self, depth: float, guess: float) -> Climb:
+        """Return the climb on which g meets a depth, or refuse."""
+        for climb in self.climbs(self.horizon(self.gap, depth, guess)):
+            if self.gap(climb.stop) >= depth:
+                return climb
+        _refuse_unless_pinned(self.bed, f"depth {depth:.6g} m", self.end)
+        return Climb(self.end, self.end)
+
+    def at_force(self, force: float, guess: float) -> Climb:
+        """Return the climb on which a force is met, or refuse."""
+        place = self.horizon(self.force, force, guess)
+        # in a valley of g the force may be met below the crest before it
+        for horizon in (place, min(2.0 * place, self.end)):
+            for climb in self.climbs(horizon):
+                if force < self.force(climb.start):
+                    raise OutsideValidity(
+                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(climb.start):.6g} m "
+                        f"depth it closes inside, from {self.force(climb.start):.6g} N on as a disc of "
+                        f"{climb.start:.6g} m; ask for a force outside."
+                    )
+                if force <= self.force(climb.stop):
+                    return climb
+        _refuse_unless_pinned(self.bed, f"force {force:.6g} N", self.end)
+        return Climb(self.end, self.end)
+
+
+def _forces(bed: Bed, a: Array) -> Array:
+    return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
+
+
+def _met(value: Callable[[Array], Array], asked: Array, climbs: list[Climb]) -> Array:
+    start, stop = np.array(climbs).T
+    radius: Array = stop.copy()
+    (free,) = np.nonzero(start < stop)
+    radius[free] = bracketed(lambda x, i: value(x) - asked[free][i], start[free], stop[free])
+    return radius
+
+
+def radii_at_depth(bed: Bed, depth: Array, end: float, guess: Callable[[float], float]) -> Array:
+    """Return the contact radii at depths ``(m,)``, zero where there is no contact, or refuse, naming the load."""
+    seen = _Landscape(bed, end)
+    return _all_met(bed.gap, depth, lambda d: seen.at_depth(d, guess(d)))
+
+
+def radii_at_force(bed: Bed, force: Array, end: float, guess: Callable[[float], float]) -> Array:
+    """Return the contact radii under forces ``(m,)``, zero without force, or refuse, naming the load."""
+    seen = _Landscape(bed, end)
+    return _all_met(functools.partial(_forces, bed), force, lambda load: seen.at_force(load, guess(load)))
+
+
+def _all_met(value: Callable[[Array], Array], asked: Array, climb: Callable[[float], Climb]) -> Array:
+    radius = np.zeros(asked.shape)
+    (loaded,) = np.nonzero(asked > 0.0)
+    climbs = []
+    for index in loaded:
+        try:
+            climbs.append(climb(float(asked[index])))
+        except OutsideValidity as error:
+            raise OutsideValidity(f"{error} (load at index {index})" if asked.size > 1 else str(error)) from None
+    if climbs:
+        radius[loaded] = _met(value, asked[loaded], climbs)
+    return radius
+
+
+def _refuse_unless_pinned(bed: Bed, asked: str, end: float) -> None:
+    """Raise if a load that no free edge meets is not met by the rim either."""
+    if not math.isfinite(end):
+        raise OutsideValidity(_falling(bed, asked))
+    if bed.rim > bed.reach:
+        raise OutsideValidity(
+            f"{asked} leads beyond the reach of the profile ({end:.6g} m), where nothing is known of it; ask for less."
+        )
+
+
+def _falling(bed: Bed, asked: str) -> str:
+    return (
+        f"{asked} is not met by a round contact: the profile falls with the distance from the axis, so that it touches "
+        "as a ring; give a profile that rises from its apex."
+    )

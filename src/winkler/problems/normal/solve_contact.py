@@ -1,0 +1,241 @@
+r"""How far a contact closes: the depth and the radius that meet a prescribed radius, depth or force.
+
+Where the body is known to let g rise, Newton's method meets all loads; elsewhere
+`winkler.problems.normal.radius_search` does, climb by climb.  Where a rising g does not make every contact one disc,
+`winkler.problems.normal.single_contacts` looks at them afterwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.media.body_of import thickness_of
+from winkler.numerics.equations.roots import invert, rough_root
+from winkler.numerics.types import Array
+from winkler.problems.normal import radius_search
+from winkler.problems.normal.single_contact import rises
+from winkler.problems.normal.single_contacts import refuse_unless_discs
+
+__all__ = ["at_depth", "at_end", "at_force", "at_radius", "flat_radius"]
+
+
+def _end(bed: Bed) -> float:
+    """Return the radius at which the profile ends, at a rim or where it is no longer known."""
+    return min(bed.reach, bed.rim)
+
+
+def flat_radius(bed: Bed) -> float:
+    """Return the radius up to which g vanishes: the contact opens with it."""
+    flat = 0.0
+    for b, _ in bed.kinks:
+        if b >= _end(bed) or float(bed.gap(np.array([b]))[0]) != 0.0:
+            break
+        flat = b
+    return flat
+
+
+def at_end(bed: Bed) -> tuple[float, float]:
+    """Return depth and force when the contact fills the profile; infinite if it never does."""
+    end = _end(bed)
+    if not np.isfinite(end):
+        return np.inf, np.inf
+    place = np.array([end])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        depth = float(bed.gap(place)[0])
+        if not np.isfinite(depth):
+            return np.inf, np.inf
+        return depth, float((bed.stiffness(place) * depth - bed.gap_load(place))[0])
+
+
+def _indices(bad: Array) -> str:
+    places = np.flatnonzero(bad)
+    if bad.size == 1:
+        return ""
+    return f" at index {', '.join(map(str, places[:5]))}" + (" and more" if places.size > 5 else "")
+
+
+def _refuse_beyond(bed: Bed, bad: Array, given: Array, word: str, unit: str, most: float) -> None:
+    if bad.any():
+        raise OutsideValidity(
+            f"{word} {given[bad][0]:.6g} {unit}{_indices(bad)} leads beyond the reach of the profile ({bed.reach:.6g} "
+            f"m), where nothing is known of it; at most {most:.6g} {unit} can be answered."
+        )
+
+
+def at_radius(bed: Bed, radius: Array) -> tuple[Array, Array]:
+    """Return depth and radius of contacts with given radii `(m,)`."""
+    end = _end(bed)
+    bad = radius >= end
+    if bad.any() and np.isfinite(at_end(bed)[0]):
+        bad = radius > end
+    if bad.any():
+        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
+        raise OutsideValidity(
+            f"radius {radius[bad][0]:.6g} m{_indices(bad)} is beyond {wall} ({end:.6g} m); give a smaller one."
+        )
+    flat = end if bed.rim < np.inf and float(bed.gap(np.array([end]))[0]) == 0.0 else flat_radius(bed)
+    bad = (radius > 0.0) & (radius <= flat)
+    if bad.any():
+        raise OutsideValidity(
+            f"radius {radius[bad][0]:.6g} m{_indices(bad)} does not tell the load: the body is flat up to {flat:.6g} m "
+            "and touches there at once; give a force or a depth."
+        )
+    depth = bed.gap(radius)
+    refuse_unless_discs(bed, depth, radius, end)
+    return depth, radius.copy()
+
+
+def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
+    """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
+    if bed.rising:
+        radius = _radii_at_depth(bed, depth)
+        if rises(bed, float(np.max(radius, initial=0.0))):
+            refuse_unless_discs(bed, depth, radius, _end(bed))
+            return depth.copy(), radius
+    radius = radius_search.radii_at_depth(bed, depth, _end(bed), _guesses(bed, bed.gap))
+    refuse_unless_discs(bed, depth, radius, _end(bed))
+    return depth.copy(), radius
+
+
+def _radii_at_depth(bed: Bed, depth: Array) -> Array:
+    """Return the radii at which a rising g meets all depths."""
+    radius = np.zeros(depth.shape)
+    depth_end = np.inf if _met_before(bed, bed.gap, depth) else at_end(bed)[0]
+    pinned = depth > depth_end if bed.rim <= bed.reach else np.zeros(depth.shape, dtype=bool)
+    _refuse_beyond(bed, (depth > depth_end) & ~pinned, depth, "depth", "m", depth_end)
+    radius[pinned] = _end(bed)
+    free = (depth > 0.0) & ~pinned
+    if free.any():
+        upper, guess = _bracket(bed, bed.gap, depth[free])
+        found = invert(
+            lambda a: (bed.gap(a), bed.gap_slope(a)), depth[free], lower=flat_radius(bed), upper=upper, guess=guess
+        )
+        radius[free] = _not_beyond(bed, found, bed.gap(found) > (1.0 + 1e-6) * depth[free])
+    return radius
+
+
+def _met_before(bed: Bed, value: Callable[[Array], Array], asked: Array) -> bool:
+    """Return whether all loads are met well before the profile ends; there it may cost much to know its g."""
+    end, most = _end(bed), float(np.max(asked, initial=0.0))
+    if not np.isfinite(end):
+        return False
+    place = _guess(bed, value, most)
+    while place < 0.5 * end:
+        if float(value(np.array([place]))[0]) >= most:
+            return True
+        place *= 2.0
+    return False
+
+
+def _not_beyond(bed: Bed, radius: Array, beyond: Array) -> Array:
+    """Return the radii, with the next smaller number where rounding has put one far beyond its load.
+
+    Just above a flat g climbs like a square root: the number next to the flat's radius may lie orders of magnitude too
+    high, the flat's own costs the force nothing.
+    """
+    if not beyond.any():
+        return radius
+    flat = flat_radius(bed)
+    smaller = np.where(radius <= (1.0 + 1e-14) * flat, flat, np.nextafter(radius, 0.0))
+    return np.where(beyond, smaller, radius)
+
+
+def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
+    """Return depth and radius of contacts under given forces `(m,)`."""
+    tensile = force < 0.0
+    if tensile.any():
+        raise OutsideValidity(
+            f"force {force[tensile][0]:.6g} N{_indices(tensile)} is tensile; without adhesion bodies can only be "
+            "pressed together: give a force of zero or more."
+        )
+    radius = _radius_at_force(bed, force)
+    # F = k(a) d - load(a) hardly feels the rounding of a, g(a) may: close above a flat, or deep in a steep flank
+    stiffness = bed.stiffness(radius)
+    touching = stiffness > 0.0
+    depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
+    refuse_unless_discs(bed, depth, radius, _end(bed))
+    return depth, radius
+
+
+def _radius_at_force(bed: Bed, force: Array) -> Array:
+    """Return the radii of contacts under forces that are not tensile."""
+    if bed.rising:
+        radius = _radii_at_force(bed, force)
+        if rises(bed, float(np.max(radius, initial=0.0))):
+            return radius
+
+    def borne(a: Array) -> Array:
+        return bed.stiffness(a) * bed.gap(a) - bed.gap_load(a)
+
+    return radius_search.radii_at_force(bed, force, _end(bed), _guesses(bed, borne))
+
+
+def _radii_at_force(bed: Bed, force: Array) -> Array:
+    """Return the radii at which a rising g meets all forces."""
+    radius = np.zeros(force.shape)
+
+    def force_and_slope(a: Array) -> tuple[Array, Array]:
+        stiffness = bed.stiffness(a)
+        return stiffness * bed.gap(a) - bed.gap_load(a), stiffness * bed.gap_slope(a)
+
+    force_end = np.inf if _met_before(bed, lambda a: force_and_slope(a)[0], force) else at_end(bed)[1]
+    pinned = force > force_end if bed.rim <= bed.reach else np.zeros(force.shape, dtype=bool)
+    _refuse_beyond(bed, (force > force_end) & ~pinned, force, "force", "N", force_end)
+    radius[pinned] = _end(bed)
+    free = (force > 0.0) & ~pinned
+
+    if free.any():
+        upper, guess = _bracket(bed, lambda a: force_and_slope(a)[0], force[free])
+        found = invert(force_and_slope, force[free], lower=flat_radius(bed), upper=upper, guess=guess)
+        radius[free] = _not_beyond(bed, found, force_and_slope(found)[0] > (1.0 + 1e-6) * force[free])
+    return radius
+
+
+def _guess(bed: Bed, value: Callable[[Array], Array], asked: float) -> float:
+    """Return a radius of the order of the lengths of body, layers and load, where the search begins."""
+    return _guesses(bed, value)(asked)
+
+
+def _guesses(bed: Bed, value: Callable[[Array], Array]) -> Callable[[float], float]:
+    """Return what gives such a radius for each of many loads."""
+    length = _length(bed)
+    return lambda asked: length if np.isfinite(length) else rough_root(value, asked)
+
+
+def _length(bed: Bed) -> float:
+    """Return a radius of the order of the lengths of body and layers; infinite if they have none."""
+    flat, end, layers = flat_radius(bed), _end(bed), thickness_of(bed.medium)
+    if np.isfinite(end):
+        return flat + min(0.02 * (end - flat), layers)
+    if flat > 0.0:
+        return flat + min(flat, layers)
+    if np.isfinite(bed.size):
+        return min(0.02 * bed.size, layers)
+    return min([layers, *(b for b, _ in bed.kinks)])
+
+
+def _bracket(bed: Bed, value: Callable[[Array], Array], asked: Array) -> tuple[float, float | Array]:
+    """Return a radius beyond all that are sought, and one or many where the search may begin.
+
+    Layers are not asked for contacts far wider than those sought: these take long, or cannot be carried.
+    """
+    end, place = _end(bed), _guess(bed, value, float(np.max(asked)))
+    if not np.isfinite(thickness_of(bed.medium)):
+        return end, place
+    flat, most = flat_radius(bed), float(np.max(asked))
+    places, values = [place], [float(value(np.array([place]))[0])]
+    while values[-1] < most:
+        place = flat + 2.0 * (place - flat)
+        places.append(min(place, end))
+        if place >= end:  # where g may be infinite
+            break
+        values.append(float(value(np.array([place]))[0]))
+    known = [(place - flat, own) for place, own in zip(places, values, strict=False) if own > 0.0]
+    if len(places) < 2 or not known:
+        return end, places[0]
+    beside, below = np.log(np.array(known)).T
+    return places[-1], np.clip(flat + np.exp(np.interp(np.log(asked), below, beside)), places[0], places[-1])

@@ -1,0 +1,63 @@
+"""The parts of a medium that were given a strength: bodies, layers, and what carries the layers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from winkler.materials.elastic import Elastic
+from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.relaxing.proportional import RelaxingInProportion
+
+__all__ = ["StrongPart", "strong_parts"]
+
+
+class StrongPart(NamedTuple):
+    """A part of one of the bodies, of one isotropic solid that has a strength.
+
+    Parameters
+    ----------
+    name : str
+        What it is called in a sentence.
+    solid : Elastic
+    first : bool
+        Whether it belongs to the first body, z > 0.
+    top, bottom : float
+        Depths between which it lies [m].
+    """
+
+    name: str
+    solid: Elastic
+    first: bool
+    top: float = 0.0
+    bottom: float = math.inf
+
+
+def strong_parts(medium: object) -> tuple[StrongPart, ...]:
+    """Return the parts of a medium whose strength is finite, from the surface of the first body down.
+
+    Parameters
+    ----------
+    medium
+        Any; one that names no solids has no such part.
+    """
+    return tuple(part for part in _parts(medium) if part.solid.strength < math.inf)
+
+
+def _parts(medium: object) -> Iterator[StrongPart]:
+    if isinstance(medium, RelaxingInProportion):
+        yield from _parts(medium.medium)
+        return
+    first, second = getattr(medium, "first", None), getattr(medium, "second", None)
+    if isinstance(medium, CoatedHalfSpace):
+        top = 0.0
+        for number, layer in enumerate(medium.layers, 1):
+            yield StrongPart(f"layer {number}", layer.solid, True, top, top + layer.thickness)
+            top += layer.thickness
+        if isinstance(medium.on, Elastic):
+            yield StrongPart("body under the layers", medium.on, True, top)
+    elif isinstance(first, Elastic):
+        yield StrongPart("first body", first, True)
+    if isinstance(second, Elastic):
+        yield StrongPart("second body", second, False)

@@ -1,0 +1,134 @@
+"""What an indentation says about its own validity: slopes, size of the body, pinned edges, onset of yield."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.film import film_notes
+from winkler.problems.normal.single_contact import rises, unfinished
+from winkler.problems.normal.yield_statement import FRICTIONLESS, Rubbing, yield_notes_of_bed
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["contact_notes", "indentation_notes", "large_body_note", "size_note", "slope_note", "steepness_note"]
+
+JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
+HAY = "J. C. Hay, A. Bolshakov, G. M. Pharr, J. Mater. Res. 14 (1999) 2296, doi:10.1557/JMR.1999.0306"
+
+
+def indentation_notes(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+    """Return the notes of an indentation; of several loads, those of the widest contact.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth, radius : ndarray, (m,)
+        [m].
+    rubbing : Rubbing, optional
+        What is known of friction, for the onset of yield.
+    """
+    return (*bed.notes, *contact_notes(bed, depth, radius), *yield_notes_of_bed(bed, depth, radius, rubbing))
+
+
+def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
+    """Return what the widest of several contacts says about itself: slopes, size, a pinned edge, one disc."""
+    if not np.any(radius > 0.0):
+        return (
+            Note(
+                Assumption.EQUILIBRIUM,
+                Standing.EXACT,
+                "The bodies do not touch under this load.",
+                "no spring is compressed",
+            ),
+        )
+    last = int(np.argmax(depth))
+    widest = float(radius[last])
+    notes = [slope_note(bed, widest)]
+    if math.isfinite(bed.size):
+        notes.append(size_note(bed, widest))
+    if widest >= bed.rim:
+        notes.append(
+            Note(
+                Assumption.SHAPE,
+                Standing.EXACT,
+                "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded.",
+                "Boussinesq's flat punch",
+            )
+        )
+    deepest, force = float(depth[last]), float(bed.stiffness(radius[last]) * depth[last] - bed.gap_load(radius[last]))
+    notes.extend(film_notes(bed, deepest, force, widest))
+    if not bed.certain:
+        notes.append(_disc_note(bed, float(depth[last]), widest))
+    return tuple(notes)
+
+
+def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
+    """Return what was looked at to know that the contact is one disc."""
+    failed = unfinished(bed, depth, radius)
+    if failed:
+        return Note(
+            Assumption.SINGLE_CONTACT,
+            Standing.APPROXIMATE,
+            f"Whether the contact is one disc was not found out, because the check did not come to an end ({failed}); "
+            "depth, force and radius are those of a disc.",
+            "a-posteriori check of pressure and separation, at sampled places",
+        )
+    if not rises(bed, radius):
+        looked = "the equivalent profile falls somewhere, so the restored pressure and the separation were looked at"
+    elif bed.medium.punch_facts(radius).pulls:
+        looked = "the equivalent profile rises, but flat punches of this width pull, so the pressure was looked at"
+    else:
+        looked = "the equivalent profile rises wherever it was looked at, and no flat punch up to this radius pulls"
+    return Note(
+        Assumption.SINGLE_CONTACT,
+        Standing.EXACT,
+        f"That the contact is one disc was checked: {looked}; no tension inside, no overlap outside.",
+        "a-posteriori check of pressure and separation, at sampled places",
+    )
+
+
+def slope_note(bed: Bed, radius: float) -> Note:
+    """Return what the slopes within a contact of this radius mean for the theory."""
+    share = np.linspace(0.0, 1.0, 65)[1:]
+    inside = radius * (share[:-1] if radius >= bed.rim else share)  # a rim has no slope
+    return steepness_note(float(np.max(np.abs(bed.slope(inside)))))
+
+
+def steepness_note(slope: float) -> Note:
+    """Return what the steepest slope [-] within a contact means for the theory."""
+    if slope == 0.0:
+        standing, verdict = Standing.EXACT, "the surface is flat"
+    elif slope <= 0.1:
+        standing, verdict = Standing.ASYMPTOTIC, "small, as the theory assumes"
+    elif slope <= 1.0:
+        standing = Standing.APPROXIMATE
+        verdict = (
+            "not small: expect deviations of the order of (1 - 2 nu) times the slope, and of its square, which is all "
+            "that is left where nu = 0.5"
+        )
+    else:
+        standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
+    return Note(
+        Assumption.SMALL_SLOPES, standing, f"The steepest slope within the contact is {slope:.3g}: {verdict}.", HAY
+    )
+
+
+def size_note(bed: Bed, radius: float) -> Note:
+    """Return what the size of the body means for a contact of this radius."""
+    return large_body_note(radius / bed.size)
+
+
+def large_body_note(ratio: float) -> Note:
+    """Return what the contact radius over that of the body [-] means for the theory."""
+    if ratio <= 0.1:
+        standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"
+    elif ratio <= 0.5:
+        standing, verdict = Standing.APPROXIMATE, "the body is hardly a half-space any more"
+    else:
+        standing, verdict = Standing.OUTSIDE, "the body is no half-space"
+    return Note(
+        Assumption.HALF_SPACE, standing, f"The contact radius is {ratio:.3g} of the body's radius: {verdict}.", JOHNSON
+    )

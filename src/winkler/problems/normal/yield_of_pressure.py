@@ -1,0 +1,121 @@
+"""Whether contacts of which only the pressure is known stay elastic: ellipses, height maps, rough surfaces."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.types import Quantity
+from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.problems.normal.yield_statement import MISES, share_of, unknown_yield
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["ellipse_yield_notes", "map_yield_notes", "spots_yield_notes"]
+
+THOMAS = "H. R. Thomas, V. A. Hoersch, Univ. Illinois Eng. Exp. Station Bulletin 212 (1930); R. von Mises (1913)"
+HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.1, doi:10.1017/CBO9781139171731"
+FAR = 0.1
+"""Pressure over that at which a round contact of Hertz yields, below which spots of usual shapes do not."""
+
+
+def ellipse_yield_notes(
+    medium: object, semi_axes: tuple[Quantity, Quantity], force: Quantity, friction: float = 0.0
+) -> tuple[Note, ...]:
+    """Return whether an elliptic contact of Hertz stays elastic; of many loads the greatest.
+
+    Parameters
+    ----------
+    medium
+        A homogeneous one.
+    semi_axes : tuple of float or ndarray
+        [m].
+    force : float or ndarray
+        [N].
+    friction : float
+        Greatest traction over pressure [-].
+    """
+    parts = strong_parts(medium)
+    most = float(np.max(force))
+    if not parts or most <= 0.0:
+        return ()
+    smaller, larger = sorted(float(np.max(axis)) for axis in semi_axes)
+    pressure = 1.5 * most / (math.pi * smaller * larger)
+    peaks = [greatest_under_ellipse(smaller / larger, part.solid.poisson) for part in parts]
+    shares = [peak.value * pressure / part.solid.strength for peak, part in zip(peaks, parts, strict=True)]
+    worst = int(np.argmax(shares))
+    share, part, depth = shares[worst], parts[worst], peaks[worst].depth * smaller
+    where = f"{share_of(share, part)}, at a depth of {depth:.3g} m below the middle"
+    onset = most / share**3
+    if share >= 1.0:
+        statement = (
+            f"By von Mises' criterion yielding began at {onset:.4g} N: the greatest elastic stress is {where}; beyond "
+            "it the result is not elastic."
+        )
+        return (Note(Assumption.ELASTIC, Standing.OUTSIDE, statement, THOMAS),)
+    if friction > 0.0:
+        why = "the stresses of a traction under an ellipse are not computed"
+        return unknown_yield(medium, why, f"Without friction the greatest von Mises stress is {where}.")
+    statement = (
+        f"By von Mises' criterion yielding begins at {onset:.4g} N; the contact stays elastic: its greatest stress is "
+        f"{where}."
+    )
+    return (Note(Assumption.ELASTIC, Standing.EXACT, statement, THOMAS),)
+
+
+def map_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
+    """Return what the greatest pressure of a height map says about yield.
+
+    Parameters
+    ----------
+    medium
+        A homogeneous one.
+    pressure : float
+        The greatest one [Pa].
+    """
+    parts = strong_parts(medium)
+    if not parts or pressure <= 0.0:
+        return ()
+    part, limit = _weakest(parts)
+    share = pressure / part.solid.strength
+    said = f"The greatest pressure is {share_of(share, part)}; under a round contact of Hertz yielding begins at "
+    return (_of_pressure(share / limit, f"{said}{limit:.3g} times"),)
+
+
+def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
+    """Return what the mean pressure in the true area of a rough contact says about yield.
+
+    Parameters
+    ----------
+    medium
+        A homogeneous one.
+    pressure : float
+        Force over true area [Pa].
+    """
+    parts = strong_parts(medium)
+    if not parts or not pressure > 0.0:
+        return ()
+    part, limit = _weakest(parts)
+    share, mean = pressure / part.solid.strength, limit / 1.5
+    said = f"The mean pressure in the true area of contact is {share_of(share, part)}, single summits bear more; under "
+    return (
+        _of_pressure(share / mean, f"{said}a round contact of Hertz yielding begins at a mean of {mean:.3g} times"),
+    )
+
+
+def _weakest(parts: tuple[StrongPart, ...]) -> tuple[StrongPart, float]:
+    """Return the part that a round contact brings to yield first, and the greatest pressure over strength there."""
+    limits = [1.0 / greatest_under_ellipse(1.0, part.solid.poisson).value for part in parts]
+    return min(zip(parts, limits, strict=True), key=lambda pair: pair[1] * pair[0].solid.strength)
+
+
+def _of_pressure(share: float, said: str) -> Note:
+    """Return the verdict on a pressure that is `share` of the one at which a round contact yields."""
+    if share >= 1.0:
+        standing, verdict = Standing.OUTSIDE, "spots of this pressure have yielded, and the result is not elastic"
+    elif share <= FAR:
+        standing, verdict = Standing.ASYMPTOTIC, "far below that spots stay elastic, unless they are sharp"
+    else:
+        standing, verdict = Standing.APPROXIMATE, "the onset of yield is not known because the spots are not round"
+    return Note(Assumption.ELASTIC, standing, f"{said} the strength: {verdict}.", f"{MISES}; {HERTZ}")

@@ -1,0 +1,221 @@
+"""Onset of yield: the load at which the largest von Mises stress below the contact reaches a body's strength."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed, Pressed
+from winkler.media.halfspace import HalfSpace
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
+from winkler.problems.normal.single_contact import refuse_unless_disc
+from winkler.problems.normal.solve_contact import at_end, flat_radius
+from winkler.problems.normal.strong_parts import StrongPart, strong_parts
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["YieldOnset", "YieldOnsetSolution"]
+
+STEPS = 40
+OCTAVES = 500
+LAST = 0.999
+"""Part of the reach of a profile that becomes vertical there, up to which the onset is looked for."""
+WEAK = 10.0
+"""A strength so many times the modulus times the slope there is not reached."""
+
+
+@value
+class YieldOnset:
+    """At which load does the first of the bodies begin to yield?
+
+    Parameters
+    ----------
+    bed : Bed
+        Springs over a `HalfSpace` of which at least one body was given a strength.
+
+    Raises
+    ------
+    InvalidInput
+        If no body has a strength, or the medium is not isotropic.
+
+    References
+    ----------
+    K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, section 6.1, doi:10.1017/CBO9781139171731
+    """
+
+    bed: Bed
+
+    references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bed.medium, HalfSpace):
+            raise InvalidInput(
+                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is looked for in "
+                "homogeneous, isotropic bodies only: give a HalfSpace."
+            )
+        if min(self.bed.medium.strengths) == math.inf:
+            raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
+
+    def solve(self) -> YieldOnsetSolution:
+        """Return the load, and where yielding begins.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach,
+            or where the contact is no disc; under the edge of an incompressible truncated body.
+        NotConverged
+            If the contact radius at the onset is not found.
+        """
+        found, missed = [], []
+        for part in strong_parts(self.bed.medium):
+            onset = _onset(self.bed, part)
+            if isinstance(onset, str):
+                missed.append(onset)
+            else:
+                found.append((*onset, part.first))
+        if not found:
+            raise OutsideValidity(missed[0])
+        radius, place, first = min(found, key=lambda onset: onset[0])
+        at = np.array([radius])
+        depth = float(self.bed.gap(at)[0])
+        force = float((self.bed.stiffness(at) * depth - self.bed.gap_load(at))[0])
+        if not self.bed.certain:
+            refuse_unless_disc(self.bed, depth, radius, min(self.bed.reach, self.bed.rim))
+        return YieldOnsetSolution(self, depth, force, radius, r=place.x, z=place.z if first else -place.z)
+
+
+@value
+class YieldOnsetSolution:
+    """The answer to `YieldOnset`.
+
+    Parameters
+    ----------
+    problem : YieldOnset
+        What was asked.
+    depth, force, radius : float
+        [m], [N], [m] when yielding begins.
+    r, z : float
+        Where it begins [m]; z > 0 in the first body, z < 0 in the second.
+    """
+
+    problem: YieldOnset
+    depth: float
+    force: float
+    radius: float
+    r: float
+    z: float
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        return (
+            *self.problem.bed.notes,
+            Note(
+                Assumption.ELASTIC,
+                Standing.EXACT,
+                "Yielding begins where the von Mises stress of the elastic field first reaches the strength.",
+                "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
+            ),
+        )
+
+
+def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
+    """Return the contact radius at which one body yields, and where; or why it does not."""
+    assert isinstance(bed.medium, HalfSpace)
+    strength, flat = part.solid.strength, flat_radius(bed)
+    sharp = [b for b, jump in bed.kinks if jump != 0.0]
+    end = min([bed.reach, bed.rim, *(b for b in sharp if b > flat)])
+    a = _start(bed, flat, end, strength)
+    _refuse_first_touch(bed, part, a, flat, sharp)
+
+    def stress(radius: float) -> GreatestStress:
+        return greatest_stress(Pressed(bed, float(bed.gap(np.array([radius]))[0]), radius), part)
+
+    if end in sharp or math.isfinite(at_end(bed)[0]):
+        place = stress(end)
+        if place.value < strength:
+            if end in sharp or bed.rim <= bed.reach:  # reached first, and there the stress is infinite
+                return end, GreatestStress(math.inf, end, 0.0, "")
+            return (
+                f"YieldOnset: within the profile's reach ({end:.6g} m) the largest von Mises stress stays below "
+                f"{strength:.6g} Pa; the body does not yield before the profile ends."
+            )
+    elif math.isfinite(end):
+        steepest = float(bed.gap_slope(np.array([LAST * end]))[0])
+        if WEAK * bed.medium.modulus * steepest < strength:
+            return (
+                f"YieldOnset: at {LAST * end:.6g} m, where the profile is nearly vertical, its slope times the modulus "
+                f"is {steepest * bed.medium.modulus:.6g} Pa, far below the strength, {strength:.6g} Pa: the body does "
+                "not yield before; check the units of strength and modulus."
+            )
+    low, high = flat, end
+    last: tuple[float, float] | None = None
+    for _ in range(STEPS):
+        place = stress(a)
+        miss = math.log(place.value / strength)
+        if abs(miss) < 1e-10:
+            return a, place
+        if last is not None and abs(miss - last[1]) < 1e-8 * abs(math.log(a - flat) - last[0]):
+            return _the_same(place.value, strength)
+        low, high = (a, high) if miss < 0.0 else (low, a)
+        # secant in logarithms: exact for power laws, whose stress is a power of the radius
+        power = 1.0 if last is None else (miss - last[1]) / (math.log(a - flat) - last[0])
+        last = (math.log(a - flat), miss)
+        new = flat + (a - flat) * math.exp(max(-20.0, min(20.0, -miss / power))) if power > 0.0 else math.nan
+        if not low < new < high:
+            new = 0.5 * (low + high) if math.isfinite(high) else 2.0 * a
+        if abs(new - a) <= 1e-14 * a:
+            return a, place
+        a = new
+    raise NotConverged(f"YieldOnset: the radius at which yielding begins was not found in {STEPS} steps.")
+
+
+def _start(bed: Bed, flat: float, end: float, strength: float) -> float:
+    """Return a radius [m] where the modulus times the slope of the equivalent profile is about the strength."""
+    assert isinstance(bed.medium, HalfSpace)
+    wanted = strength / bed.medium.modulus
+    if math.isfinite(end):
+        return 0.5 * (flat + end)
+    a, before = 2.0 * flat or 1.0, math.nan
+    for _ in range(OCTAVES):
+        slope = float(np.abs(bed.gap_slope(np.array([a])))[0])
+        if 0.25 * wanted <= slope <= 4.0 * wanted or slope == before:
+            break
+        a, before = (flat + 0.25 * (a - flat), slope) if slope > wanted else (flat + 4.0 * (a - flat), slope)
+    return a
+
+
+def _refuse_first_touch(bed: Bed, part: StrongPart, a: float, flat: float, sharp: list[float]) -> None:
+    """Refuse a profile that is sharp where it touches first."""
+    advice = "yielding begins at the first touch; give a rounded profile."
+    if bed.rim < math.inf and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
+        raise OutsideValidity(f"YieldOnset: the rim is sharp, so the stress is infinite there and {advice}")
+    if flat in sharp:
+        if part.solid.poisson == 0.5:
+            raise OutsideValidity(
+                "YieldOnset: the slope of the profile jumps; in an incompressible body the greatest von Mises stress "
+                "next to the edge is finite, but is not resolved at the first touch; give a rounded profile."
+            )
+        raise OutsideValidity(
+            f"YieldOnset: the slope of the profile jumps, so the stress is infinite there and {advice}"
+        )
+    pressed = Pressed(bed, float(bed.gap(np.array([a]))[0]), a)
+    if any(place == 0.0 for place, _ in sharp_places(pressed, part.solid.poisson, 0.0)):
+        raise OutsideValidity(f"YieldOnset: the apex is pointed, so the stress is infinite there and {advice}")
+
+
+def _the_same(stress: float, strength: float) -> str:
+    """Return what it means that the greatest stress does not depend on the load."""
+    if stress < strength:
+        verdict = "does not reach the strength, {:.6g} Pa: the body does not yield."
+    else:
+        verdict = "is more than the strength, {:.6g} Pa: yielding begins at the first touch."
+    return f"YieldOnset: the greatest von Mises stress is {stress:.6g} Pa under every load, and {verdict}".format(
+        strength
+    )

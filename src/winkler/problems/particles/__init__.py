@@ -1,0 +1,1 @@
+"""Contacts of many particles, contact laws for particle codes, and elastic-plastic particles."""

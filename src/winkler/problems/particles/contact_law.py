@@ -1,0 +1,201 @@
+r"""A frictionless contact as a table for other programs: force, stiffnesses and radius over the depth.
+
+Between two rows the force is the cubic through both forces and both stiffnesses (Hermite),
+
+.. math:: F(d) = h_{00}F_0 + h_{10}\,\Delta\,k_0 + h_{01}F_1 + h_{11}\,\Delta\,k_1 ,
+
+or, more simply, a straight line.  The stiffness of a growing contact never falls: the curve then lies below its chords
+and above its tangents, and a straight line errs by no more than the height of the triangle between them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.loading import Depth
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.solve_contact import flat_radius
+from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["ContactLaw", "ContactLawSolution"]
+
+FIRST = 8
+"""Intervals at the beginning, closer towards the touch."""
+ROUNDS, MOST = 24, 100_000
+"""Halvings of an interval, and rows, at most."""
+BETWEEN = np.array([0.15, 0.35, 0.5, 0.65, 0.85])
+"""Where an interval is looked at, as parts of it."""
+SAFETY = 0.7
+"""The error there is kept below this part of what is allowed: it may be a little greater elsewhere."""
+
+
+@value
+class ContactLaw:
+    """What a discrete element or multibody program needs of a contact: a table over the depth.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) or another one.
+    deepest : float
+        Greatest depth of the table [m], positive.
+    tolerance : float, optional
+        Greatest error of the force that Hermite's cubic between two rows may have, over the greatest force.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace(Elastic(210e9, 0.3)))
+    >>> law = ContactLaw(bed, deepest=5e-6, tolerance=1e-3).solve()
+    >>> law.depth.size, bool(law.hermite_error < 1e-3)
+    (9, True)
+    """
+
+    bed: Bed
+    deepest: float
+    tolerance: float = 1e-6
+
+    references: ClassVar[tuple[str, ...]] = Indentation.references
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+
+    def __post_init__(self) -> None:
+        for name, greatest in (("deepest", math.inf), ("tolerance", 0.1)):
+            number = getattr(self, name)
+            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < greatest:
+                raise InvalidInput(f"ContactLaw: {name} is {number!r}; give a positive number below {greatest:g}.")
+
+    def solve(self) -> ContactLawSolution:
+        """Return the table; rows lie where they are needed.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bed does not reach so deep, or its springs' tangential stiffness is not in proportion to the normal
+            one, so that no one number tells the tangential stiffness.
+        NotConverged
+            If the tolerance would need more than 100 000 rows.
+        """
+        flat = _first_radius(self.bed)
+        depth = self.deepest * np.linspace(0.0, 1.0, FIRST + 1) ** 2
+        for _ in range(ROUNDS):
+            answer = Indentation(self.bed, Depth(depth)).solve()
+            force, radius, stiffness = (np.array(part) for part in (answer.force, answer.radius, answer.stiffness))
+            radius[0], stiffness[0] = flat, float(self.bed.stiffness(np.array([flat]))[0])  # as it begins to touch
+            errors = self._errors(depth, force, stiffness) / force[-1]
+            coarse = np.flatnonzero(np.max(errors, axis=1) > SAFETY * self.tolerance)
+            if not coarse.size:
+                break
+            if depth.size + coarse.size > MOST:
+                raise NotConverged(f"ContactLaw: more than {MOST} rows would be needed; give a greater tolerance.")
+            depth = np.sort(np.concatenate([depth, 0.5 * (depth[coarse] + depth[coarse + 1])]))
+        else:
+            raise NotConverged(
+                f"ContactLaw: {depth.size} rows leave an error of {np.max(errors):.3g}; give a greater tolerance."
+            )
+        ratios = stiffness_ratios(self.bed, float(np.max(radius)))
+        if not alike(ratios):
+            raise OutsideValidity(
+                f"ContactLaw: the springs' tangential stiffness is between {ratios[0]:.4g} and {ratios[1]:.4g} of the "
+                "normal one, so that no one number tells it; give a homogeneous or power-law medium, or march along a "
+                "path with Tangential."
+            )
+        return ContactLawSolution(
+            self,
+            depth,
+            force,
+            radius,
+            stiffness,
+            ratios[0] * stiffness,
+            np.asarray(answer.energy),
+            float(np.max(errors)),
+            float(np.max(_triangles(depth, force, stiffness)) / force[-1]),
+        )
+
+    def _errors(self, depth: Array, force: Array, stiffness: Array) -> Array:
+        """Return the error of the cubic between the rows [N], ``(intervals, places)``."""
+        places = depth[:-1, None] + np.diff(depth)[:, None] * BETWEEN
+        true = np.asarray(Indentation(self.bed, Depth(places.ravel())).solve().force).reshape(places.shape)
+        return np.asarray(np.abs(_cubic(depth, force, stiffness) - true))
+
+
+def _first_radius(bed: Bed) -> float:
+    """Return the radius of the contact at first touch: that of a flat end, or zero."""
+    if math.isfinite(bed.rim) and bed.rim <= bed.reach and float(bed.gap(np.array([bed.rim]))[0]) == 0.0:
+        return float(bed.rim)
+    return flat_radius(bed)
+
+
+def _cubic(depth: Array, force: Array, stiffness: Array) -> Array:
+    """Return Hermite's cubic at `BETWEEN` in every interval."""
+    t, step = BETWEEN, np.diff(depth)[:, None]
+    return np.asarray(
+        (1.0 + 2.0 * t) * (1.0 - t) ** 2 * force[:-1, None]
+        + t * (1.0 - t) ** 2 * step * stiffness[:-1, None]
+        + t**2 * (3.0 - 2.0 * t) * force[1:, None]
+        - t**2 * (1.0 - t) * step * stiffness[1:, None]
+    )
+
+
+def _triangles(depth: Array, force: Array, stiffness: Array) -> Array:
+    """Return how high the chord of every interval is above the crossing of the tangents at its ends [N]."""
+    step, rise = np.diff(depth), np.diff(force)
+    first, second = stiffness[:-1], stiffness[1:]
+    bend = second - first
+    crossing = np.divide(second * step - rise, bend, out=np.zeros(step.shape), where=bend > 0.0)
+    crossing = np.clip(crossing, 0.0, step)
+    return np.asarray(np.maximum(crossing * (rise / step - first), 0.0))
+
+
+@value
+class ContactLawSolution:
+    """A contact law in rows, to be interpolated.
+
+    Parameters
+    ----------
+    problem : ContactLaw
+        What was asked.
+    depth, force, radius : ndarray, (rows,)
+        d [m] from zero on, F_N [N], a [m].
+    stiffness : ndarray, (rows,)
+        dF/dd [N/m].
+    shear_stiffness : ndarray, (rows,)
+        Of the sticking contact under a constant normal force [N/m].
+    energy : ndarray, (rows,)
+        Elastic energy [J].
+    hermite_error : float
+        Greatest error of the force between the rows by Hermite's cubic, as measured there, over the greatest force.
+    linear_error : float
+        Bound of the error by straight lines, over the greatest force; of a contact that grows with the depth.
+    """
+
+    problem: ContactLaw
+    depth: Array
+    force: Array
+    radius: Array
+    stiffness: Array
+    shear_stiffness: Array
+    energy: Array
+    hermite_error: float
+    linear_error: float
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What is assumed."""
+        return Indentation(self.problem.bed, Depth(self.problem.deepest)).solve().validity

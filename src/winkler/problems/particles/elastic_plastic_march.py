@@ -1,0 +1,171 @@
+r"""The march of an elastic-plastic particle that is pressed against a plane and let go, again and again.
+
+Where the edge of the contact stands is told by three rules: it advances when it gains more than closing needs, it
+recedes when parting is paid for, else it rests.  The work of each such stretch is a difference of potentials, and so is
+that of yielding: no step is too long.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.numerics.equations.roots import between
+from winkler.problems.particles.elastic_plastic_springs import LIMIT, RIM, Material, ParticleSprings
+
+__all__ = ["March", "Squeezed"]
+
+
+class Squeezed(NamedTuple):
+    """What a particle remembers.
+
+    Parameters
+    ----------
+    largest : float
+        Its greatest depth so far [m].
+    felt : float
+        What its springs feel now [m].
+    angle : float
+        Where the edge is; zero where the bodies are apart.
+    touching : bool
+        Whether they touch.
+    work : float
+        What was spent on it [J].
+    """
+
+    largest: float
+    felt: float
+    angle: float
+    touching: bool
+    work: float
+
+
+class March(NamedTuple):
+    """A particle and the works of adhesion.
+
+    Parameters
+    ----------
+    material : Material
+        The particle.
+    closing, opening : float
+        Works of adhesion [J/m^2].
+    """
+
+    material: Material
+    closing: float
+    opening: float
+
+    def fresh(self) -> Squeezed:
+        """Return a particle that was never touched."""
+        return Squeezed(0.0, -np.inf, 0.0, False, 0.0)
+
+    def potential(self, springs: ParticleSprings, angle: float, felt: float, work: float) -> float:
+        """Return elastic and surface energy, as a prescribed depth feels them [J]."""
+        energy = springs.sums(angle, felt)[1]
+        return springs.stretch * (energy - work * np.pi * springs.radius(angle) ** 2)
+
+    def energy(self, state: Squeezed) -> float:
+        """Return what is stored, less what closing has gained [J]."""
+        if not state.touching:
+            return 0.0
+        return self.potential(self.material.springs(state.largest), state.angle, state.felt, self.closing)
+
+    def to_depth(self, state: Squeezed, depth: float) -> Squeezed:
+        """Return the particle at a depth."""
+        if depth > LIMIT * self.material.radius:
+            raise OutsideValidity(
+                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {LIMIT:g} of the radius; there the particle "
+                "is squeezed as a whole, which this law of one contact leaves out; stay below it."
+            )
+        springs = self.material.springs(state.largest)
+        roof = max(state.largest, self.material.yield_depth)
+        state = self._within(springs, state, springs.felt(min(depth, roof)))
+        largest = max(state.largest, depth)
+        if depth <= roof:
+            return state._replace(largest=largest)
+        work = state.work + self.material.work(depth) - self.material.work(roof)
+        return Squeezed(largest, self.material.springs(largest).felt(depth), RIM, True, work)
+
+    def _within(self, springs: ParticleSprings, state: Squeezed, felt: float) -> Squeezed:
+        """Move while the particle does not yield."""
+        if not state.touching:
+            if felt < 0.0:
+                return state._replace(felt=felt)
+            state = state._replace(felt=0.0, angle=springs.edge(0.0, self.closing), touching=True)
+        angle = state.angle
+        low, high = springs.balanced(angle, self.closing), springs.balanced(angle, self.opening)
+        if felt > low:
+            return self._moved(springs, state, felt, springs.edge(felt, self.closing), self.closing)
+        if felt >= high:
+            return self._moved(springs, state, felt, angle, self.opening)
+        least = springs.critical(self.opening, 0.5)
+        if angle < least or felt < springs.balanced(least, self.opening):
+            end = min(angle, least)
+            last = self._moved(springs, state, springs.balanced(end, self.opening), end, self.opening)
+            return last._replace(felt=felt, angle=0.0, touching=False)
+        return self._moved(springs, state, felt, springs.edge(felt, self.opening), self.opening)
+
+    def _moved(self, springs: ParticleSprings, state: Squeezed, felt: float, angle: float, work: float) -> Squeezed:
+        """Let the edge rest, go to an angle while it is just held, and rest again; what that takes."""
+
+        def rest(at: float, start: float, stop: float) -> float:
+            if start == stop:
+                return 0.0
+            return springs.stretch * (springs.sums(at, stop)[1] - springs.sums(at, start)[1])
+
+        if angle == state.angle:
+            spent = rest(angle, state.felt, felt)
+        else:
+            first = springs.balanced(state.angle, work)
+            last = springs.balanced(angle, work) if angle == RIM else felt
+            spent = rest(state.angle, state.felt, first) + rest(angle, last, felt)
+            spent += self.potential(springs, angle, last, work) - self.potential(springs, state.angle, first, work)
+        return state._replace(felt=felt, angle=angle, work=state.work + spent)
+
+    def to_force(self, state: Squeezed, force: float) -> Squeezed:
+        """Return the particle under a dead load."""
+        springs = self.material.springs(state.largest)
+        if not state.touching:
+            # brought to touch without a force, where attraction holds it
+            angle = springs.edge_under(0.0, self.closing)
+            state = state._replace(felt=springs.balanced(angle, self.closing), angle=angle, touching=True)
+        return self.to_depth(state, self._depth_under(springs, state, force))
+
+    def _depth_under(self, springs: ParticleSprings, state: Squeezed, force: float) -> float:
+        material = self.material
+        roof = max(state.largest, material.yield_depth)
+        deepest = LIMIT * material.radius
+        angle = state.angle
+        if force > springs.edge_force(angle, self.closing):
+            angle = springs.edge_under(force, self.closing)
+            felt = self._felt(springs, angle, self.closing, force)
+            if springs.depth(felt) <= min(roof, deepest):
+                return springs.depth(felt)
+            if roof > deepest or force > material.force(deepest):
+                raise OutsideValidity(
+                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than {LIMIT:g} of its "
+                    "radius, beyond which this law of one contact does not hold; give a smaller one."
+                )
+            if force <= material.force(roof):
+                return roof
+            return between(lambda depth: material.force(depth) - force, roof, deepest)
+        if force < springs.edge_force(angle, self.opening):
+            least = springs.critical(self.opening, 1.5)
+            if angle <= least or force < springs.edge_force(least, self.opening):
+                held = springs.edge_force(min(angle, least), self.opening)
+                raise OutsideValidity(
+                    f"ElasticPlasticParticle: a force of {force:g} N tears the particle off, which bears {held:g} N; "
+                    "prescribe depths to follow it beyond, or stay above."
+                )
+            angle = springs.edge_under(force, self.opening)
+            return springs.depth(self._felt(springs, angle, self.opening, force))
+        return springs.depth(self._felt(springs, angle, self.opening, force))
+
+    def _felt(self, springs: ParticleSprings, angle: float, work: float, force: float) -> float:
+        """Return what the springs feel under a force with the edge at an angle."""
+        held = springs.balanced(angle, work)
+        if angle == 0.0:
+            return held
+        return held + (force - springs.force(angle, held)) / (2.0 * springs.modulus * springs.radius(angle))

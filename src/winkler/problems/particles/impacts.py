@@ -1,0 +1,220 @@
+r"""Many balls that strike at once, straight or obliquely, each with its own velocities.
+
+The equations are those of one `Impact`, integrated by Verlet's steps; the springs of every contact follow each step
+exactly along its straight line.  Energy is kept to second order in the steps.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.media.halfspace import HalfSpace
+from winkler.numerics.springs.contact_kernels import impact_balls
+from winkler.numerics.threads import shared_out
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import BALANCED, SHEARED
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
+from winkler.problems.normal.validity import steepness_note
+from winkler.problems.particles.trace import PLANE, SPRINGS
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["BallImpacts", "BallImpactsSolution"]
+
+DEEPEST = (15.0 / 16.0) ** 0.4
+LASTING = 2.868265699
+"""Of Hertz' impact: d_max and the duration in terms of m, v, E* and R."""
+MARGIN = 1e-3
+"""By which the springs reach further than Hertz' greatest depth."""
+MORE = 5
+"""Steps beyond Hertz' duration."""
+
+
+@value
+class BallImpacts:
+    """Balls strike surfaces, or each other; every array is ``(contacts,)``, or one number for all.
+
+    Parameters
+    ----------
+    medium : HalfSpace
+        The pair of solids.
+    curvature_radius : float or ndarray
+        R [m].
+    coefficient : float or ndarray
+        Friction coefficient mu [-], zero or positive.
+    mass : float or ndarray
+        m [kg] of the ball; of two free ones m1 m2 / (m1 + m2).
+    mobility : float or ndarray
+        kappa [1/kg]: what an impulse along the surface changes the velocity of the touching points by,
+        1/m + R^2/I; of a solid ball 3.5/m.
+    velocity : float or ndarray
+        Of approach [m/s], positive.
+    sliding_velocity : ndarray, (contacts, 2)
+        Of the touching points along the surface [m/s].
+    steps : int, optional
+        How many steps an impact takes.
+    count : int, optional
+        How many springs a contact has.
+
+    Raises
+    ------
+    InvalidInput
+        If the shapes do not agree, or a number has the wrong sign.
+
+    References
+    ----------
+    N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5
+
+    Examples
+    --------
+    >>> from winkler.materials.elastic import Elastic
+    >>> glass = HalfSpace.between(Elastic(70e9, 0.22), Elastic(70e9, 0.22))
+    >>> mass = 2500.0 * 4.0 / 3.0 * np.pi * 1e-9
+    >>> thrown = BallImpacts(glass, curvature_radius=1e-3, coefficient=0.3, mass=mass, mobility=3.5 / mass,
+    ...                      velocity=1.0, sliding_velocity=[[0.2, 0.0], [1.0, 1.0]]).solve()
+    >>> thrown.sliding_velocity.round(3)
+    array([[ 0.035,  0.   ],
+           [-0.361, -0.361]])
+    """
+
+    medium: HalfSpace
+    curvature_radius: Array | float
+    coefficient: Array | float
+    mass: Array | float
+    mobility: Array | float
+    velocity: Array | float
+    sliding_velocity: Array
+    steps: int = 200
+    count: int = 32
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "hertz_1882", "maw_barber_fawcett_1976")
+    assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
+
+    def __post_init__(self) -> None:
+        sliding = np.asarray(self.sliding_velocity, dtype=float)
+        if sliding.ndim != 2 or sliding.shape[1] != 2 or not np.all(np.isfinite(sliding)):
+            raise InvalidInput(
+                f"BallImpacts: sliding_velocity has the shape {sliding.shape}; give finite numbers, (contacts, 2)."
+            )
+        object.__setattr__(self, "sliding_velocity", sliding)
+        for word in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
+            numbers = np.asarray(getattr(self, word), dtype=float)
+            if numbers.shape not in ((), sliding.shape[:1]):
+                raise InvalidInput(
+                    f"BallImpacts: {word} has the shape {numbers.shape} for {sliding.shape[0]} contacts; give one "
+                    "number for each, or one for all."
+                )
+            low = np.min(numbers, initial=np.inf)
+            if not np.all(np.isfinite(numbers)) or low < 0.0 or (low == 0.0 and word != "coefficient"):
+                raise InvalidInput(f"BallImpacts: {word} holds {low:g}; give positive, finite numbers in SI units.")
+        for word, least in (("steps", 10), ("count", 1)):
+            number = getattr(self, word)
+            if isinstance(number, bool) or not isinstance(number, int) or number < least:
+                raise InvalidInput(f"BallImpacts: {word} is {number!r}; give a whole number from {least}.")
+
+    def solve(self) -> BallImpactsSolution:
+        """Return how all balls part.
+
+        Returns
+        -------
+        BallImpactsSolution
+        """
+        sliding = np.array(self.sliding_velocity)
+        many = sliding.shape[0]
+        radius, coefficient, mass, mobility, velocity = (
+            np.array(np.broadcast_to(np.asarray(numbers, dtype=float), many))
+            for numbers in (self.curvature_radius, self.coefficient, self.mass, self.mobility, self.velocity)
+        )
+        normal, shear = np.full(many, self.medium.modulus), np.full(many, self.medium.shear_modulus)
+        scale = (mass / normal) ** 0.4 / radius**0.2
+        deepest = DEEPEST * scale * velocity**0.8
+        interval = LASTING * scale / velocity**0.2 / self.steps
+        slope = coefficient * normal / shear
+        loss, peak, time = np.zeros((3, many))
+        after = velocity.copy()
+
+        def work(part: slice) -> None:
+            impact_balls(
+                np.zeros((self.count, 2)),
+                radius[part],
+                normal[part],
+                shear[part],
+                slope[part],
+                mass[part],
+                mobility[part],
+                interval[part],
+                (1.0 + MARGIN) * deepest[part],
+                self.steps + MORE,
+                after[part],
+                sliding[part],
+                loss[part],
+                peak[part],
+                time[part],
+            )
+
+        shared_out(work, many)
+        return BallImpactsSolution(self, after, sliding, loss, deepest, peak, time)
+
+
+@value
+class BallImpactsSolution:
+    """The answer to `BallImpacts`, after the last ball has parted.
+
+    Parameters
+    ----------
+    problem : BallImpacts
+        What was asked.
+    velocity : ndarray, (contacts,)
+        Of approach [m/s]: negative, since the balls part.
+    sliding_velocity : ndarray, (contacts, 2)
+        Of the touching points along the surface [m/s].
+    dissipation : ndarray, (contacts,)
+        Heat of each impact [J].
+    greatest_depth : ndarray, (contacts,)
+        Hertz' greatest depth [m].
+    greatest_shear_force : ndarray, (contacts,)
+        Greatest shear force on the way [N].
+    duration : ndarray, (contacts,)
+        How long the bodies touch [s], a whole number of steps.
+    """
+
+    problem: BallImpacts
+    velocity: Array
+    sliding_velocity: Array
+    dissipation: Array
+    greatest_depth: Array
+    greatest_shear_force: Array
+    duration: Array
+
+    @property
+    def balance(self) -> Array:
+        """Energy that is there and that is lost, over what there was at first touch, ``(contacts,)``; should be one."""
+        problem = self.problem
+
+        def kinetic(velocity: Array, sliding: Array) -> Array:
+            along = np.sum(np.asarray(sliding) ** 2, axis=1) / np.asarray(problem.mobility)
+            return np.asarray(0.5 * (np.asarray(problem.mass) * np.asarray(velocity) ** 2 + along))
+
+        before = kinetic(np.asarray(problem.velocity), problem.sliding_velocity)
+        return np.asarray((kinetic(self.velocity, self.sliding_velocity) + self.dissipation) / before)
+
+    @property
+    def restitution(self) -> Array:
+        """Velocity of parting over that of approach [-], ``(contacts,)``."""
+        return np.asarray(-self.velocity / np.asarray(self.problem.velocity))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        problem = self.problem
+        size, medium = np.asarray(problem.curvature_radius), problem.medium
+        share = wave_loss(modulus=medium.modulus, mass=problem.mass, size=size, velocity=problem.velocity)
+        slope = float(np.max(np.sqrt(self.greatest_depth / size)))
+        coupled = sticking_note(medium, float(np.min(problem.coefficient)))
+        balance = energy_note(np.ones(self.velocity.size), self.balance, 0.0)
+        return (*medium.notes, steepness_note(slope), balance, wave_note(share), coupled, SPRINGS, PLANE)

@@ -1,0 +1,1 @@
+"""Rolling contact: creepage, creep forces, and oscillating contacts."""

@@ -1,0 +1,127 @@
+r"""How stiff springs are that roll: calibrated by Kalker's coefficients, or as they are.
+
+The springs' tangential stiffness G* is that of a traction that is the same all around the contact.  In rolling it is
+not, and the line is 33 % to 49 % too soft.  With
+
+.. math:: \kappa_x = \tfrac12 c_{11} G, \qquad \kappa_y = \tfrac12 c_{22} G
+
+in the place of G*, and the coefficients of a circle, the creep force of a ball begins as Kalker's does.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from winkler.foundation.bed import Bed
+from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["Calibration", "Kalker", "Uncalibrated"]
+
+KALKER = (
+    "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, table E.3, "
+    "doi:10.1007/978-94-015-7889-9"
+)
+POPOV_HESS = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
+HERTZIAN = 0.01
+"""How far a profile may be from a parabola, in parts of the depth, to be called Hertzian."""
+
+
+class Calibration(Protocol):
+    """What the springs of a rolling contact are given."""
+
+    def stiffness(self, bed: Bed) -> tuple[float, float]:
+        """Return the stiffness of the springs along and across the direction of rolling [Pa]."""
+        ...
+
+    def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
+        """Return how far they can be trusted in a contact of this radius [m]."""
+        ...
+
+
+@value
+class Kalker:
+    """Springs that are as stiff as Kalker's coefficients of a round contact want them: the default."""
+
+    def stiffness(self, bed: Bed) -> tuple[float, float]:
+        """Return c11 G / 2 and c22 G / 2 [Pa].
+
+        Parameters
+        ----------
+        bed : Bed
+            On a HalfSpace.
+
+        Raises
+        ------
+        InvalidInput
+            If the medium is no pair of homogeneous, isotropic half-spaces.
+        OutsideValidity
+            If Poisson's ratio is negative.
+        """
+        pair = rolling_pair(bed.medium)
+        known = creep_coefficients(1.0, pair.poisson)
+        return 0.5 * known.longitudinal * pair.shear, 0.5 * known.lateral * pair.shear
+
+    def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
+        """Return what was measured of calibrated springs."""
+        if departure(bed, radius) <= HERTZIAN:
+            return (
+                Note(
+                    Assumption.CALIBRATION,
+                    Standing.APPROXIMATE,
+                    "The springs' stiffness is calibrated by Kalker's coefficients: the creep force begins as his "
+                    "does, and up to sliding it stays within 0.03 of mu F_N of the exact theory.",
+                    "compared with CONTACT's curves of a circle, Poisson's ratio 0 and 0.25",
+                ),
+            )
+        return (
+            Note(
+                Assumption.CALIBRATION,
+                Standing.APPROXIMATE,
+                "The springs' stiffness is scaled by Kalker's coefficients of a round Hertzian contact; this profile "
+                f"is not Hertzian (its plane profile leaves the parabola by {departure(bed, radius):.2g} of its "
+                "depth), and the error is not known.",
+                KALKER,
+            ),
+        )
+
+
+@value
+class Uncalibrated:
+    """Springs that are as stiff as at rest, G*: the method as it is, for comparison."""
+
+    def stiffness(self, bed: Bed) -> tuple[float, float]:
+        """Return G* twice [Pa].
+
+        Parameters
+        ----------
+        bed : Bed
+            On a homogeneous medium.
+        """
+        stiffness = float(bed.tangential_stiffness(np.array([1.0]))[0])
+        return stiffness, stiffness
+
+    def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
+        """Return how much too soft they are."""
+        return (
+            Note(
+                Assumption.CALIBRATION,
+                Standing.OUTSIDE,
+                "The springs are not calibrated: the traction of rolling is not the same all around the contact, and "
+                "creep forces begin 41 % to 49 % (longitudinal) and 33 % to 41 % (lateral) too low, Poisson's ratio "
+                "from 0 to 0.5, against Kalker's coefficients of a circle.",
+                KALKER,
+            ),
+        )
+
+
+def departure(bed: Bed, radius: float) -> float:
+    """Return how far the plane profile leaves the parabola through its end, in parts of its height there."""
+    x = radius * np.linspace(0.0, 1.0, 17)[1:]
+    gap = bed.gap(x)
+    if gap[-1] <= 0.0:
+        return 1.0
+    return float(np.max(np.abs(gap / gap[-1] - (x / radius) ** 2)))

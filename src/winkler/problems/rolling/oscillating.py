@@ -1,0 +1,272 @@
+r"""A contact that is rocked to and fro under a shear force: it comes to rest, or creeps on with every cycle.
+
+A ball under :math:`F_N` and a constant :math:`F_x` rolls by :math:`\pm W`.  Springs at the edges enter and leave; what
+they bore is lost, and the others take it over.  Only those that stay in contact all the time, and there only what the
+least of their bounds allows, can bear anything for ever:
+
+.. math:: F_{\lim} = 2\int_0^{a-W} \mu\,q_z(x+W)\,\mathrm dx ,\qquad
+          \frac{F_{\lim}}{\mu F_N} = 1-\tfrac32 w+\tfrac12 w^3\quad(w=W/a,\text{ sphere}).
+
+Below it the shift stops growing (shakedown), above it every cycle adds its step (ratcheting).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.given import whole_number
+from winkler.laws.friction import Coulomb
+from winkler.loading import Load
+from winkler.numerics.springs.rolling_kernels import push
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import ROLLING
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.rolling.calibration import Kalker, Uncalibrated
+from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.rolling.line import RollingLine
+from winkler.problems.rolling.springs import springs
+from winkler.problems.rolling.steady import check_rolling, rolling_notes, touching
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
+
+KALKER = Kalker()
+WETTER = (
+    "R. Wetter, V. L. Popov, Influence of the alignment of load and oscillation on the frictional shakedown of an "
+    "elastic rolling contact with Coulomb friction, Physical Mesomechanics 17 (2014)"
+)
+ROUNDING = 1e-9
+"""Part of the sliding force by which a march may miss it."""
+
+
+@value
+class OscillatingRolling:
+    """A contact under a steady normal and shear force that rolls to and fro.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) on a homogeneous medium.
+    friction : Coulomb
+        Its coefficient positive and finite.
+    amplitude : float
+        How far the contact moves to each side, W [m], positive.
+    shear_force : float
+        F_x [N], along the direction of rolling, zero or more; put on at rest, before the first cycle.
+    load : Force, Depth or Radius
+        The steady normal load, one number.
+    calibration : Kalker or Uncalibrated, optional
+        How stiff the springs are along the surface.
+    cycles : int, optional
+        How many.
+    count : int, optional
+        Springs on half of the contact, at least.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is outside its range, friction not Coulomb's, or the medium not homogeneous.
+
+    References
+    ----------
+    R. Wetter, V. L. Popov, Influence of the alignment of load and oscillation on the frictional shakedown of an elastic
+    rolling contact with Coulomb friction, Physical Mesomechanics 17 (2014)
+
+    Examples
+    --------
+    Rocked by a fifth of its contact radius, a ball bears 0.704 of what friction bears at rest.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Radius
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(young=208e9, poisson=0.25)
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
+    >>> rocked = OscillatingRolling(bed, Coulomb(0.3), amplitude=20e-6, shear_force=1.0, load=Radius(100e-6)).solve()
+    >>> round(rocked.shakedown_force / (0.3 * rocked.contact.force), 6), rocked.ratchets
+    (0.704, False)
+    """
+
+    bed: Bed
+    friction: Coulomb
+    amplitude: float
+    shear_force: float
+    load: Load
+    calibration: Kalker | Uncalibrated = KALKER
+    cycles: int = 30
+    count: int = 200
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "wetter_popov_2014")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+    needs_round: ClassVar[str] = "rolling along the line"
+
+    def __post_init__(self) -> None:
+        check_rolling("OscillatingRolling", self.bed, self.friction, Creepage(), self.load)
+        for word, unit, least in (("amplitude", "m", False), ("shear_force", "N", True)):
+            number = getattr(self, word)
+            good = not isinstance(number, bool) and isinstance(number, int | float) and math.isfinite(number)
+            if not good or number < 0.0 or (number == 0.0 and not least):
+                allowed = "zero or more" if least else "positive"
+                raise InvalidInput(f"OscillatingRolling: {word} is {number!r}; give one number, {allowed}, in {unit}.")
+        whole_number("OscillatingRolling", "cycles", self.cycles, 1, 100_000)
+        whole_number("OscillatingRolling", "count", self.count, 20, 100_000)
+
+    @property
+    def shakedown_force(self) -> float:
+        """The greatest shear force under which the contact comes to rest [N]; zero if it rolls over its own radius."""
+        line = self._line
+        inner = min(self.amplitude, line.radius)
+        return 2.0 * float(line.bearing(np.array([inner]), np.array([line.radius]))[0])
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: that at rest, and one after every cycle."""
+        return self.cycles + 1
+
+    def steps(self) -> Iterator[RockingState]:
+        """Yield the contact in its middle position, before the first and after every cycle.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies do not touch, or friction does not bear the shear force.
+        """
+        line = self._line
+        if self.shear_force > line.most * (1.0 - ROUNDING):
+            raise OutsideValidity(
+                f"OscillatingRolling: friction bears {line.most:.6g} N, no more than the shear force of "
+                f"{self.shear_force:.6g} N; give less."
+            )
+        sampled, count = springs("OscillatingRolling", line, self.amplitude, 1, self.count)
+        stiffness = self.calibration.stiffness(self.bed)[0]
+        load, shift = np.zeros(sampled.x.size), 0.0
+        ways = (((0, 1),), ((1, count), (-1, 2 * count), (1, count)))
+        for cycle in range(self.cycles + 1):
+            for direction, steps in ways[min(cycle, 1)]:
+                gained, borne = push(
+                    load, sampled.bound, sampled.weight, sampled.part, direction, self.shear_force, steps
+                )
+                if not borne:
+                    raise OutsideValidity(
+                        f"OscillatingRolling: {load.size} springs do not bear {self.shear_force:.6g} N, so close to "
+                        f"the sliding force of {line.most:.6g} N; give less, or a greater count."
+                    )
+                shift += gained / stiffness
+            yield RockingState(cycle=cycle, shift=shift, x=sampled.x, shear_load=load)
+
+    def gathered(self, states: Iterable[RockingState]) -> OscillatingRollingSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return OscillatingRollingSolution.of(self, list(states))
+
+    def solve(self) -> OscillatingRollingSolution:
+        """Return the shift after every cycle.
+
+        Returns
+        -------
+        OscillatingRollingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+    @property
+    def _line(self) -> RollingLine:
+        return RollingLine(self.friction.coefficient, touching("OscillatingRolling", self.bed, self.load))
+
+
+@value
+class RockingState:
+    """A contact after so many cycles, in its middle position.
+
+    Parameters
+    ----------
+    cycle : int
+        How many are over.
+    shift : float
+        u_x [m] of the bodies against each other, since there was no shear force.
+    x : ndarray, (n,)
+        Places of the springs [m].
+    shear_load : ndarray, (n,)
+        q_x [N/m].
+    """
+
+    cycle: int
+    shift: float
+    x: Array
+    shear_load: Array
+
+
+@value
+class OscillatingRollingSolution:
+    """The answer to an `OscillatingRolling`.
+
+    Parameters
+    ----------
+    problem : OscillatingRolling
+        What was asked.
+    contact : IndentationSolution
+        The contact under its normal load.
+    shakedown_force : float
+        F_lim [N], up to which it comes to rest.
+    cycle : ndarray, (steps,)
+        How many cycles are over: 0, 1, 2 ...
+    shift : ndarray, (steps,)
+        u_x after them [m].
+    states : tuple
+        The states themselves.
+    """
+
+    problem: OscillatingRolling
+    contact: IndentationSolution
+    shakedown_force: float
+    cycle: Array
+    shift: Array
+    states: tuple[RockingState, ...]
+
+    @classmethod
+    def of(cls, problem: OscillatingRolling, states: list[RockingState]) -> OscillatingRollingSolution:
+        """Gather states, of all cycles or of the first of them."""
+        return cls(
+            problem,
+            contact=touching("OscillatingRolling", problem.bed, problem.load),
+            shakedown_force=problem.shakedown_force,
+            cycle=np.array([state.cycle for state in states]),
+            shift=np.array([state.shift for state in states]),
+            states=tuple(states),
+        )
+
+    @property
+    def ratchets(self) -> bool:
+        """Whether it creeps on for ever."""
+        return self.problem.shear_force > self.shakedown_force
+
+    @property
+    def shift_per_cycle(self) -> float:
+        """What the last cycle has added [m]: the steady rate of ratcheting, or what is left to shake down."""
+        return float(self.shift[-1] - self.shift[-2]) if self.shift.size > 1 else float(self.shift[-1])
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        return (*rolling_notes(self.contact, self.problem.calibration, self.problem.friction), LIMIT)
+
+
+LIMIT = Note(
+    Assumption.CALIBRATION,
+    Standing.APPROXIMATE,
+    "The limit between shakedown and ratcheting does not depend on how stiff the springs are; the line does not see "
+    "the small difference between rocking along the force and across it. Shifts do depend on the calibration, which "
+    "was made for steady rolling.",
+    WETTER,
+)

@@ -1,0 +1,84 @@
+"""The springs of a pressed contact, sampled for a march: what each can bear, and the length it stands for."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.numerics.types import Array
+from winkler.problems.rolling.line import RollingLine
+
+__all__ = ["RollingSprings", "springs"]
+
+
+class RollingSprings(NamedTuple):
+    """Springs of a contact, so far apart as the contact moves in one step.
+
+    Parameters
+    ----------
+    x : ndarray, (n,)
+        Where they stand [m], even about the axis.
+    bound, weight : ndarray, (n,)
+        mu q_z [N/m], the mean over the length each stands for [m].
+    part : float
+        How much of a step a spring takes part in that comes in within it [-].
+    """
+
+    x: Array
+    bound: Array
+    weight: Array
+    part: float
+
+
+MOST = 1_000_000
+"""Springs on half of a contact; more would fill the memory."""
+LONGEST = 1e10
+"""Steps of all springs together; more would take minutes."""
+
+
+def springs(owner: str, line: RollingLine, way: float, pieces: int, count: int) -> tuple[RollingSprings, int]:
+    """Return springs for a contact that moves `way` in so many pieces, and the steps of one piece.
+
+    Parameters
+    ----------
+    owner : str
+        Who asks.
+    line : RollingLine
+    way : float
+        [m], positive.
+    pieces : int
+        After each of which the contact is looked at.
+    count : int
+        Springs on half of the contact, at least.
+
+    Raises
+    ------
+    OutsideValidity
+        If the way is too short or too long for that.
+    """
+    a = line.radius
+    steps = max(1.0, way / pieces * count / a)
+    if not a / (way / pieces / steps) <= MOST:
+        raise OutsideValidity(
+            f"{owner}: each of {pieces} parts of its way, {way:.6g} m, is so short beside the contact radius of "
+            f"{a:.6g} m that more than {MOST} springs are needed; give a longer way, or look at it less often."
+        )
+    if not pieces * steps * count <= LONGEST:
+        raise OutsideValidity(
+            f"{owner}: a way of {way:.6g} m is so long beside the contact radius of {a:.6g} m that {count} springs "
+            "cannot be followed along it; give a shorter way."
+        )
+    steps = math.ceil(steps)
+    apart = way / pieces / steps
+    half = math.floor(a / apart * (1.0 + 1e-12))
+    x = apart * np.arange(-half, half + 1)
+    left = max(a - apart * half, 0.0)
+    weight = np.full(x.size, apart)
+    weight[0] = weight[-1] = 0.5 * apart + left
+    # the mean bound of what a spring stands for: at the edge, where it falls to nothing, one place would not tell it
+    cuts = np.concatenate([[-a], x[:-1] + 0.5 * apart, [a]])
+    bound = np.maximum(line.bearing(cuts[:-1], cuts[1:]), 0.0) / weight
+    return RollingSprings(x, bound, weight, left / apart), steps

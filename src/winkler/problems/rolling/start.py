@@ -1,0 +1,264 @@
+r"""From rest to rolling: the creep force over the distance rolled, until it is steady.
+
+A contact at rest may bear a shear force, with the stick and slip of Cattaneo.  Then it rolls with creepage: springs
+enter unstrained at the leading edge, all gain :math:`\kappa s` per distance while they stick, and after one width of
+the contact, 2a, the last spring of the beginning has left.  Without slip and from no force
+
+.. math:: F_x = \kappa s\,(2aX - \tfrac12X^2),\qquad X\le 2a .
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.given import whole_number
+from winkler.laws.friction import Coulomb
+from winkler.loading import Load, ShearForce
+from winkler.numerics.springs.rolling_kernels import push, roll
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import ROLLING
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.rolling.calibration import Kalker, Uncalibrated
+from winkler.problems.rolling.creepage import Creepage
+from winkler.problems.rolling.line import RollingLine
+from winkler.problems.rolling.springs import springs
+from winkler.problems.rolling.steady import Rolling, RollingSolution, check_rolling, rolling_notes, touching
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["RollingStart", "RollingStartSolution", "RollingState"]
+
+KALKER = Kalker()
+AT_REST = ShearForce(0.0)
+ROUNDING = 1e-12
+"""Part of its bound by which a spring that slides may miss it."""
+
+
+@value
+class RollingStart:
+    """A contact at rest that begins to roll with creepage.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) on a homogeneous medium.
+    friction : Coulomb
+        Its coefficient positive and finite.
+    creepage : Creepage
+        Longitudinal and lateral, one number each; no spin.
+    load : Force, Depth or Radius
+        The steady normal load, one number.
+    distance : float
+        How far it rolls [m], positive.
+    start : ShearForce, optional
+        What the contact bears at rest, along the direction of the creep force (negative: against it).
+    calibration : Kalker or Uncalibrated, optional
+        How stiff the springs are along the surface.
+    points : int, optional
+        How many states are looked at on the way, evenly spaced.
+    count : int, optional
+        Springs on half of the contact, at least.
+
+    Raises
+    ------
+    InvalidInput, OutsideValidity
+        As `Rolling`; if a creepage is an array, or a number is not positive.
+
+    References
+    ----------
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9
+
+    Examples
+    --------
+    After one width of the contact the force is the steady one:
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(young=208e9, poisson=0.25)
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
+    >>> begun = RollingStart(bed, Coulomb(0.3), Creepage(longitudinal=1e-3), Force(100.0), distance=400e-6).solve()
+    >>> round(float(begun.shear_force[-1]), 4), round(begun.steady.longitudinal_force, 4)
+    (10.6629, 10.6629)
+    """
+
+    bed: Bed
+    friction: Coulomb
+    creepage: Creepage
+    load: Load
+    distance: float
+    start: ShearForce = AT_REST
+    calibration: Kalker | Uncalibrated = KALKER
+    points: int = 100
+    count: int = 400
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "kalker_1990", "cattaneo_1938")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+    needs_round: ClassVar[str] = "rolling along the line"
+
+    def __post_init__(self) -> None:
+        check_rolling("RollingStart", self.bed, self.friction, self.creepage, self.load)
+        if self.creepage.shape != ():
+            raise InvalidInput("RollingStart: the creepage is an array; give one number each, and sweep over several.")
+        far = self.distance
+        if isinstance(far, bool) or not isinstance(far, int | float) or not 0.0 < far < math.inf:
+            raise InvalidInput(f"RollingStart: the distance is {far!r}; give how far it rolls, positive, in m.")
+        if not isinstance(self.start, ShearForce) or np.ndim(self.start.shear_force) != 0:
+            raise InvalidInput(f"RollingStart: start is {self.start!r}; give ShearForce(F) with one number.")
+        whole_number("RollingStart", "points", self.points, 1, 100_000)
+        whole_number("RollingStart", "count", self.count, 20, 100_000)
+
+    @property
+    def steady(self) -> RollingSolution:
+        """Rolling for ever."""
+        return Rolling(self.bed, self.friction, self.creepage, self.load, self.calibration).solve()
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: that at rest, and one after every part of the way."""
+        return self.points + 1
+
+    def steps(self) -> Iterator[RollingState]:
+        """Yield the contact at rest, and then after every part of the way.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies do not touch, or friction does not bear the shear force at rest.
+        """
+        line = RollingLine(self.friction.coefficient, touching("RollingStart", self.bed, self.load))
+        along, across = self.calibration.stiffness(self.bed)
+        drive = np.array([along * float(self.creepage.longitudinal), across * float(self.creepage.lateral)])
+        rate = float(np.hypot(*drive))
+        sampled, count = springs("RollingStart", line, self.distance, self.points, self.count)
+        load = np.zeros(sampled.x.size)
+        held = float(self.start.shear_force)
+        borne = push(load, sampled.bound, sampled.weight, sampled.part, 0, held, 1)[1]
+        if abs(held) > line.most or not borne:
+            raise OutsideValidity(
+                f"RollingStart: friction bears {line.most:.6g} N at rest, less than the shear force of {held:.6g} N; "
+                "give less."
+            )
+        apart = self.distance / self.points / count
+        for point in range(self.points + 1):
+            if point > 0:
+                roll(load, sampled.bound, sampled.part, rate * apart, count)
+            sticking = np.abs(load) < sampled.bound * (1.0 - ROUNDING)
+            yield RollingState(
+                distance=self.distance * point / self.points,
+                shear_force=float(sampled.weight @ load),
+                stick_share=float(sampled.weight @ sticking) / (2.0 * line.radius),
+                x=sampled.x,
+                shear_load=load,
+            )
+
+    def gathered(self, states: Iterable[RollingState]) -> RollingStartSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return RollingStartSolution.of(self, list(states))
+
+    def solve(self) -> RollingStartSolution:
+        """Return the force over the whole distance.
+
+        Returns
+        -------
+        RollingStartSolution
+
+        Raises
+        ------
+        OutsideValidity
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class RollingState:
+    """A contact that has rolled so far.
+
+    Parameters
+    ----------
+    distance : float
+        Rolled since rest [m].
+    shear_force : float
+        Along the direction of the creep force [N].
+    stick_share : float
+        Part of the line of springs that sticks [-].
+    x : ndarray, (n,)
+        Places of the springs [m], the leading edge at +a.
+    shear_load : ndarray, (n,)
+        q_x [N/m].
+    """
+
+    distance: float
+    shear_force: float
+    stick_share: float
+    x: Array
+    shear_load: Array
+
+
+@value
+class RollingStartSolution:
+    """The answer to a `RollingStart`, from rest on.
+
+    Parameters
+    ----------
+    problem : RollingStart
+        What was asked.
+    contact : IndentationSolution
+        The contact under its normal load.
+    distance : ndarray, (steps,)
+        Rolled since rest [m].
+    shear_force : ndarray, (steps,)
+        Along the direction of the creep force [N].
+    stick_share : ndarray, (steps,)
+        Part of the line of springs that sticks [-].
+    states : tuple
+        The states themselves.
+    """
+
+    problem: RollingStart
+    contact: IndentationSolution
+    distance: Array
+    shear_force: Array
+    stick_share: Array
+    states: tuple[RollingState, ...]
+
+    @classmethod
+    def of(cls, problem: RollingStart, states: list[RollingState]) -> RollingStartSolution:
+        """Gather states, of the whole way or of its beginning."""
+        return cls(
+            problem,
+            contact=touching("RollingStart", problem.bed, problem.load),
+            distance=np.array([state.distance for state in states]),
+            shear_force=np.array([state.shear_force for state in states]),
+            stick_share=np.array([state.stick_share for state in states]),
+            states=tuple(states),
+        )
+
+    @property
+    def steady(self) -> RollingSolution:
+        """Rolling for ever, which it tends to."""
+        return self.problem.steady
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        problem, slides = self.problem, bool(np.any(self.stick_share == 0.0))
+        return (*rolling_notes(self.contact, problem.calibration, problem.friction, slides=slides), TRANSIENT)
+
+
+TRANSIENT = Note(
+    Assumption.CALIBRATION,
+    Standing.APPROXIMATE,
+    "The way to the steady state: that it takes one width of the contact is the line's own; a calibration was made "
+    "for the steady force, not for how it is reached.",
+    "the springs' rule; not compared with a theory in three dimensions",
+)

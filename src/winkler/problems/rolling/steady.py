@@ -1,0 +1,287 @@
+r"""Steady rolling with friction: the creep force of a round contact, longitudinal and lateral.
+
+Springs enter at the leading edge without strain and are stretched by the creepage while they stick.  Of a sphere
+
+.. math:: q_x = \min\Bigl[\kappa s\,(a-x),\ \mu E^*\frac{a^2-x^2}{R}\Bigr],\qquad
+          \frac{F_x}{\mu F_N} = 1-(1-\tfrac13\tau)^3,\qquad \tau = \frac{2\kappa a^2 s}{\mu F_N}\le 3 :
+
+the zone of stick begins at the leading edge, and the curve is the cubic law of Vermeulen and Johnson.  Both creepages
+together stretch the springs along one direction, :math:`(\kappa_x\xi,\ \kappa_y\eta)`, and the resultant follows the
+same curve.  How stiff the springs are is a value of its own: `winkler.problems.rolling.calibration`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.laws.friction import Coulomb
+from winkler.loading import Depth, Force, Load, Radius
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import ROLLING
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.rolling.calibration import Kalker, Uncalibrated
+from winkler.problems.rolling.creepage import AtCreepages, Creepage
+from winkler.problems.rolling.line import RollingLine
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
+
+VERMEULEN = "P. J. Vermeulen, K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340"
+KALKER = Kalker()
+
+
+@value
+class Rolling:
+    """A body that rolls over another one with creepage, under a steady normal load.
+
+    Parameters
+    ----------
+    bed : Bed
+        The springs: Foundation(profile, medium) on a homogeneous medium.
+    friction : Coulomb
+        Its coefficient positive and finite.
+    creepage : Creepage
+        Longitudinal and lateral, also arrays; no spin.
+    load : Force, Depth or Radius
+        The steady normal load, one number.
+    calibration : Kalker or Uncalibrated, optional
+        How stiff the springs are along the surface.
+
+    Raises
+    ------
+    InvalidInput
+        If friction is not Coulomb's with a positive, finite coefficient, the load an array, or the medium not
+        homogeneous.
+    OutsideValidity
+        If there is spin: it has no counterpart on a line.
+
+    References
+    ----------
+    P. J. Vermeulen, K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340;
+    J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9
+
+    Examples
+    --------
+    A steel ball that pulls at two thirds of the creepage from which it slides: 1 - (1/3)^3 of what friction bears.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> steel = Elastic(young=208e9, poisson=0.25)
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(steel, steel))
+    >>> radius = Indentation(bed, Force(100.0)).solve().radius
+    >>> creepage = Creepage(longitudinal=2.0 * 0.3 * 100.0 / (4.12 * steel.shear * radius**2))
+    >>> pulled = Rolling(bed, Coulomb(0.3), creepage, Force(100.0)).solve()
+    >>> round(pulled.longitudinal_force / (0.3 * 100.0), 9)
+    0.962962963
+    """
+
+    bed: Bed
+    friction: Coulomb
+    creepage: Creepage
+    load: Load
+    calibration: Kalker | Uncalibrated = KALKER
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "vermeulen_johnson_1964", "kalker_1990")
+    assumptions: ClassVar[frozenset[Assumption]] = ROLLING
+    needs_round: ClassVar[str] = "rolling along the line"
+
+    def __post_init__(self) -> None:
+        check_rolling("Rolling", self.bed, self.friction, self.creepage, self.load)
+
+    def solve(self) -> RollingSolution:
+        """Return the creep forces.
+
+        Returns
+        -------
+        RollingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies do not touch, or Poisson's ratio lies outside Kalker's table.
+        InvalidInput
+            If Kalker's coefficients are not known for the medium.
+        """
+        contact = touching("Rolling", self.bed, self.load)
+        along, across, _ = self.creepage.broadcast()
+        drive = np.stack([along, across]) * np.array(self.calibration.stiffness(self.bed))[:, None]
+        rate = np.hypot(*drive)
+        line = RollingLine(self.friction.coefficient, contact)
+        pieces = line.sticking(rate)
+        force = line.force(rate, pieces)
+        direction = drive / np.where(rate > 0.0, rate, 1.0)
+
+        def shaped(answer: Array) -> Quantity:
+            return float(answer[0]) if self.creepage.shape == () else answer.reshape(self.creepage.shape)
+
+        answers = (*(direction * force), line.stick_share(rate, pieces))
+        return RollingSolution(self, contact, *(shaped(answer) for answer in answers))
+
+
+@value
+class RollingSolution(AtCreepages):
+    """The answer to a `Rolling`; every quantity has the shape of the creepage.
+
+    Parameters
+    ----------
+    problem : Rolling
+        What was asked.
+    contact : IndentationSolution
+        The contact under its normal load.
+    longitudinal_force, lateral_force : float or ndarray
+        F_x and F_y [N], with which the second body drags the first.
+    stick_share : float or ndarray
+        Part of the line of springs that sticks [-].
+    """
+
+    problem: Rolling
+    contact: IndentationSolution
+    longitudinal_force: Quantity
+    lateral_force: Quantity
+    stick_share: Quantity
+
+    @property
+    def shear_force(self) -> Quantity:
+        """The resultant of both forces [N]."""
+        return shaped(np.hypot(self.longitudinal_force, self.lateral_force))
+
+    @property
+    def saturation(self) -> Quantity:
+        """The resultant over the sliding force mu F_N [-]; one where the bodies slide."""
+        return shaped(np.asarray(self.shear_force) / self._line.most)
+
+    @property
+    def loss_per_distance(self) -> Quantity:
+        """Energy lost per distance rolled [J/m]: creepage times force, never negative."""
+        creep = self.problem.creepage
+        lost = np.asarray(creep.longitudinal) * self.longitudinal_force + np.asarray(creep.lateral) * self.lateral_force
+        return shaped(lost)
+
+    def shear_load(self, x: Array) -> Array:
+        """Return the resultant line load of one creepage.
+
+        Parameters
+        ----------
+        x : ndarray
+            Places on the line [m], the leading edge at +a.
+
+        Returns
+        -------
+        ndarray
+            q_x [N/m] along the direction of the force, zero outside the contact.
+
+        Raises
+        ------
+        InvalidInput
+            If the creepage is an array; ask for one.
+        """
+        if self.problem.creepage.shape != ():
+            raise InvalidInput("RollingSolution.shear_load: the creepage is an array; solve for one creepage.")
+        along, across, _ = self.problem.creepage.broadcast()
+        stiffness = self.problem.calibration.stiffness(self.problem.bed)
+        rate = math.hypot(along[0] * stiffness[0], across[0] * stiffness[1])
+        return self._line.shear_load(rate, np.asarray(x, dtype=float))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        problem = self.problem
+        both = np.any(np.multiply(problem.creepage.longitudinal, problem.creepage.lateral) != 0.0)
+        slides = bool(np.any(np.asarray(self.stick_share) == 0.0))
+        notes = rolling_notes(self.contact, problem.calibration, problem.friction, slides=slides)
+        return (*notes, TOGETHER) if both else notes
+
+    @property
+    def _line(self) -> RollingLine:
+        return RollingLine(self.problem.friction.coefficient, self.contact)
+
+
+TOGETHER = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "Longitudinal and lateral creepage together: the force keeps the direction in which sticking springs are "
+    "stretched; where all slides the exact one turns along the creepage itself.",
+    VERMEULEN,
+)
+STRIPS = Note(
+    Assumption.SLIP,
+    Standing.APPROXIMATE,
+    "The line tells forces, not where on the surface they act: the zone of stick of a round contact is no strip "
+    "between parallels; ask SimplifiedRolling for a map.",
+    VERMEULEN,
+)
+
+
+def rolling_notes(
+    contact: IndentationSolution, calibration: Kalker | Uncalibrated, friction: Coulomb, *, slides: bool = False
+) -> tuple[Note, ...]:
+    """Return what is assumed of springs that roll."""
+    bed = contact.problem.bed
+    notes = calibration.notes(bed, float(contact.radius))
+    rubbing = Rubbing(friction.coefficient, math.inf if slides else 0.0)
+    return (*contact.notes_with(rubbing), sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
+
+
+def check_rolling(owner: str, bed: Bed, friction: Coulomb, creepage: Creepage, load: Load) -> None:
+    """Refuse what does not roll on a line.
+
+    Raises
+    ------
+    InvalidInput, OutsideValidity
+    """
+    check_friction(owner, friction)
+    if not isinstance(bed.medium, HomogeneousMedium):
+        raise InvalidInput(
+            f"{owner}: the medium is a {type(bed.medium).__name__}; give a homogeneous one: a spring that rolls "
+            "through the contact keeps its stiffness."
+        )
+    if not isinstance(creepage, Creepage):
+        raise InvalidInput(
+            f"{owner}: the creepage is a {type(creepage).__name__}; give Creepage(longitudinal, lateral)."
+        )
+    if np.any(np.asarray(creepage.spin) != 0.0):
+        raise OutsideValidity(
+            f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
+            "ask for SimplifiedRolling."
+        )
+    match load:
+        case Depth(number) | Force(number) | Radius(number) if np.ndim(number) == 0:
+            return
+    raise InvalidInput(f"{owner}: the load is {load!r}; give Force, Depth or Radius with one number.")
+
+
+def check_friction(owner: str, friction: Coulomb) -> None:
+    """Refuse what is no dry friction that slides.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if not isinstance(friction, Coulomb) or not 0.0 < friction.coefficient < math.inf:
+        raise InvalidInput(
+            f"{owner}: friction is {friction!r}; give Coulomb(coefficient) with a positive, finite coefficient."
+        )
+
+
+def touching(owner: str, bed: Bed, load: Load) -> IndentationSolution:
+    """Return the contact under its normal load; refuse one that does not touch.
+
+    Raises
+    ------
+    OutsideValidity
+    """
+    contact = Indentation(bed, load).solve()
+    if float(contact.radius) == 0.0 or float(contact.force) <= 0.0:
+        raise OutsideValidity(f"{owner}: the bodies do not touch under this load; press them together.")
+    return contact

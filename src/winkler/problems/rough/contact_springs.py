@@ -1,0 +1,163 @@
+r"""Springs behind computed contacts: from depths, forces and stiffnesses to a bed, and how well it bears the forces.
+
+Forces of smooth bodies are met far better than stiffnesses, which jump as pixels come into contact: there ln F is a
+spline of ln d, and k its slope.  Under a few pixels, and on rough surfaces, those jumps are what the map is: there the
+stiffnesses are those of the flat punches, with one between that brings the next force.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.foundation.measured import MeasuredBed
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.problems.normal.solve_contact import at_depth
+
+__all__ = ["Points", "Springs", "room", "springs_of"]
+
+FEWEST_PIXELS = 16
+"""A contact of fewer says too little of its stiffness for a smooth curve."""
+FEWEST_POINTS = 4
+BETWEEN = 4
+"""Points of the smooth bed for one computed contact."""
+BELOW = 1.5
+LEVEL = 1e-4
+"""By how much a stiffness is to rise to count as another one."""
+SHARE = 0.05
+"""By how much, of the rise between two contacts, the stiffness between them differs from both."""
+ROUNDS, MET = 6, 0.1
+"""How often points are bent, at most, and the part of the allowed misfit at which that is enough."""
+FLATTEST = 0.95
+"""Most that the first force may be of stiffness times depth, which it is under a flat end."""
+INSIDE = 1.0 - 1e-12
+
+
+class Points(NamedTuple):
+    """Contacts of rising depth.
+
+    Parameters
+    ----------
+    depth, force, stiffness
+        d [m], F [N], k [N/m].
+    pixels
+        How many touch.
+    """
+
+    depth: Array
+    force: Array
+    stiffness: Array
+    pixels: Array
+
+
+class Springs(NamedTuple):
+    """Springs, and the greatest difference [N] of their forces from those of all contacts."""
+
+    bed: MeasuredBed
+    misfit: float
+
+
+def springs_of(points: Points, medium: HomogeneousMedium, allowed: float) -> Springs:
+    """Return the springs behind contacts: smooth ones, if they miss the forces by no more than `allowed` [N].
+
+    Raises
+    ------
+    OutsideValidity
+        If the contact does not grow.
+    """
+    smooth = _smooth(points)
+    if smooth is not None:
+        found = _fitted(smooth, medium, points)
+        if found.misfit <= allowed:
+            return found
+    # the splines of the bed are not as straight as what is meant: bend the points until the forces come out
+    rising = _rising(points)
+    more = np.zeros(points.depth.size - 1)
+    for _ in range(ROUNDS):
+        found = _fitted(_punched(rising, more), medium, points)
+        if found.misfit <= MET * allowed:
+            break
+        more -= np.diff(_missed(found.bed, points))
+    return found
+
+
+def _missed(bed: MeasuredBed, points: Points) -> Array:
+    """Return how much more [N] springs bear than contacts at the same depths."""
+    depth, radius = at_depth(bed, np.minimum(points.depth, bed.depths[-1] * INSIDE))
+    return np.asarray(bed.stiffness(radius) * depth - bed.gap_load(radius) - points.force)
+
+
+def room(points: Points) -> Array:
+    """Return how far [N] convex curves through the same contacts may be apart between one and the next.
+
+    The stiffness rises with the depth: forces lie below the chord and above both tangents.
+    """
+    step, low, high = np.diff(points.depth), points.stiffness[:-1], points.stiffness[1:]
+    chord = np.clip(np.diff(points.force) / step, low, np.maximum(high, low))
+    rise = np.where(high > low, high - low, 1.0)
+    return np.asarray((chord - low) * (high - chord) / rise * step)
+
+
+def _smooth(points: Points) -> Points | None:
+    """Return points of a smooth curve through those that cover enough pixels; none if its slope does not rise."""
+    from scipy.interpolate import CubicSpline
+
+    kept = points.pixels >= FEWEST_PIXELS
+    if np.count_nonzero(kept) < FEWEST_POINTS:
+        return None
+    log_depth = np.log(points.depth[kept])
+    powers = (points.stiffness * points.depth / points.force)[kept]
+    spline = CubicSpline(log_depth, np.log(points.force[kept]), bc_type=((1, powers[0]), (1, powers[-1])))
+    places = np.interp(np.arange((log_depth.size - 1) * BETWEEN + 1) / BETWEEN, np.arange(log_depth.size), log_depth)
+    depth, force = np.exp(places), np.exp(spline(places))
+    depth[::BETWEEN] = points.depth[kept]  # to the last digit
+    stiffness = force / depth * spline(places, 1)
+    if np.any(np.diff(stiffness) <= 0.0):
+        return None
+    return Points(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
+
+
+def _rising(points: Points) -> Points:
+    """Return the points with stiffnesses that rise a little at least, where no pixel more comes into contact."""
+    stiffness = points.stiffness.copy()
+    if np.count_nonzero(np.diff(stiffness) > LEVEL * stiffness[1:]) < FEWEST_POINTS - 1:
+        raise OutsideValidity(
+            "reduce: the contact hardly grows with the depth and is as stiff as a flat punch, "
+            f"{stiffness[-1]:.6g} N/m; use a FlatPunch of the radius k/(2 E*)."
+        )
+    for i in range(1, stiffness.size):
+        stiffness[i] = max(stiffness[i], stiffness[i - 1] * (1.0 + LEVEL))
+    return points._replace(stiffness=stiffness)
+
+
+def _punched(points: Points, more: Array) -> Points:
+    """Return these points, and one between each; between them the force shall rise by some more."""
+    d, f, k, _ = points
+    rise, mean = np.diff(k), (np.diff(f) + more) / np.diff(d)
+    # k is straight from one contact to a point between, and on to the next, so that the mean slope of F comes out
+    between = np.clip(2.0 * mean - 0.5 * (k[:-1] + k[1:]), k[:-1] + SHARE * rise, k[1:] - SHARE * rise)
+    share = np.clip((between + k[1:] - 2.0 * mean) / rise, SHARE, 1.0 - SHARE)
+    steps = share * np.diff(d)
+    columns = (d[:-1] + steps, f[:-1] + 0.5 * (k[:-1] + between) * steps, between)
+    depth, force, stiffness = (
+        np.append(np.stack((old[:-1], new), axis=1).ravel(), old[-1])
+        for old, new in zip((d, f, k), columns, strict=True)
+    )
+    return Points(depth, force, stiffness, np.interp(depth, points.depth, points.pixels))
+
+
+def _fitted(told: Points, medium: HomogeneousMedium, points: Points) -> Springs:
+    """Return the springs behind points, with what they need below the first of them."""
+    depth, force, stiffness, _ = told
+    # below the first point a power of the radius, the one that brings the first force
+    share = min(force[0] / (stiffness[0] * depth[0]), FLATTEST)
+    below, power = BELOW ** -np.arange(4.0, 0.0, -1.0), share / (1.0 - share)
+    stiffness, depth = np.append(stiffness[0] * below, stiffness), np.append(depth[0] * below**power, depth)
+    radii, ratio = stiffness / (2.0 * medium.modulus), medium.shear_modulus / medium.modulus
+    misses = _missed(MeasuredBed(radii, stiffness, depth, mindlin_ratio=ratio), points)
+    scatter = float(np.sqrt(np.mean(misses**2)))
+    bed = MeasuredBed(radii, stiffness, depth, scatter=scatter, mindlin_ratio=ratio)
+    return Springs(bed, float(np.max(np.abs(misses))))

@@ -1,0 +1,174 @@
+r"""Rough surfaces on the line: independent springs under random heights of the spectrum :math:`C_1=\pi q\,C`.
+
+A square of the side L is as stiff as a line of 1.1523 L when everything touches.  Stiffness, and with it conductance,
+scale with the force as those of the surface; the length of the springs in contact is no area, and the line has no mean
+gap: both are Persson's here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.given import positive_fields
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Quantity, shaped
+from winkler.problems.normal.yield_of_pressure import spots_yield_notes
+from winkler.problems.rough.line_checks import check_ensemble, check_spectrum, resolution_note
+from winkler.problems.rough.line_solution import RoughSolution
+from winkler.problems.rough.persson import area_fraction, mean_separation
+from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
+from winkler.profiles.rough.random_rough import random_lines
+from winkler.profiles.rough.spectrum import Spectrum
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["RoughContact", "RoughContactSolution"]
+
+SQUARE = 1.1523
+"""Length of the line over the side of a square surface, by which both are as stiff when everything touches."""
+LYASHENKO = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Tribol. Lett. 52 (2013) 223-229"
+POHRT = "R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301"
+
+
+@value
+class RoughContact:
+    """A rough square pressed onto a flat half-space, by lines of springs.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        Of both surfaces together: SelfAffine or PowerSpectrum.
+    medium : HalfSpace
+        Both bodies, homogeneous.
+    side : float
+        Of the square [m]: waves longer than the line of 1.1523 sides are not seen.
+    load : Force or Depth
+        What is prescribed, positive; depths from the first touch of the highest point.
+    realisations : int, optional
+        How many random lines.
+    count : int, optional
+        Springs in each; waves shorter than two of them are not seen.
+    seed : int, optional
+        Of the phases; equal seeds, equal answers.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is out of range, or the medium is not homogeneous.
+
+    References
+    ----------
+    R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301; V. L. Popov, M. Hess,
+    Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+    """
+
+    spectrum: Spectrum
+    medium: HomogeneousMedium
+    side: float
+    load: Force | Depth
+    realisations: int = 50
+    count: int = 4096
+    seed: int = 0
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.ELASTIC, Assumption.ROUGHNESS, Assumption.RESOLUTION)
+    )
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"RoughContact: the medium is a {type(self.medium).__name__}; roughness is known on homogeneous "
+                "half-spaces alone, give HalfSpace."
+            )
+        positive_fields(self, side="m")
+        check_spectrum("RoughContact", self.spectrum)
+        check_ensemble("RoughContact", self.load, self.realisations, self.count, self.seed)
+
+    @property
+    def length(self) -> float:
+        """Of the line [m]."""
+        return SQUARE * self.side
+
+    def lines(self) -> Iterator[RoughLine]:
+        """Yield the lines.
+
+        Raises
+        ------
+        InvalidInput
+            If no wave of the spectrum fits them.
+        """
+        for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
+            yield RoughLine(heights, self.length, self.medium.modulus)
+
+    def solve(self) -> RoughContactSolution:
+        """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
+
+        Raises
+        ------
+        InvalidInput
+            If no wave of the spectrum fits the line.
+        """
+        return RoughContactSolution(self, **ensemble(self.lines(), self.load)._asdict())
+
+
+@value
+class RoughContactSolution(RoughSolution):
+    """The answer to a `RoughContact`.
+
+    Parameters
+    ----------
+    problem : RoughContact
+        What was asked.
+    depth, force, stiffness : float or ndarray
+        d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
+    depth_band, force_band, stiffness_band : ndarray, (2, ...)
+        Between these two lie eight of ten lines.
+    """
+
+    problem: RoughContact
+
+    @property
+    def area(self) -> Quantity:
+        """True area of contact [m^2], after Persson: the length of the line in contact is none."""
+        square = self.problem.side**2
+        slope = self.problem.spectrum.rms_slope
+        fraction = area_fraction(np.asarray(self.force) / square, self.problem.medium.modulus, slope)
+        return shaped(square * fraction)
+
+    @property
+    def mean_gap(self) -> Quantity:
+        """Mean distance of the surfaces [m], after Persson."""
+        square = self.problem.side**2
+        pressure = np.asarray(self.force) / square
+        return shaped(mean_separation(pressure, self.problem.medium.modulus, self.problem.spectrum))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        asked = self.problem
+        return (
+            *(note for note in asked.medium.notes if note.standing is not Standing.EXACT),  # of one round contact
+            Note(
+                Assumption.ROUGHNESS,
+                Standing.APPROXIMATE,
+                "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface: "
+                "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
+                f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
+            ),
+            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
+            *resolution_note(asked.spectrum, asked.length, asked.count),
+            Note(
+                Assumption.ROUGHNESS,
+                Standing.OUTSIDE,
+                "The line has no true area of contact and no mean gap: springs do not know of one another. Those given "
+                "here are Persson's, of which the area is up to a third too small, the gap within 20 per cent up to "
+                "pressures of 0.2 E* h'; a SurfaceContact computes them.",
+                LYASHENKO,
+            ),
+        )

@@ -1,0 +1,213 @@
+r"""A rough body of revolution on the line: random heights of the spectrum :math:`C_1=\pi q\,C` on its g(x).
+
+.. math:: z(x) = h(x) - g(|x|) , \qquad F(d) = E^*\int(d-z_\max+z)_+\,\mathrm dx .
+
+Lightly pressed a ball bears on few peaks; pressed harder than its roughness it follows the smooth one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed, Pressed
+from winkler.given import positive_fields
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import PRESSED
+from winkler.problems.normal.solve_contact import at_force
+from winkler.problems.normal.yield_of_pressure import spots_yield_notes
+from winkler.problems.rough.line_checks import check_ensemble, check_spectrum, resolution_note
+from winkler.problems.rough.line_solution import RoughSolution
+from winkler.problems.rough.persson import area_fraction
+from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds, prescribed
+from winkler.profiles.rough.random_rough import random_lines
+from winkler.profiles.rough.spectrum import Spectrum
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["RoughIndentation", "RoughIndentationSolution"]
+
+NODES = 64
+POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
+
+
+@value
+class RoughIndentation:
+    """A rough body pressed into a half-space, by lines of springs.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        Of both surfaces together: SelfAffine or PowerSpectrum.
+    bed : Foundation
+        The smooth body, on a homogeneous medium.
+    length : float
+        Of the line [m]; wider than the contact. Waves longer than it are not seen.
+    load : Force or Depth
+        What is prescribed, positive; depths from the first touch of the highest point.
+    realisations : int, optional
+        How many random lines.
+    count : int, optional
+        Springs in each; waves shorter than two of them are not seen.
+    seed : int, optional
+        Of the phases; equal seeds, equal answers.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is out of range, or the medium is not homogeneous.
+
+    References
+    ----------
+    R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/PhysRevLett.108.104301; V. L. Popov, M. Hess,
+    Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+    """
+
+    spectrum: Spectrum
+    bed: Bed
+    length: float
+    load: Force | Depth
+    realisations: int = 50
+    count: int = 4096
+    seed: int = 0
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001")
+    assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.ROUGHNESS}
+    needs_round: ClassVar[str] = "roughness on the springs of a line"
+
+    def __post_init__(self) -> None:
+        if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):
+            raise InvalidInput(
+                "RoughIndentation: roughness is known on homogeneous half-spaces alone; give Foundation(profile, "
+                "HalfSpace(...))."
+            )
+        positive_fields(self, length="m")
+        check_spectrum("RoughIndentation", self.spectrum)
+        check_ensemble("RoughIndentation", self.load, self.realisations, self.count, self.seed)
+
+    @property
+    def medium(self) -> HomogeneousMedium:
+        """Both bodies."""
+        return self.bed.medium  # type: ignore[return-value]
+
+    @property
+    def _places(self) -> Array:
+        """The middles of the springs [m]."""
+        return (np.arange(self.count) + 0.5 - 0.5 * self.count) * (self.length / self.count)
+
+    def lines(self) -> Iterator[RoughLine]:
+        """Yield the lines.
+
+        Raises
+        ------
+        InvalidInput
+            If no wave of the spectrum fits them.
+        OutsideValidity
+            If the contact reaches the end of the line, or of what is known of the body.
+        """
+        place = np.abs(self._places)
+        there = place <= min(self.bed.rim, self.bed.reach)
+        smooth = self.bed.gap(place[there])
+        part = self.length * smooth.size / self.count
+        pinned = self.bed.rim <= min(self.bed.reach, 0.5 * self.length)
+        for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
+            line = RoughLine(heights[there] - smooth, part, self.medium.modulus)
+            if not pinned:
+                self._refuse_end(line)
+            yield line
+
+    def _refuse_end(self, line: RoughLine) -> None:
+        """Refuse loads under which the last springs touch."""
+        most = float(np.max(prescribed(self.load)))
+        deepest = float(line.depth(np.array(most))) if isinstance(self.load, Force) else most
+        gap = float(np.max(line.heights) - max(line.heights[0], line.heights[-1]))
+        if gap >= deepest:
+            return
+        where = f"RoughIndentation: under the load {most:.6g} the contact reaches"
+        if 2.0 * self.bed.reach < self.length:
+            raise OutsideValidity(
+                f"{where} {self.bed.reach:.6g} m, beyond which nothing is known of the body; press less."
+            )
+        raise OutsideValidity(f"{where} the end of the line of {self.length:.6g} m; give a longer one, or press less.")
+
+    def solve(self) -> RoughIndentationSolution:
+        """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
+
+        Raises
+        ------
+        InvalidInput
+            If no wave of the spectrum fits the line.
+        OutsideValidity
+            If the contact reaches the end of the line, or of what is known of the body.
+        """
+        return RoughIndentationSolution(self, **ensemble(self.lines(), self.load)._asdict())
+
+
+@value
+class RoughIndentationSolution(RoughSolution):
+    """The answer to a `RoughIndentation`.
+
+    Parameters
+    ----------
+    problem : RoughIndentation
+        What was asked.
+    depth, force, stiffness : float or ndarray
+        d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
+    depth_band, force_band, stiffness_band : ndarray, (2, ...)
+        Between these two lie eight of ten lines.
+    """
+
+    problem: RoughIndentation
+
+    @property
+    def smooth_stiffness(self) -> Quantity:
+        """dF/dd [N/m] of the smooth body under the same forces."""
+        _, radius = at_force(self.problem.bed, np.ravel(self.force))
+        return shaped(self.problem.bed.stiffness(radius), np.shape(self.force))
+
+    @property
+    def area(self) -> Quantity:
+        """True area of contact [m^2]: Persson's, ring by ring under the pressures of the smooth body."""
+        bed, slope = self.problem.bed, self.problem.spectrum.rms_slope
+        depths, radii = at_force(bed, np.ravel(self.force))
+        nodes, weights = gauss_legendre(NODES)
+        # r = a sin: pressures of flat ends and of smooth edges are both tame in the angle
+        angle = 0.5 * math.pi * nodes
+        answer = []
+        for depth, radius in zip(depths.tolist(), radii.tolist(), strict=True):
+            pressure = self.problem.medium.pressure(Pressed(bed, depth, radius), radius * np.sin(angle))
+            touching = area_fraction(pressure, self.problem.medium.modulus, slope)
+            answer.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
+        return shaped(np.array(answer), np.shape(self.force))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        asked = self.problem
+        return (
+            *asked.bed.notes,
+            Note(
+                Assumption.ROUGHNESS,
+                Standing.APPROXIMATE,
+                "A rough body on a line of springs is exact where the body bears, and scales as the surface where "
+                "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
+                f"{POPOV}; own boundary elements",
+            ),
+            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
+            *resolution_note(asked.spectrum, asked.length, asked.count),
+            Note(
+                Assumption.ROUGHNESS,
+                Standing.APPROXIMATE,
+                "The line has no true area of contact; the area given here is Persson's, under the pressures of the "
+                "smooth body, up to a third too small and less where roughness spreads the pressures of small loads. A "
+                "SurfaceContact computes it.",
+                POPOV,
+            ),
+        )

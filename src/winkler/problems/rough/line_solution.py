@@ -1,0 +1,55 @@
+"""What every ensemble of rough lines answers: depth, force and stiffness with their bands, and what it conducts."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
+from winkler.values import value
+
+__all__ = ["OnRoughLines", "RoughSolution"]
+
+
+class OnRoughLines(Protocol):
+    """A problem that is asked of many rough lines."""
+
+    @property
+    def medium(self) -> HomogeneousMedium:
+        """Both bodies."""
+
+
+@value
+class RoughSolution:
+    """What many rough lines tell of one load, or of many.
+
+    Parameters
+    ----------
+    problem : RoughContact or RoughIndentation
+        What was asked.
+    depth, force, stiffness : float or ndarray
+        d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
+    depth_band, force_band, stiffness_band : ndarray, (2, ...)
+        Between these two lie eight of ten lines.
+    """
+
+    problem: OnRoughLines
+    depth: Quantity
+    depth_band: Array
+    force: Quantity
+    force_band: Array
+    stiffness: Quantity
+    stiffness_band: Array
+
+    def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
+        """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
+
+        Raises
+        ------
+        OutsideValidity
+            If there is a film, a plating or a rod.
+        """
+        share = conductance_of_stiffness(type(self.problem).__name__, self.problem.medium, conductors)
+        return shaped(self.stiffness * share)

@@ -1,0 +1,282 @@
+r"""From a height map to springs: the bed that bears forces like it does, for every other problem.
+
+At every depth the boundary elements give F and k = dF/dd.  A disc as stiff has the radius :math:`a=k/(2E^*)`, and
+:math:`g(a)=d`: with k and g any problem of the line runs, exactly as long as it needs no more than F(d).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.measured import MeasuredBed
+from winkler.foundation.measured_profile import MeasuredPlaneProfile
+from winkler.foundation.plane import PlaneFoundation
+from winkler.loading import Depth
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.medium import Medium
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.numerics.types import Array
+from winkler.problems.normal.yield_statement import unknown_yield
+from winkler.problems.rough.contact_springs import Points, room, springs_of
+from winkler.problems.rough.surface_contact import SurfaceContact
+from winkler.problems.rough.surface_states import SurfaceState
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["Reduction", "ReductionSolution", "reduce"]
+
+BARBER = "J. R. Barber, J. Strain Anal. 9 (1974) 230-232, doi:10.1243/03093247V094230"
+ENOUGH = 200
+"""Pixels of the deepest contact that are asked for."""
+STEP = 2.0
+"""Depths are first divided by this, until forces are small."""
+DOWN = 16
+SMALL, BETWEEN, MET = 0.3, 0.8, 0.15
+"""Parts of the tolerance: of the smallest force, of what may be missed between contacts, and at them."""
+MOST = 129
+NARROW = 1.01
+"""Depths closer than this are not divided: between them pixels come into contact one by one."""
+BEYOND = 1.0 + 1e-6
+"""The bed reaches a little deeper than asked, so that the asked depth is inside."""
+
+Row = tuple[float, float, float, float]
+"""Depth [m], force [N], stiffness [N/m] and pixels of a contact."""
+
+
+@value
+class Reduction:
+    """The question for springs that bear forces like a height map.
+
+    Parameters
+    ----------
+    topography : Topography
+        A map that stands alone.
+    medium : HalfSpace
+        Both bodies, homogeneous.
+    depth : float
+        Up to which depth d [m] the springs are to be known.
+    tolerance : float, optional
+        Greatest error of F, over the greatest F.  Contacts are computed until no convex curve through them, with their
+        stiffnesses for slopes, can be farther from another one.
+
+    Raises
+    ------
+    InvalidInput
+        If the map is periodic, or a number is out of range; otherwise as `SurfaceContact`.
+
+    References
+    ----------
+    J. R. Barber, J. Strain Anal. 9 (1974) 230-232, doi:10.1243/03093247V094230
+    """
+
+    topography: Topography
+    medium: HomogeneousMedium
+    depth: float
+    tolerance: float = 1e-3
+
+    references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
+    assumptions: ClassVar[frozenset[Assumption]] = frozenset(
+        (Assumption.ELASTIC, Assumption.SHAPE, Assumption.RESOLUTION)
+    )
+
+    def __post_init__(self) -> None:
+        depth = self.depth
+        if isinstance(depth, bool) or not isinstance(depth, int | float) or not 0.0 < depth < math.inf:
+            raise InvalidInput(f"Reduction: depth is {depth!r}; give one positive depth in m.")
+        SurfaceContact(self.topography, self.medium, Depth(self.depth))  # refuses what it would refuse later
+        if self.topography.periodic:
+            raise InvalidInput(
+                "Reduction: the map is periodic and has no finite stiffness radius; cut a part out with "
+                "topography.cropped(...), or use a RoughContact."
+            )
+        if isinstance(self.tolerance, bool) or not 1e-4 <= self.tolerance <= 0.1:
+            raise InvalidInput(f"Reduction: tolerance is {self.tolerance!r}; give a number between 1e-4 and 0.1.")
+
+    @property
+    def total(self) -> None:
+        """How many states `steps` yields shows only on the way."""
+
+    def steps(self) -> Iterator[SurfaceState]:
+        """Yield the contacts that are computed: depths halve their distances where there is room for other forces.
+
+        Raises
+        ------
+        NotConverged
+            If the tolerance is not met.
+        """
+        deepest = next(SurfaceContact(self.topography, self.medium, Depth(BEYOND * self.depth)).steps())
+        yield deepest
+        pixels = int(np.count_nonzero(deepest.pressure))
+        if pixels < ENOUGH:
+            raise OutsideValidity(
+                f"reduce: at the depth {self.depth:.6g} m only {pixels} pixels touch, which tells too little of the "
+                f"contacts before; press until at least {ENOUGH} do, or give the map more pixels."
+            )
+        done, allowed, state = [_row(deepest)], self.tolerance * deepest.force, deepest
+        while state.force > SMALL * allowed and len(done) < DOWN:
+            state = next(SurfaceContact(self.topography, self.medium, Depth(state.depth / STEP)).steps())
+            done.insert(0, _row(state))
+            yield state
+        while asked := self._between(done, BETWEEN * allowed):
+            if len(done) + len(asked) > MOST:
+                raise self._lost(done)
+            for state in SurfaceContact(self.topography, self.medium, Depth(np.array(asked))).steps():
+                done.append(_row(state))
+                yield state
+            done.sort()
+        if self._springs(_points(done))[1] > self.tolerance:
+            raise self._lost(done)
+
+    @staticmethod
+    def _between(done: list[Row], allowed: float) -> list[float]:
+        """Return depths between contacts that leave more room for the force."""
+        pairs = zip(itertools.pairwise(row[0] for row in done), room(_points(done)).tolist(), strict=True)
+        return [math.sqrt(low * high) for (low, high), left in pairs if left > allowed and high > NARROW * low]
+
+    def _lost(self, done: list[Row]) -> NotConverged:
+        return NotConverged(
+            f"reduce: {len(done)} contacts do not tell F(d) to {self.tolerance:.3g} of the greatest force; ask for a "
+            "larger tolerance, or give the map more pixels."
+        )
+
+    def _springs(self, points: Points) -> tuple[MeasuredBed, float]:
+        """Return the springs behind contacts, and the bound on their misfit over the greatest force."""
+        most = float(points.force[-1])
+        bed, missed = springs_of(points, self.medium, MET * self.tolerance * most)
+        return bed, (missed + max(float(np.max(room(points))), float(points.force[0]))) / most
+
+    def gathered(self, states: Iterable[SurfaceState]) -> ReductionSolution:
+        """Return the answer from these contacts, all or the first of them; its misfit tells how well it is known.
+
+        Raises
+        ------
+        OutsideValidity
+            If they are too few for springs.
+        """
+        points = _points(sorted(_row(state) for state in states))  # not the states, whose maps would fill the memory
+        bed, misfit = self._springs(points)
+        return ReductionSolution(self, bed, misfit, points.depth, points.force, points.stiffness)
+
+    def solve(self) -> ReductionSolution:
+        """Return the springs.
+
+        Raises
+        ------
+        NotConverged
+            If the tolerance is not met.
+        OutsideValidity
+            If too few pixels touch.
+        """
+        return self.gathered(self.steps())
+
+
+def _row(state: SurfaceState) -> Row:
+    return state.depth, state.force, state.stiffness, float(np.count_nonzero(state.pressure))
+
+
+def _points(done: list[Row]) -> Points:
+    return Points(*np.array(done).T)
+
+
+@value
+class ReductionSolution:
+    """The answer to a `Reduction`.
+
+    Parameters
+    ----------
+    problem : Reduction
+        What was asked.
+    bed : MeasuredBed
+        The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].
+    misfit : float
+        Bound on the difference between the forces of springs and map at any depth, over the greatest force: both bend
+        upwards, which leaves little room between computed contacts.
+    depth, force, stiffness : ndarray, (n,)
+        The contacts behind them [m], [N], [N/m].
+    """
+
+    problem: Reduction
+    bed: MeasuredBed
+    misfit: float
+    depth: Array
+    force: Array
+    stiffness: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How well the springs bear the computed forces, and what they cannot tell."""
+        return (
+            Note(
+                Assumption.RESOLUTION,
+                Standing.ASYMPTOTIC,
+                f"Springs under a height map, from {self.depth.size} contacts by boundary elements; their forces "
+                f"differ by at most {self.misfit:.1g} of the greatest one, since between contacts force curves that "
+                "bend upwards have no more room. Stiffness, and with it conductance, is less certain: it was within 4 "
+                "per cent on rough maps at a tolerance of 1e-3, worse at light loads.",
+                BARBER,
+            ),
+            *self.bed.notes[1:],
+            *unknown_yield(self.problem.medium, "the springs of a height map do not know its pressures"),
+        )
+
+    def on(self, medium: Medium) -> PlaneFoundation:
+        """Return the same map on another half-space, elastic or viscoelastic: radii and g do not know the modulus.
+
+        Parameters
+        ----------
+        medium : HalfSpace, TransverselyIsotropicHalfSpace, ViscoelasticHalfSpace or RelaxingInProportion
+            Homogeneous.
+
+        Raises
+        ------
+        InvalidInput
+            If the medium is not homogeneous.
+        """
+        elastic = medium.elastic if isinstance(medium, RelaxingMedium) else medium
+        if not isinstance(elastic, HomogeneousMedium):
+            raise InvalidInput(
+                f"Reduction: the medium is a {type(medium).__name__}; the springs of a map are known on homogeneous "
+                "half-spaces alone, give HalfSpace or ViscoelasticHalfSpace."
+            )
+        return PlaneFoundation(MeasuredPlaneProfile(self.bed), medium)
+
+
+def reduce(topography: Topography, medium: HomogeneousMedium, depth: float, *, tolerance: float = 1e-3) -> MeasuredBed:
+    """Return springs that bear forces like a height map.
+
+    Parameters
+    ----------
+    topography, medium, depth, tolerance
+        As for `Reduction`.
+
+    Returns
+    -------
+    MeasuredBed
+        For every problem that asks for no more than forces and depths.
+
+    Raises
+    ------
+    InvalidInput, OutsideValidity, NotConverged
+        As `Reduction`.
+
+    Examples
+    --------
+    A ball of 1 m radius, E* = 1 Pa, pressed to 0.04 m: F = 4/3 R^(1/2) d^(3/2) = 0.0107 N.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.problems.normal.indentation import Indentation
+    >>> x = (np.arange(63) - 31) / 63.0
+    >>> ball = Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
+    >>> bed = reduce(ball, HalfSpace(Elastic(1.0, 0.0)), 0.05)
+    >>> round(Indentation(bed, Depth(0.04)).solve().force, 4)
+    0.0107
+    """
+    return Reduction(topography, medium, depth, tolerance).solve().bed

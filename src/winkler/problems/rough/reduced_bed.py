@@ -1,0 +1,83 @@
+"""A bed that stands for a height map: measured springs, computed by boundary elements when the bed is made."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.footprint import Unknown
+from winkler.foundation.measured import MeasuredBed
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.types import Array
+from winkler.problems.rough.reduce import Reduction
+from winkler.profiles.rough.topography import Topography
+from winkler.values import value
+
+__all__ = ["ReducedBed"]
+
+SMOOTHNESS = 1e-3
+MAP = Unknown(
+    "a height map",
+    "ask SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
+    "or give Foundation(profile, medium)",
+)
+
+
+def _none() -> Array:
+    return np.zeros(0)
+
+
+@value
+class ReducedBed(MeasuredBed):
+    """Springs that bear forces like a height map, for every problem that asks for no more than forces and depths.
+
+    Making one solves some ten contacts by boundary elements; what is asked of it afterwards takes milliseconds.
+
+    Parameters
+    ----------
+    topography : Topography
+        A map that stands alone.
+    pressed_into : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    depth : float
+        Up to which depth d [m] the springs are known.
+    tolerance : float, optional
+        Greatest error of F between the computed contacts, over the greatest F.
+
+    Raises
+    ------
+    InvalidInput, OutsideValidity, NotConverged
+        As `Reduction`.
+    """
+
+    radii: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
+    stiffnesses: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
+    depths: Array = dataclasses.field(init=False, repr=False, default_factory=_none)
+    scatter: float = dataclasses.field(init=False, repr=False, default=0.0)
+    mindlin_ratio: float = dataclasses.field(init=False, repr=False, default=0.0)
+    disc: bool = dataclasses.field(init=False, repr=False, default=False)
+    topography: Topography = dataclasses.field()
+    pressed_into: HomogeneousMedium = dataclasses.field()
+    depth: float = dataclasses.field()
+    tolerance: float = SMOOTHNESS
+
+    references: ClassVar[tuple[str, ...]] = Reduction.references
+
+    @property
+    def footprint(self) -> Unknown:
+        """Not known: spots of any outline."""
+        return MAP
+
+    def __post_init__(self) -> None:
+        found = _springs(Reduction(self.topography, self.pressed_into, self.depth, self.tolerance))
+        for field in dataclasses.fields(MeasuredBed):
+            object.__setattr__(self, field.name, getattr(found, field.name))
+
+
+@functools.lru_cache(maxsize=16)
+def _springs(problem: Reduction) -> MeasuredBed:
+    """Return the springs; equal surfaces are pressed once."""
+    return problem.solve().bed

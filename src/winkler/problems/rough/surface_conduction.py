@@ -1,0 +1,213 @@
+r"""What a measured surface conducts: by boundary elements, by the line of springs, and between which bounds.
+
+Conductance and stiffness are in proportion, whatever the contact looks like (Barber),
+
+.. math:: \frac{1}{R} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm dF_N}{\mathrm dd} ,
+
+so whatever tells k(F) tells the resistance.  The map lies between a flat and the same flat raised by its height s from
+the lowest valley to the highest peak.  With the stiffness :math:`k_\infty` of the flat, which touches all over, the
+tangents to both force curves bound that of the rough surface by :math:`F/(F/k_\infty+s)\le k\le k_\infty`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.given import whole_number
+from winkler.limits import SPRINGS
+from winkler.loading import Depth, Force
+from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.numerics.types import Array, Quantity, shaped
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
+from winkler.problems.rough.line_contact import RoughContact, RoughContactSolution
+from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
+from winkler.profiles.rough.map_spectrum import spectrum_of
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
+
+CURVED = 0.2
+"""Part of the mean square height that a paraboloid may make up before lines of springs, rough alone, mislead."""
+BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038"
+
+
+@value
+class SurfaceConduction:
+    """A height map on a flat half-space, and the current through both.
+
+    Parameters
+    ----------
+    contact : SurfaceContact
+        How they are pressed together.
+    conductors : ElectricalConductors
+        What the bodies conduct; thick ones without platings or film.
+    realisations : int, optional
+        How many random lines with the spectrum of the map are pressed beside it.
+    seed : int, optional
+        Of the first of them.
+
+    Raises
+    ------
+    InvalidInput
+        If something of another kind is given, or a number is out of range.
+    OutsideValidity
+        If there is a film, a plating or a rod.
+
+    References
+    ----------
+    J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
+    """
+
+    contact: SurfaceContact
+    conductors: ElectricalConductors
+    realisations: int = 20
+    seed: int = 0
+
+    references: ClassVar[tuple[str, ...]] = ("barber_2003", "pohrt_popov_2012")
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {
+        Assumption.CONDUCTION,
+        Assumption.CONTINUUM,
+        Assumption.ROUGHNESS,
+    }
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.contact, SurfaceContact):
+            raise InvalidInput(
+                f"SurfaceConduction: the contact is a {type(self.contact).__name__}; give SurfaceContact."
+            )
+        if not isinstance(self.conductors, ElectricalConductors):
+            raise InvalidInput(
+                f"SurfaceConduction: conductors is a {type(self.conductors).__name__}; give "
+                "ElectricalConductors(first, second)."
+            )
+        whole_number("SurfaceConduction", "realisations", self.realisations, 1, SPRINGS // 256)
+        whole_number("SurfaceConduction", "seed", self.seed, 0)
+        conductance_of_stiffness("SurfaceConduction", self.contact.medium, self.conductors)
+
+    def solve(self) -> SurfaceConductionSolution:
+        """Return the resistance under every load.
+
+        Raises
+        ------
+        InvalidInput
+            If the map has no spectrum: it is flat, or too small.
+        NotConverged
+            If a contact is not solved to its tolerance.
+        """
+        rough, medium = self.contact.topography, self.contact.medium
+        spectrum = spectrum_of(rough)  # first, since it may refuse
+        found = self.contact.solve()
+        side = math.sqrt(rough.area)
+        line = RoughContact(
+            spectrum, medium, side, Force(found.force), realisations=self.realisations, seed=self.seed
+        ).solve()
+        flat = math.inf
+        if not rough.periodic:
+            smooth = Topography(np.zeros_like(rough.heights), rough.lengths)
+            flat = float(SurfaceContact(smooth, medium, Depth(1.0)).solve().stiffness)
+        force = np.asarray(found.force, dtype=float)
+        least = force / (force / flat + float(np.ptp(rough.heights)))
+        return SurfaceConductionSolution(
+            self,
+            found,
+            line,
+            *(found.depth, found.force, found.stiffness),
+            *(np.asarray(part) for part in (line.stiffness, least, np.full_like(least, flat))),
+        )
+
+
+@value
+class SurfaceConductionSolution:
+    """The answer to a `SurfaceConduction`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : SurfaceConduction
+        What was asked.
+    contact : SurfaceContactSolution
+        The contact by boundary elements.
+    line : RoughContactSolution
+        That of lines with the same spectrum under the same forces.
+    depth, force, stiffness : float or ndarray
+        Of the contact by boundary elements [m], [N], [N/m].
+    line_stiffness : float or ndarray
+        dF/dd of the lines [N/m], their median.
+    least_stiffness, greatest_stiffness : float or ndarray
+        Bounds of dF/dd [N/m]; the second is infinite of a periodic map.
+    """
+
+    problem: SurfaceConduction
+    contact: SurfaceContactSolution
+    line: RoughContactSolution
+    depth: Quantity
+    force: Quantity
+    stiffness: Quantity
+    line_stiffness: Quantity
+    least_stiffness: Quantity
+    greatest_stiffness: Quantity
+
+    def _resistance(self, stiffness: Quantity) -> Array:
+        asked = self.problem
+        share = conductance_of_stiffness("SurfaceConduction", asked.contact.medium, asked.conductors)
+        return np.asarray(1.0 / (share * np.asarray(stiffness, dtype=float)))
+
+    @property
+    def conductance(self) -> Quantity:
+        """1 / R [S] by boundary elements."""
+        return shaped(1.0 / self._resistance(self.stiffness))
+
+    @property
+    def resistance(self) -> Quantity:
+        """R [ohm] by boundary elements."""
+        return shaped(self._resistance(self.stiffness))
+
+    @property
+    def line_resistance(self) -> Quantity:
+        """R [ohm] by the lines."""
+        return shaped(self._resistance(self.line_stiffness))
+
+    @property
+    def least_resistance(self) -> Quantity:
+        """The lower bound of R [ohm]; zero of a periodic map."""
+        return shaped(self._resistance(self.greatest_stiffness))
+
+    @property
+    def greatest_resistance(self) -> Quantity:
+        """The upper bound of R [ohm]."""
+        return shaped(self._resistance(self.least_stiffness))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: the contact, the line, the bounds."""
+        line = [note for note in self.line.validity if note.standing is Standing.APPROXIMATE]  # no area is told here
+        bounds = Note(
+            Assumption.CONDUCTION,
+            Standing.EXACT,
+            "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
+            "same flat raised by its height; of a curved map they are wide. All spots are clean metal, wider than the "
+            "free path of electrons.",
+            BARBER,
+        )
+        rough = self.problem.contact.topography
+        shape = 0.0 if rough.periodic else 1.0 - (rough.detrended(2).rms_height / rough.rms_height) ** 2
+        curved = Note(
+            Assumption.ROUGHNESS,
+            Standing.OUTSIDE,
+            f"A plane or paraboloid makes up {shape:.0%} of the mean square height: lines of springs know the "
+            "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "
+            "topography.detrended(1); a rough ball is a RoughIndentation.",
+            "comparison with boundary elements",
+        )
+        return (
+            *self.contact.validity,
+            *(note for note in line if note not in self.contact.validity),
+            *((curved,) if shape > CURVED else ()),
+            bounds,
+        )

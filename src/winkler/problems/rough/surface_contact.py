@@ -1,0 +1,310 @@
+r"""A height map pressed into an elastic half-space: the boundary-element method, the judge of every short cut.
+
+Pressures p >= 0 and gaps w >= 0 with p w = 0 in every pixel, and
+
+.. math:: w(x,y) = h(x,y) - d + \frac{1}{\pi E^*}\int\frac{p(x',y')}{\sqrt{(x-x')^2+(y-y')^2}}\,\mathrm dA' ,
+
+are found by preconditioned conjugate gradients (`winkler.numerics.surfaces.pressed_grid`).  The stiffness dF/dd is
+that of a flat punch of the shape of the contact (Barber).
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.given import affordable
+from winkler.limits import MOST_NUMBERS
+from winkler.loading import Depth, Force
+from winkler.media.halfspace import HomogeneousMedium
+from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
+from winkler.numerics.surfaces.punched_grid import punch
+from winkler.numerics.surfaces.surface_grid import bytes_needed
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.normal.yield_of_pressure import map_yield_notes
+from winkler.problems.normal.yield_statement import unknown_yield
+from winkler.problems.rough.surface_notes import surface_notes
+from winkler.problems.rough.surface_states import SurfaceState
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["SurfaceContact", "SurfaceContactSolution"]
+
+EDGE = (math.pi - 1.0 + math.log(2.0)) / 24.0
+"""What counted pixels give too much, per length of the edge of the contact and pixel size."""
+BLURRED = 0.25
+"""Error of the corrected area, likewise."""
+NEARBY = 0.25
+"""A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
+PUNCHED = 3e-3
+"""Error of the depth under the flat punch that tells the stiffness: its own error is of the square, below 1e-6."""
+
+
+@value
+class SurfaceContact:
+    """A height map pressed into an elastic half-space, without friction or adhesion.
+
+    Parameters
+    ----------
+    topography : Topography
+        Heights of both bodies together, up towards the other one; the medium is flat.  A map that stands alone ends at
+        its border like a stamp, a periodic one goes on for ever.
+    medium : HalfSpace or TransverselyIsotropicHalfSpace
+        Both bodies, homogeneous.
+    load : Force or Depth
+        What is prescribed, compression positive; an array is marched through as it comes, each load from the one
+        before.  Of a periodic map the force on one period.
+    hardness : float, optional
+        Pressure [Pa] that is not exceeded; infinite (the default) of elastic bodies.
+    tolerance : float, optional
+        Greatest overlap over the depth, and pressure times gap over F d, at which a contact counts as solved.
+
+    Raises
+    ------
+    InvalidInput
+        If heights are missing or flat, the medium is not homogeneous, a load is not positive, the hardness or the
+        tolerance is out of range, or the map takes more memory than there is.
+
+    References
+    ----------
+    I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1; J. R. Barber, Proc. R. Soc.
+    A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038
+
+    Examples
+    --------
+    A ball of 1 m radius, E* = 1 Pa, pressed to the depth of 1/8 m: F = 4/3 R^(1/2) d^(3/2) = 0.058926 N.
+
+    >>> import numpy as np
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> x = np.linspace(-0.5, 0.5, 129)[:-1] + 1.0 / 256.0
+    >>> ball = Topography(-0.5 * (x[:, None] ** 2 + x**2), [1.0, 1.0])
+    >>> contact = SurfaceContact(ball, HalfSpace(Elastic(1.0, 0.0)), Depth(0.125)).solve()
+    >>> round(contact.force, 3), round(contact.stiffness / 2.0, 2)
+    (0.059, 0.35)
+    """
+
+    topography: Topography
+    medium: HomogeneousMedium
+    load: Force | Depth
+    hardness: float = math.inf
+    tolerance: float = 1e-6
+
+    references: ClassVar[tuple[str, ...]] = (
+        "polonsky_keer_1999", "stanley_kato_1997", "barber_2003", "yastrebov_2017", "almqvist_2007",
+    )  # fmt: skip
+    assumptions: ClassVar[frozenset[Assumption]] = MAPPED
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.topography, Topography):
+            raise InvalidInput(
+                f"SurfaceContact: the topography is a {type(self.topography).__name__}; give Topography."
+            )
+        if not isinstance(self.medium, HomogeneousMedium):
+            raise InvalidInput(
+                f"SurfaceContact: the medium is a {type(self.medium).__name__}; the boundary elements know homogeneous "
+                "half-spaces alone, give HalfSpace."
+            )
+        around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
+        affordable(
+            "SurfaceContact", "pixels with their surroundings", around * self.topography.heights.size, MOST_NUMBERS
+        )
+        missing = self.topography.missing
+        if missing:
+            raise InvalidInput(
+                f"SurfaceContact: {missing} of {self.topography.heights.size} heights are missing; fill them with "
+                "topography.filled(), or cut a complete part out with topography.cropped(...)."
+            )
+        if float(np.ptp(self.topography.heights)) == 0.0 and self.topography.periodic:
+            raise InvalidInput(
+                "SurfaceContact: the periodic map is flat and touches everywhere at once; nothing to solve."
+            )
+        if not isinstance(self.load, Force | Depth):
+            raise InvalidInput(f"SurfaceContact: the load is a {type(self.load).__name__}; give Force or Depth.")
+        for word, number, least, most in (
+            ("hardness", self.hardness, 0.0, math.inf),
+            ("tolerance", self.tolerance, 1e-12, 0.1),
+        ):
+            if isinstance(number, bool) or not isinstance(number, int | float) or not least < number <= most:
+                raise InvalidInput(
+                    f"SurfaceContact: {word} is {number!r}; give a number above {least:g} and at most {most:g}."
+                )
+        flat = self._loads
+        bad = np.flatnonzero(~(flat > 0.0))
+        if bad.size:
+            raise InvalidInput(
+                f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
+                "give positive loads."
+            )
+        self._refuse_too_large()
+        self._refuse_too_deep(flat)
+
+    @property
+    def _loads(self) -> Array:
+        given = self.load.force if isinstance(self.load, Force) else self.load.depth
+        return np.ravel(np.asarray(given, dtype=float))
+
+    def _refuse_too_large(self) -> None:
+        shape = self.topography.heights.shape
+        needed = bytes_needed((shape[0], shape[1]), self.topography.periodic)
+        try:
+            there = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+        except (AttributeError, ValueError, OSError):
+            return  # a system that does not say
+        if needed > there:
+            raise InvalidInput(
+                f"SurfaceContact: a map of {shape[0]} x {shape[1]} pixels takes {needed / 2**30:.3g} GiB of memory, "
+                f"this machine has {there / 2**30:.3g} GiB; take topography.coarsened(2), or a part of it."
+            )
+
+    def _refuse_too_deep(self, flat: Array) -> None:
+        whole = float(np.mean(self.topography.gaps))
+        area = self.topography.area
+        if self.topography.periodic and isinstance(self.load, Depth) and np.any(flat >= whole):
+            raise OutsideValidity(
+                f"SurfaceContact: the depth {np.max(flat):.6g} m closes the periodic map, whose mean planes can "
+                f"approach by less than {whole:.6g} m; prescribe a Force."
+            )
+        if isinstance(self.load, Force) and np.any(flat >= self.hardness * area):
+            raise OutsideValidity(
+                f"SurfaceContact: the force {np.max(flat):.6g} N is more than hardness times the area of the map, "
+                f"{self.hardness * area:.6g} N; press less."
+            )
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every load."""
+        return int(self._loads.size)
+
+    def steps(self) -> Iterator[SurfaceState]:
+        """Yield the contact under every load.
+
+        Raises
+        ------
+        NotConverged
+            If a contact is not solved to the tolerance.
+        """
+        rough, modulus = self.topography, self.medium.modulus
+        pixel = rough.pixel
+        patch = pixel[0] * pixel[1]
+        gaps, start, under, before, stiffness = rough.gaps, np.empty(0), np.empty(0), math.inf, math.inf
+        for load in self._loads.tolist():
+            drive = ByDepth(load) if isinstance(self.load, Depth) else ByLoad(load / (modulus * patch))
+            near = abs(load / before - 1.0) <= NEARBY
+            if near and under.size and math.isinf(self.hardness):  # nearly a flat punch of the shape of the contact
+                more = load - before if isinstance(self.load, Depth) else (load - before) / stiffness
+                start = np.maximum(start + more * under, 0.0)
+            try:
+                found = press(
+                    gaps, pixel, drive, periodic=rough.periodic, ceiling=self.hardness / modulus,
+                    tolerance=self.tolerance, start=start if near else np.empty(0),
+                )  # fmt: skip
+            except NotConverged as error:
+                raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
+            start, before = found.pressure, load
+            touching = start > 0.0
+            if touching.all() and rough.periodic:
+                stiffness, under = math.inf, np.empty(0)
+            else:
+                try:
+                    under = punch(touching, pixel, periodic=rough.periodic, tolerance=PUNCHED, start=under)
+                except NotConverged as error:
+                    raise NotConverged(f"SurfaceContact: under the load {load:.6g}, {error}") from None
+                stiffness = modulus * patch * float(np.sum(under))
+            yield SurfaceState(
+                found.depth, modulus * patch * float(np.sum(start)), stiffness, *_area(touching, pixel, rough.periodic),
+                float(np.mean(found.gap)), found.penetration, found.work, modulus * start, np.maximum(found.gap, 0.0),
+            )  # fmt: skip
+
+    def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return SurfaceContactSolution.of(self, list(states))
+
+    def solve(self) -> SurfaceContactSolution:
+        """Return the answers to all loads.
+
+        Raises
+        ------
+        NotConverged
+            If a contact is not solved to the tolerance.
+        """
+        return self.gathered(self.steps())
+
+
+def _area(touching: Array, pixel: tuple[float, float], periodic: bool) -> tuple[float, float]:
+    """Return the area of a contact [m^2] and its error: pixels less what its edge counts too much (Yastrebov).
+
+    Where a map that stands alone ends, its last pixels are whole.
+    """
+    counted = float(np.count_nonzero(touching)) * pixel[0] * pixel[1]
+    if touching.all():
+        return counted, 0.0
+    if periodic:
+        across, along = touching != np.roll(touching, 1, 0), touching != np.roll(touching, 1, 1)
+    else:
+        across, along = np.diff(touching, axis=0), np.diff(touching, axis=1)
+    edge = pixel[1] * np.count_nonzero(across) * pixel[0] + pixel[0] * np.count_nonzero(along) * pixel[1]
+    return counted - EDGE * float(edge), BLURRED * float(edge)
+
+
+@value
+class SurfaceContactSolution:
+    """The answer to a `SurfaceContact`; quantities have the shape of the load.
+
+    Parameters
+    ----------
+    problem : SurfaceContact
+        What was asked.
+    depth, force, stiffness, area, area_error, mean_gap, penetration, misfit : float or ndarray
+        As in `SurfaceState`.
+    last : SurfaceState
+        The contact under the last load, with its maps of pressure and separation.
+    """
+
+    problem: SurfaceContact
+    depth: Quantity
+    force: Quantity
+    stiffness: Quantity
+    area: Quantity
+    area_error: Quantity
+    mean_gap: Quantity
+    penetration: Quantity
+    misfit: Quantity
+    last: SurfaceState
+
+    @classmethod
+    def of(cls, problem: SurfaceContact, states: list[SurfaceState]) -> SurfaceContactSolution:
+        """Gather states, of all loads or of the first of them."""
+        load = problem.load
+        given = np.asarray(load.force if isinstance(load, Force) else load.depth)
+
+        def column(word: str) -> Quantity:
+            numbers = np.array([getattr(state, word) for state in states])
+            if given.ndim == 0:
+                return float(numbers[0])
+            return numbers.reshape(given.shape) if numbers.size == given.size else numbers
+
+        return cls(
+            problem, column("depth"), column("force"), column("stiffness"), column("area"),
+            column("area_error"), column("mean_gap"), column("penetration"), column("misfit"), states[-1],
+        )  # fmt: skip
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: border, residual, slopes, pixels."""
+        asked = self.problem
+        blurred = float(np.max(np.asarray(self.area_error) / self.area))
+        notes = surface_notes(asked.topography, asked.hardness, blurred, self.penetration, self.misfit)
+        if float(np.max(self.depth)) > self.last.depth:
+            return (
+                *notes,
+                *unknown_yield(asked.medium, "pressures are kept of the last load, which is not the greatest"),
+            )
+        return (*notes, *map_yield_notes(asked.medium, float(np.max(self.last.pressure))))

@@ -1,0 +1,97 @@
+"""How far the contact of a height map can be trusted: border, residual, slopes, pixels."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.numerics.types import Quantity
+from winkler.profiles.rough.topography import Topography
+from winkler.validity import Assumption, Note, Standing
+
+__all__ = ["surface_notes"]
+
+YASTREBOV = "V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114 (2017) 161-171"
+STANLEY = "H. M. Stanley, T. Kato, J. Tribol. 119 (1997) 481-485, doi:10.1115/1.2833523"
+ALMQVIST = (
+    "A. Almqvist, F. Sahlin, R. Larsson, S. Glavatskih, Tribol. Int. 40 (2007) 574-579, "
+    "doi:10.1016/j.triboint.2005.11.008"
+)
+POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
+FINE, LOST = 0.05, 0.4
+"""Error of the area, over the area: of a round spot of 500 pixels, and of nine, below which it is not seen any more."""
+STEEP = 0.1
+
+
+def surface_notes(
+    rough: Topography, hardness: float, blurred: float, penetration: Quantity, misfit: Quantity
+) -> tuple[Note, ...]:
+    """Return what was assumed of a map, and what the solver left.
+
+    Parameters
+    ----------
+    rough : Topography
+        The map.
+    hardness : float
+        At which pressures are cut [Pa]; infinite if they are not.
+    blurred : float
+        Error of the area of contact over the area, the greatest of all loads.
+    penetration, misfit : float or ndarray
+        As in `winkler.problems.rough.surface_states.SurfaceState`.
+    """
+    border = (
+        "The map is repeated for ever in both directions; depths are approaches of the mean planes."
+        if rough.periodic
+        else "The map stands alone: beyond its border nothing touches, and pressures rise there like under a stamp."
+    )
+    overlap, left = float(np.max(penetration)), float(np.max(misfit))
+    notes = [
+        Note(
+            Assumption.RESPONSE,
+            Standing.EXACT,
+            "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
+            POLONSKY,
+        ),
+        Note(Assumption.RESPONSE, Standing.EXACT, border, STANLEY if rough.periodic else POLONSKY),
+        Note(
+            Assumption.RESOLUTION,
+            Standing.ASYMPTOTIC,
+            f"Solved until surfaces overlap by at most {overlap:.1g} of the depth, and pressures do {left:.1g} "
+            "of the work of the force on gaps; smooth contacts gain two digits of the force for ten times the "
+            "pixels along a side.",
+            POLONSKY,
+        ),
+    ]
+    if blurred > 0.0:
+        notes.append(
+            Note(
+                Assumption.RESOLUTION,
+                Standing.OUTSIDE if blurred > LOST else Standing.APPROXIMATE if blurred > FINE else Standing.ASYMPTOTIC,
+                f"Spots of contact are about {0.5 / blurred:.2g} pixels wide: on this grid the area is known to about "
+                f"{100.0 * blurred:.2g} per cent, and the greatest pressure may be up to {600.0 * blurred**2:.2g} per "
+                f"cent too low{'; take a finer map.' if blurred > LOST else '.'}",
+                YASTREBOV,
+            )
+        )
+    slope = rough.rms_slope
+    notes.append(
+        Note(
+            Assumption.SMALL_SLOPES,
+            Standing.OUTSIDE if slope > 1.0 else Standing.APPROXIMATE if slope > STEEP else Standing.ASYMPTOTIC,
+            f"The heights have a root mean square slope of {slope:.2g}; half-space elasticity takes them as small"
+            f"{', this is none: are heights and lengths both in m?' if slope > 1.0 else '.'}",
+            "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731",
+        )
+    )
+    if math.isfinite(hardness):
+        notes.append(
+            Note(
+                Assumption.ELASTIC,
+                Standing.APPROXIMATE,
+                "Pressures are cut at the hardness, and what would overlap there is thought to flow; no strain is "
+                "followed, and unloading is not described.",
+                ALMQVIST,
+            )
+        )
+    return tuple(notes)

@@ -1,0 +1,1 @@
+"""Viscoelastic contact: paths, impact, sliding, friction and adhesion of bodies that relax."""

@@ -1,0 +1,282 @@
+r"""Adhesion of rubber on separated scales of time: a relaxed body, whose edge opens at a speed that its pull decides.
+
+The edge of the contact is a crack.  It recedes as fast as what is released there makes it,
+
+.. math:: \mathcal G(a,d) = \frac{k'(a)\,(g(a)-d)^2}{4\pi a} = w(\dot a) , \qquad d + F/k_\mathrm{m} = D(t) ,
+
+and closes without delay where that falls to the work of slow opening.  Between two points of the path the machine moves
+steadily; of its work what is not stored is lost.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.foundation.on_medium import OnMedium
+from winkler.laws.adhesion import ShortRange
+from winkler.laws.crack import CrackLaw
+from winkler.loading import Depth, Shift
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.adhesion.edge import Machine, adhesive_edge
+from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.collect_states import rows
+from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.viscoelastic.adhesion_crack import Crack
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
+
+RESTING = 1e-8
+"""An edge that is driven by this part more than slow opening takes does not move."""
+
+
+@value
+class ViscoelasticAdhesionState:
+    """An adhesive contact of rubber at one moment.
+
+    Parameters
+    ----------
+    time : float
+        [s].
+    position : float
+        D [m], where the far end of the machine stands.
+    depth, force, radius : float
+        d [m], F_N [N], a [m]; force and radius are zero apart.
+    crack_speed : float
+        How fast the edge recedes [m/s]; zero where it rests or closes, infinite where nothing holds it.
+    lowest_force : float
+        The lowest force since the beginning [N], negative if the bodies were pulled.
+    work, energy : float
+        What the machine has spent since the beginning, and energy of bodies, machine and surfaces, less what closing
+        has gained [J]; zero apart.
+    dissipation : float
+        Energy lost since the beginning [J], in jumps and by opening.
+    """
+
+    time: float
+    position: float
+    depth: float
+    force: float
+    radius: float
+    crack_speed: float
+    lowest_force: float
+    work: float
+    energy: float
+    dissipation: float
+
+
+@value
+class ViscoelasticAdhesion:
+    """A body that sticks to rubber, pressed on and pulled off along a path.
+
+    The bodies are apart at the beginning and first approach slowly up to the first point of the path.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, medium); a ViscoelasticHalfSpace counts as relaxed.
+    law : RateDependentWork or SaturatingWork
+        What opening takes at which speed.
+    path : Path
+        Positions of the far end of the machine over time, Path(time, Depth([...])).
+    machine_stiffness : float, optional
+        k_m [N/m] of the spring between far end and contact; infinite for fixed grips, a soft one is almost a dead load.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed flows for ever, the law has no speed, the path prescribes forces or moves along the surface, or the
+        stiffness is not positive.
+
+    References
+    ----------
+    D. Maugis, M. Barquins, J. Phys. D: Appl. Phys. 11 (1978) 1989-2023, doi:10.1088/0022-3727/11/14/011;
+    M. Ciavarella, J. Adhes. Sci. Technol. (2021), doi:10.1080/01694243.2021.1882766
+
+    Examples
+    --------
+    A ball with w_0 = 50 mJ/m^2 is pulled off rubber, slowly with 3/2 pi w_0 R (JKR), and faster with more.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.crack import RateDependentWork
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1e-3), HalfSpace(Elastic(young=1e6, poisson=0.5)))
+    >>> law = RateDependentWork(work=0.05, reference_speed=1e-6, exponent=0.6)
+    >>> for speed in (1e-12, 1e-8, 1e-7):
+    ...     pulled = ViscoelasticAdhesion(bed, law, Path([0.0, 5e-5 / speed], Depth([5e-6, -45e-6]))).solve()
+    ...     print(round(-pulled.lowest_force[-1] / (np.pi * 0.05 * 1e-3), 2))
+    1.5
+    1.94
+    3.03
+    """
+
+    bed: Bed
+    law: CrackLaw
+    path: Path
+    machine_stiffness: float = math.inf
+
+    references: ClassVar[tuple[str, ...]] = (
+        "popov_hess_2015",
+        "maugis_barquins_1978",
+        "johnson_kendall_roberts_1971",
+        "ciavarella_2021",
+    )
+    assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | RELAXING | BALANCED
+    needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
+
+    def __post_init__(self) -> None:
+        medium = self.bed.medium
+        if isinstance(medium, ViscoelasticHalfSpace) and medium.relaxation.relaxed == 0.0:
+            raise InvalidInput(
+                "ViscoelasticAdhesion: the body flows for ever and has no relaxed state to be pulled off from; give a "
+                "solid with a relaxed modulus."
+            )
+        if not isinstance(self.law, CrackLaw):
+            raise InvalidInput(
+                f"ViscoelasticAdhesion: the law is a {type(self.law).__name__}; give RateDependentWork(work, "
+                "reference_speed, exponent) or SaturatingWork, or ask for AdhesiveCycle, which knows no speed."
+            )
+        if not isinstance(self.path, Path) or not isinstance(self.path.normal, Depth):
+            what = self.path.normal if isinstance(self.path, Path) else self.path
+            raise InvalidInput(
+                f"ViscoelasticAdhesion: a {type(what).__name__} is prescribed; give Path(time, Depth([...])): a dead "
+                "load is almost a machine with little stiffness."
+            )
+        if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
+            raise InvalidInput("ViscoelasticAdhesion: the path moves along the surface; leave the lateral load out.")
+        stiffness = self.machine_stiffness
+        if isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness > 0.0:
+            raise InvalidInput(
+                f"ViscoelasticAdhesion: machine_stiffness is {stiffness!r}; it must be positive, in N/m, infinite for "
+                "fixed grips."
+            )
+
+    @property
+    def _relaxed(self) -> Bed:
+        """The bed when all has relaxed."""
+        medium = self.bed.medium
+        if not isinstance(medium, ViscoelasticHalfSpace):
+            return self.bed
+        assert isinstance(self.bed, OnMedium)
+        return self.bed.with_medium(HalfSpace(Elastic(medium.relaxation.relaxed, 0.0)))
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
+    def steps(self) -> Iterator[ViscoelasticAdhesionState]:
+        """Yield the state at every point of the path.
+
+        Raises
+        ------
+        OutsideValidity
+            If the contact grows beyond what is known of the profile or is no disc: at that step, the states before it
+            have been yielded.
+        NotConverged
+            If the edge cannot be followed.
+        """
+        law, machine = self.law, Machine(1.0 / self.machine_stiffness)
+        times, positions = self.path.time.tolist(), self.path.across.tolist()
+        edge = adhesive_edge(self._relaxed, ShortRange(law.work), machine, max(positions))
+        crack = Crack(edge, machine, law)
+        crack.close(positions[0], positions[0])
+        for i, (time, position) in enumerate(zip(times, positions, strict=True)):
+            if i:
+                crack.follow(positions[i - 1], position, time - times[i - 1])
+            depth, force, release = crack.at(crack.radius, position)
+            crack.lowest = min(crack.lowest, force)
+            speed = float(law.speed(release)) if release > (1.0 + RESTING) * law.work else 0.0
+            energy = crack.energy(crack.radius, position)
+            yield ViscoelasticAdhesionState(
+                time, position, depth, force, crack.radius, speed, crack.lowest, crack.work, energy, crack.lost
+            )
+
+    def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ViscoelasticAdhesionSolution(self, **rows(ViscoelasticAdhesionSolution, list(states)))
+
+    def solve(self) -> ViscoelasticAdhesionSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        ViscoelasticAdhesionSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class ViscoelasticAdhesionSolution:
+    """The answer to a `ViscoelasticAdhesion`, point by point of its path.
+
+    Parameters
+    ----------
+    problem : ViscoelasticAdhesion
+        What was asked.
+    time : ndarray, (steps,)
+        [s].
+    position, depth : ndarray, (steps,)
+        D, where the far end of the machine stands, and d [m].
+    force, radius : ndarray, (steps,)
+        F_N [N] and a [m], zero apart.
+    crack_speed : ndarray, (steps,)
+        How fast the edge recedes [m/s]; zero where it rests or closes.
+    lowest_force : ndarray, (steps,)
+        The lowest force since the beginning [N], also between the points; in the end the pull-off force.
+    work, energy : ndarray, (steps,)
+        What the machine has spent since the beginning, and energy of bodies, machine and surfaces, less what closing
+        has gained [J]; zero apart.
+    dissipation : ndarray, (steps,)
+        Energy lost since the beginning [J], in jumps and by opening.
+    """
+
+    problem: ViscoelasticAdhesion
+    time: Array
+    position: Array
+    depth: Array
+    force: Array
+    radius: Array
+    crack_speed: Array
+    lowest_force: Array
+    work: Array
+    energy: Array
+    dissipation: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        problem = self.problem
+        law = ShortRange(problem.law.work)
+        contact = adhesive_notes(problem._relaxed, law, self.depth, self.radius)
+        balance = energy_note(self.work, self.energy, self.dissipation)
+        return (SEPARATED, *contact, balance, *relaxing_yield(problem.bed.medium))
+
+
+SEPARATED = Note(
+    Assumption.ADHESION,
+    Standing.APPROXIMATE,
+    "What is viscous happens at the edge alone: the body is taken as relaxed, which holds if the contact's size over "
+    "the speed of the edge is far longer than the relaxation times; the edge closes without delay, and the work of "
+    "opening follows its law at every speed.",
+    "D. Maugis, M. Barquins, J. Phys. D: Appl. Phys. 11 (1978) 1989-2023, doi:10.1088/0022-3727/11/14/011",
+)

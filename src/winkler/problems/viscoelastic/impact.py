@@ -1,0 +1,319 @@
+r"""A rigid body strikes a viscoelastic one, and rebounds slower.
+
+.. math:: m\,\ddot d = -F(t)
+
+with the springs of `winkler.problems.viscoelastic.indentation`, which let go before they would pull.  In every step
+the body moves steadily, with the mean of its velocities before and after, and is slowed by the exact impulse of the
+springs; so what it loses in kinetic energy is exactly the work done on them.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.springs import Springs
+from winkler.given import positive_fields, whole_number
+from winkler.limits import RELAXING_SPRINGS
+from winkler.numerics.springs.exponential_sums import RelaxationSeries
+from winkler.numerics.types import Array
+from winkler.problems.assumptions.declared import BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.assumptions.inertia import wave_loss, wave_note
+from winkler.problems.assumptions.times import times_notes
+from winkler.problems.normal.length_scale import shape_length
+from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.viscoelastic.march import Carried, Row, elastic_like, refuse_rings, relaxation_of
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["ViscoelasticImpact", "ViscoelasticImpactSolution"]
+
+FIRST = 125
+"""Steps in the time that the body would take, unslowed, to its greatest depth, of the first of ever finer marches."""
+MOST = 16_000
+LONGEST = 400
+"""Longest contact, in these times."""
+STILL = 1e-14
+"""Part of the kinetic energy with which a body no longer moves."""
+CLOSE = 1e-2
+"""To which part that depth is found."""
+SAMPLES = 257
+
+
+@value
+class ViscoelasticImpact:
+    """A rigid body strikes a viscoelastic one straight on.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    mass : float
+        m [kg].
+    velocity : float
+        v [m/s] of approach at first touch, positive.
+    count : int, optional
+        How many springs.
+    tolerance : float, optional
+        To which the restitution is found, by halving the steps.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, or a number is out of range.
+
+    References
+    ----------
+    V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+
+    Examples
+    --------
+    A ball on a Maxwell solid whose relaxation time is that of the impact, (m^2 / (E*^2 R v))^(1/5).
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=1.0)))
+    >>> round(ViscoelasticImpact(bed, mass=1.0, velocity=1.0).solve().restitution, 4)
+    0.2801
+    """
+
+    bed: Bed
+    mass: float
+    velocity: float
+    count: int = 500
+    tolerance: float = 1e-5
+
+    references: ClassVar[tuple[str, ...]] = (
+        "popov_hess_2015",
+        "popov_willert_hess_2018",
+        "lee_radok_1960",
+        "ting_1966",
+    )
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED | {Assumption.INERTIA}
+
+    def __post_init__(self) -> None:
+        relaxation_of("ViscoelasticImpact", self.bed)
+        positive_fields(self, mass="kg", velocity="m/s")
+        whole_number("ViscoelasticImpact", "count", self.count, 2, RELAXING_SPRINGS)
+        if isinstance(self.tolerance, bool) or not 1e-9 <= self.tolerance <= 0.1:
+            raise InvalidInput(
+                f"ViscoelasticImpact: tolerance is {self.tolerance!r}; give a number between 1e-9 and 0.1."
+            )
+
+    def solve(self) -> ViscoelasticImpactSolution:
+        """Return the whole impact.
+
+        Returns
+        -------
+        ViscoelasticImpactSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is pressed beyond what is known of its profile, or its contact is no disc.
+        NotConverged
+            If the restitution does not settle, or the body neither comes to rest nor leaves.
+        """
+        series = relaxation_of("", self.bed)
+        scale = self._scale(series)
+        # the first march only tells how wide the contact gets
+        reach = 1.5 * scale
+        while (found := self._march(series, reach, scale / self.velocity / FIRST, 60)).deepest > reach:
+            reach = 2.0 * reach
+        reach = 1.02 * found.deepest
+        finer, last = FIRST, math.nan
+        while finer <= MOST:
+            march = self._march(series, reach, scale / self.velocity / finer, self.count)
+            restitution = -march.velocity / self.velocity
+            if abs(restitution - last) <= 3.0 * self.tolerance:
+                return ViscoelasticImpactSolution(self, *np.array(march.lines).T)
+            finer, last = 2 * finer, restitution
+        raise NotConverged(
+            f"ViscoelasticImpact: the restitution does not settle within {self.tolerance:g}; allow more, or give more "
+            "springs."
+        )
+
+    def _scale(self, series: RelaxationSeries) -> float:
+        """Return the depth [m] at which the stiffness at the rate of the impact has taken the kinetic energy."""
+        elastic, energy = elastic_like(self.bed), 0.5 * self.mass * self.velocity**2
+        if energy == 0.0:
+            raise OutsideValidity(
+                f"ViscoelasticImpact: the kinetic energy of {self.mass:g} kg at {self.velocity:g} m/s is below the "
+                "smallest floating-point number; check the units."
+            )
+        # any number to begin with
+        modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
+        depth, last = _depth_of(elastic, energy / modulus, 1e-3 * shape_length(elastic)), 0.0
+        for _ in range(60):
+            if abs(depth - last) <= CLOSE * depth:
+                break
+            modulus = abs(complex(series.dynamic(np.array(self.velocity / depth))))
+            depth, last = _depth_of(elastic, energy / modulus, depth), depth
+        return depth
+
+    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> _Flight:
+        elastic = elastic_like(self.bed)
+        _, radius = at_depth(elastic, np.array([deepest]))
+        flight = _Flight(Row(elastic, Springs.of(elastic, float(radius[0]), count), series), self.mass, self.velocity)
+        for _ in range(int(LONGEST * deepest / self.velocity / dt)):
+            going = flight.goes_on(dt)
+            resting = flight.velocity**2 < STILL * self.velocity**2 and flight.time > 2.0 * deepest / self.velocity
+            if not going or resting or (flight.row.depth > deepest and math.isinf(elastic.rim)):
+                return flight
+        raise NotConverged(
+            "ViscoelasticImpact: the body neither comes to rest nor leaves; give the solid a shorter relaxation time."
+        )
+
+
+class _Flight:
+    """A body of a mass [kg] that flies against a row of springs, and what it has met so far."""
+
+    def __init__(self, row: Row, mass: float, velocity: float) -> None:
+        self.row, self.mass = row, mass
+        self.time, self.velocity, self.lost = 0.0, velocity, 0.0
+        self.lines = [(0.0, 0.0, velocity, 0.0, 0.0, 0.0, 0.0)]
+
+    @property
+    def deepest(self) -> float:
+        """Greatest depth [m]."""
+        return max(line[1] for line in self.lines)
+
+    def goes_on(self, dt: float) -> bool:
+        """Fly for a time, or until the last spring lets go; return whether one is still pressed."""
+        mean, held = self.row.struck(self.velocity, self.mass, dt)
+        if self.velocity < 0.0 and held == 0:
+            mean, dt = self._parting(dt)
+            done = self.row.march(np.array([mean * dt]), np.array([dt]))
+            self._arrive(mean, dt, done._replace(force=np.zeros(1), radius=np.zeros(1)))
+            return False
+        done = self.row.march(np.array([mean * dt]), np.array([dt]))
+        self._arrive(mean, dt, done)
+        refuse_rings("ViscoelasticImpact", np.array([self.time]), done.ring)
+        return True
+
+    def _arrive(self, mean: float, dt: float, done: Carried) -> None:
+        self.velocity, self.time = 2.0 * mean - self.velocity, self.time + dt
+        depth = self.lines[-1][1] + mean * dt
+        self.lost += float(done.lost[0])
+        ends = float(done.force[0]), float(done.radius[0]), float(done.stored[0]), self.lost
+        self.lines.append((self.time, depth, self.velocity, *ends))
+
+    def _parting(self, dt: float) -> tuple[float, float]:
+        """Return the mean velocity in the step that ends when the last spring lets go, and its length."""
+        low, high = 0.0, dt
+        for _ in range(40):
+            middle = 0.5 * (low + high)
+            _, held = self.row.struck(self.velocity, self.mass, middle)
+            low, high = (middle, high) if held else (low, middle)
+        return self.row.struck(self.velocity, self.mass, high)[0], high
+
+
+def _depth_of(elastic: Bed, energy: float, guess: float) -> float:
+    """Return the depth [m] of a bed, as if it were elastic, that stores an energy [J], to a part in a thousand."""
+    low = high = guess
+    while _stored(elastic, high) < energy:
+        low, high = high, 2.0 * high
+    while _stored(elastic, low) >= energy:
+        low, high = 0.5 * low, low
+    for _ in range(10):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _stored(elastic, middle) < energy else (low, middle)
+    return high
+
+
+def _stored(elastic: Bed, depth: float) -> float:
+    """Return the integral of the force over the depth [J]."""
+    if not elastic.rising:  # every radius is looked for by itself: one, and what its springs have stored
+        _, radius = at_depth(elastic, np.array([depth]))
+        springs = Springs.of(elastic, float(radius[0]), SAMPLES)
+        return 0.5 * float(springs.stiffness @ (depth - springs.gap) ** 2)
+    depths = np.linspace(0.0, depth, SAMPLES)[1:]
+    _, radii = at_depth(elastic, depths)
+    forces = elastic.stiffness(radii) * depths - elastic.gap_load(radii)
+    return float((np.sum(forces) - 0.5 * forces[-1]) * depth / (SAMPLES - 1))
+
+
+@value
+class ViscoelasticImpactSolution:
+    """The answer to a `ViscoelasticImpact`.
+
+    Parameters
+    ----------
+    problem : ViscoelasticImpact
+        What was asked.
+    time : ndarray, (steps,)
+        Since first touch [s]; the last one is when the last spring lets go, or the body rests.
+    depth : ndarray, (steps,)
+        d [m].
+    velocity : ndarray, (steps,)
+        Of approach [m/s], negative on the way back.
+    force : ndarray, (steps,)
+        F_N [N].
+    radius : ndarray, (steps,)
+        a [m].
+    stored_energy : ndarray, (steps,)
+        Of all springs, also of those that recover freely [J].
+    bulk_loss : ndarray, (steps,)
+        Energy lost in the bodies since first touch [J], summed up over the dashpots of all springs.
+    """
+
+    problem: ViscoelasticImpact
+    time: Array
+    depth: Array
+    velocity: Array
+    force: Array
+    radius: Array
+    stored_energy: Array
+    bulk_loss: Array
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """m v^2 / 2 [J], ``(steps,)``."""
+        return np.asarray(0.5 * self.problem.mass * self.velocity**2)
+
+    @property
+    def restitution(self) -> float:
+        """Velocity of parting over that of approach [-]; zero if the body comes to rest."""
+        return max(0.0, -float(self.velocity[-1]) / self.problem.velocity)
+
+    @property
+    def duration(self) -> float:
+        """How long the bodies touch [s]."""
+        return float(self.time[-1])
+
+    @property
+    def dissipation(self) -> float:
+        """Kinetic energy that the impact takes [J]; part of it leaves as the surface recovers."""
+        if self.restitution == 0.0:
+            return float(self.kinetic_energy[0])
+        return float(self.stored_energy[-1] + self.bulk_loss[-1])
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes and size of the body, slowness."""
+        bed = self.problem.bed
+        series = relaxation_of("ViscoelasticImpact", bed)
+        stiffest = series.glassy
+        if not math.isfinite(stiffest):
+            stiffest = max(series.relaxed, series.viscosity / self.duration)
+        modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
+        share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
+        times = times_notes(bed, float(np.min(np.diff(self.time))), self.duration)
+        spent = self.kinetic_energy[0] - self.kinetic_energy
+        return (
+            *bed.notes,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *times,
+            energy_note(spent, self.stored_energy, self.bulk_loss),
+            wave_note(share),
+            *relaxing_yield(bed.medium),
+        )

@@ -1,0 +1,346 @@
+r"""A body pressed into a viscoelastic one, along any path: loading, holding, unloading, losing touch, touching again.
+
+Every spring relaxes,
+
+.. math:: q(x,t) = \int E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm dt' , \qquad u = d(t)-g(x) ,
+
+lets go when it would pull, recovers freely, and is caught again.  While depths are prescribed every spring is carried
+exactly from event to event, for any step and any relaxation time; under prescribed forces the depth is straight within
+steps that are chosen by their error.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.springs import Springs
+from winkler.given import whole_number
+from winkler.limits import RELAXING_SPRINGS
+from winkler.loading import Depth, Force, Shift
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.assumptions.declared import BALANCED, RELAXING
+from winkler.problems.assumptions.energy import energy_note
+from winkler.problems.assumptions.times import path_notes
+from winkler.problems.collect_states import rows
+from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.viscoelastic.march import Row, elastic_like, refuse_rings, relaxation_of
+from winkler.problems.viscoelastic.states import ViscoelasticState
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
+
+REST = 1e-11
+"""A body under no force rests on the surface with this part of the greatest one."""
+MARGIN = 1.001
+"""The row reaches a little farther than the contact that is expected under forces."""
+SHORTEST = 1e-12
+"""Part of a stretch of the path below which no step falls."""
+BLOCK = 4096
+"""Points of the path in one go."""
+
+
+@value
+class ViscoelasticIndentation:
+    """A body pressed into a viscoelastic one.
+
+    Before the first point of the path nothing has happened; a first depth or force that is not zero comes suddenly.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    path : Path
+        Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids
+        for depths.  Under no force the body rests on the surface.
+    count : int, optional
+        How many springs; the error falls with its square.
+    tolerance : float, optional
+        Error of the depth in one step under prescribed forces, over the greatest depth.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, the path moves along the surface, a force is tensile, or a number is out of range.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020; T. C. T. Ting, J. Appl. Mech. 33
+    (1966) 845-854, doi:10.1115/1.3625192; I. I. Argatov, V. L. Popov, ZAMM 96 (2016) 956-967,
+    doi:10.1002/zamm.201500144
+
+    Examples
+    --------
+    A ball pressed into a Maxwell solid with E* = 1 and tau = 0.3 to d = 1 and back at the same speed.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+    >>> medium = ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=0.3))
+    >>> path = Path([0.0, 1.0, 1.1], Depth([0.0, 1.0, 0.9]))
+    >>> contact = ViscoelasticIndentation(Foundation(Paraboloid(1.0), medium), path).solve()
+    >>> contact.force.round(4), contact.radius.round(3)
+    (array([0.    , 0.4881, 0.1857]), array([0.   , 1.   , 0.921]))
+    """
+
+    bed: Bed
+    path: Path
+    count: int = 500
+    tolerance: float = 1e-7
+
+    references: ClassVar[tuple[str, ...]] = (
+        "popov_hess_2015",
+        "popov_willert_hess_2018",
+        "lee_radok_1960",
+        "ting_1966",
+        "argatov_popov_2016",
+    )
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING | BALANCED
+
+    def __post_init__(self) -> None:
+        relaxation_of("ViscoelasticIndentation", self.bed)
+        if not isinstance(self.path, Path):
+            raise InvalidInput(
+                f"ViscoelasticIndentation: the path is a {type(self.path).__name__}; give Path(time, Depth([...]))."
+            )
+        if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
+            raise InvalidInput(
+                "ViscoelasticIndentation: the path moves along the surface; ask for ViscoelasticTangential, or leave "
+                "the lateral load out."
+            )
+        if isinstance(self.path.normal, Force) and np.min(self.path.across) < 0.0:
+            raise InvalidInput(
+                f"ViscoelasticIndentation: the force {np.min(self.path.across):.6g} N is tensile; without adhesion "
+                "bodies can only be pressed together."
+            )
+        whole_number("ViscoelasticIndentation", "count", self.count, 2, RELAXING_SPRINGS)
+        tolerance = self.tolerance
+        if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 1e-12 <= tolerance <= 0.1:
+            raise InvalidInput(
+                f"ViscoelasticIndentation: tolerance is {tolerance!r}; give a number between 1e-12 and 0.1."
+            )
+
+    @property
+    def _deepest(self) -> float:
+        """How deep the body can come [m]: under forces, as deep as the greatest one would press it if it stayed."""
+        most = float(np.max(self.path.across))
+        if isinstance(self.path.normal, Depth) or most <= 0.0:
+            return max(most, 0.0)
+        medium = self.bed.medium
+        assert isinstance(medium, RelaxingMedium)
+        spent = float(self.path.time[-1] - self.path.time[0])
+        most *= MARGIN * float(medium.creep.at(np.array(spent)))
+        if most == 0.0:  # a dashpot, and no time
+            return 0.0
+        depth, _ = at_force(elastic_like(self.bed), np.array([most]))
+        return float(depth[0])
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for every point of the path."""
+        return self.path.time.size
+
+    def steps(self) -> Iterator[ViscoelasticState]:
+        """Yield the state at every point of the path, just before anything sudden that happens there next.
+
+        Raises
+        ------
+        OutsideValidity
+            If the body is pressed beyond what is known of its profile, is moved suddenly against a dashpot, or the
+            contact is no disc: at that step, the states before it have been yielded.
+        NotConverged
+            If the depth under a force is not found.
+        """
+        stiffness: Array = np.empty(0)
+        for row, numbers in self._stretches(1):
+            springs = row.springs
+            stiffness = stiffness if stiffness.size else springs.density(row.bed)
+            time, depth, force, radius, work, stored, lost = numbers[0].tolist()
+            loads = stiffness * row.loads()
+            yield ViscoelasticState(
+                self.bed, time, depth, force, radius, work, stored, lost, springs.position, loads, row.place
+            )
+
+    def _stretches(self, length: int) -> Iterator[tuple[Row, Array]]:
+        """Yield the row after every so many points of the path, and what a solution holds of them, a line each."""
+        deepest = self._deepest
+        if deepest == 0.0:
+            raise OutsideValidity("ViscoelasticIndentation: the bodies never touch along this path; press them.")
+        elastic = elastic_like(self.bed)
+        _, reach = at_depth(elastic, np.array([deepest]))
+        row = Row(elastic, Springs.of(elastic, float(reach[0]), self.count), relaxation_of("", self.bed))
+        if isinstance(self.path.normal, Depth):
+            yield from self._by_depth(row, length)
+        else:
+            yield from self._by_force(row, deepest)
+
+    def _by_depth(self, row: Row, length: int) -> Iterator[tuple[Row, Array]]:
+        times, depths = self.path.time, self.path.across
+        row.motion[0] = min(float(depths[0]), 0.0)
+        before = np.append(row.depth, depths[:-1])
+        changes, spans = depths - before, np.diff(times, prepend=times[0])
+        if row.series.viscosity > 0.0:
+            (sudden,) = np.nonzero((spans == 0.0) & (changes > 0.0) & (depths > 0.0))
+        else:
+            sudden = np.empty(0, dtype=int)
+        end, work, lost = int(sudden[0]) if sudden.size else times.size, 0.0, 0.0
+        for start in range(0, end, length):
+            part = slice(start, min(start + length, end))
+            done = row.march(changes[part], spans[part])
+            refuse_rings("ViscoelasticIndentation", times[part], done.ring)
+            worked, wasted = (np.cumsum(np.append(*each))[1:] for each in ((work, done.work), (lost, done.lost)))
+            work, lost = float(worked[-1]), float(wasted[-1])
+            columns = (times[part], depths[part], done.force, done.radius, worked, done.stored, wasted)
+            yield row, np.stack(columns, axis=1)
+        if end < times.size:
+            raise OutsideValidity(
+                f"ViscoelasticIndentation: at {times[end]:.6g} s the depth rises suddenly to {depths[end]:.6g} m, "
+                "which a dashpot alongside answers with an infinite force; give the step some time."
+            )
+
+    def _by_force(self, row: Row, deepest: float) -> Iterator[tuple[Row, Array]]:
+        times, forces = self.path.time.tolist(), self.path.across.tolist()
+        driven = _Driven(row, self.tolerance * deepest, max(forces))
+        for i, (time, force) in enumerate(zip(times, forces, strict=True)):
+            if i and time > times[i - 1]:
+                driven.ramp(forces[i - 1], force, time - times[i - 1])
+            elif row.series.viscosity == 0.0:
+                driven.jump(force)
+            row = driven.row
+            if row.depth > deepest and math.isinf(row.bed.rim):
+                raise NotConverged(
+                    f"ViscoelasticIndentation: at {time:.6g} s the body has come deeper than the greatest force would "
+                    "have pressed it; allow a smaller tolerance."
+                )
+            refuse_rings("ViscoelasticIndentation", np.array([time]), np.array([driven.ring]))
+            yield row, np.array([[time, row.depth, force, driven.radius, driven.work, driven.stored, driven.lost]])
+
+    def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return ViscoelasticSolution(self, **rows(ViscoelasticSolution, list(states)))
+
+    def solve(self) -> ViscoelasticSolution:
+        """Return the whole path.
+
+        Returns
+        -------
+        ViscoelasticSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return ViscoelasticSolution(self, *np.concatenate([numbers for _, numbers in self._stretches(BLOCK)]).T)
+
+
+class _Driven:
+    """A row under forces; `little` is the error of depth that a step may have [m], `scale` the greatest force [N]."""
+
+    def __init__(self, row: Row, little: float, scale: float) -> None:
+        self.row, self.little, self.scale = row, little, scale
+        # where the force of a step is told by its mean, and where by its end
+        self.parts = (0.25, 0.75, 0.5) if row.series.viscosity > 0.0 else (0.5, 1.0, 1.0)
+        self.work, self.lost, self.stored, self.radius, self.ring = 0.0, 0.0, 0.0, 0.0, False
+        self.rate, self.pace = 0.0, math.inf
+
+    def _target(self, force: float) -> float:
+        return max(force, REST * self.scale)
+
+    def jump(self, force: float) -> None:
+        """Put a force on, or take it off, at once."""
+        self._go(self.row.towards(self._target(force), 0.0, 0.0, self.scale), 0.0)
+
+    def _go(self, change: float, dt: float) -> None:
+        done = self.row.march(np.array([change]), np.array([dt]))
+        self.work += float(done.work[0])
+        self.lost += float(done.lost[0])
+        self.stored, self.radius, self.ring = float(done.stored[0]), float(done.radius[0]), bool(done.ring[0])
+
+    def ramp(self, start: float, end: float, duration: float) -> None:
+        """Let the force change steadily."""
+        done, pace = 0.0, min(self.pace, 0.125 * duration)
+        while done < duration:
+            dt = min(pace, duration - done)
+            if duration - done - dt < 1e-9 * duration:
+                dt = duration - done
+            early, late, both = (self._target(start + (end - start) * (done + p * dt) / duration) for p in self.parts)
+            first = self.row.towards(early, 0.5 * dt, 0.5 * self.rate * dt, self.scale)
+            half = self.row.copy()
+            half.march(np.array([first]), np.array([0.5 * dt]))
+            second = half.towards(late, 0.5 * dt, first, self.scale)
+            whole = self.row.towards(both, dt, first + second, self.scale)
+            error = first + second - whole
+            if abs(error) > self.little:
+                if dt < SHORTEST * duration:
+                    raise NotConverged(
+                        "ViscoelasticIndentation: the depth under this force needs ever shorter steps; allow a greater "
+                        "tolerance."
+                    )
+                pace = dt * max(0.2, 0.9 * (self.little / abs(error)) ** (1.0 / 3.0))
+                continue
+            self._go(first, 0.5 * dt)
+            self._go(second, 0.5 * dt)
+            self.rate = (first + second) / dt
+            done = duration if dt == duration - done else done + dt
+            grow = 0.9 * (self.little / max(abs(error), 1e-6 * self.little)) ** (1.0 / 3.0)
+            pace = dt * min(4.0, max(0.3, grow))
+        self.pace = pace
+
+
+@value
+class ViscoelasticSolution:
+    """The answer to a `ViscoelasticIndentation`, point by point of its path.
+
+    Parameters
+    ----------
+    problem : ViscoelasticIndentation
+        What was asked.
+    time : ndarray, (steps,)
+        [s].
+    depth : ndarray, (steps,)
+        d [m].
+    force : ndarray, (steps,)
+        F_N [N], just before anything sudden that happens at this time next.
+    radius : ndarray, (steps,)
+        a [m], zero without contact.
+    work : ndarray, (steps,)
+        What was spent since the beginning, the integral of F dd [J].
+    stored_energy : ndarray, (steps,)
+        Of all springs, also of those that recover freely [J].
+    dissipation : ndarray, (steps,)
+        Energy lost since the beginning [J], summed up over the dashpots of all springs.
+    """
+
+    problem: ViscoelasticIndentation
+    time: Array
+    depth: Array
+    force: Array
+    radius: Array
+    work: Array
+    stored_energy: Array
+    dissipation: Array
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted: assumptions, slopes and size of the body at its deepest."""
+        bed = self.problem.bed
+        times = path_notes(bed, self.time)
+        return (
+            *bed.notes,
+            *contact_notes(elastic_like(bed), self.depth, self.radius),
+            *times,
+            energy_note(self.work, self.stored_energy, self.dissipation),
+            *relaxing_yield(bed.medium),
+        )

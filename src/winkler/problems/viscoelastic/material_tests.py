@@ -1,0 +1,340 @@
+r"""Tests of viscoelastic bodies whose answers are closed: creep, relaxation, and a small oscillation.
+
+While the contact does not shrink, elastic answers stay true with the load replaced by its hereditary integral (Lee and
+Radok).  With :math:`\mathcal F(d)` the force of the bed at :math:`E^*=1`, a step of force and a step of depth give
+
+.. math:: \mathcal F(d(t)) = F\,C(t) , \qquad F(t) = E^*(t)\,\mathcal F(d) ,
+
+and an oscillation so small that the contact stays as wide as it is meets :math:`2aE^*(\mathrm i\omega)`.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.bed import Bed
+from winkler.given import positive_fields
+from winkler.loading import Depth, Force
+from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["CreepTest", "HarmonicIndentation", "HarmonicSolution", "RelaxationTest", "StepSolution"]
+
+
+@value
+class CreepTest:
+    """A force is put on at once, and stays.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    force : float
+        F_N [N], positive.
+    time : ndarray, (steps,)
+        Since then [s], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, or a number is out of range.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=2.0)))
+    >>> CreepTest(bed, 0.01, [6.0]).solve().radius ** 3  # 3/4 F R (1 + t / tau) / E*
+    array([0.03])
+    """
+
+    bed: Bed
+    force: float
+    time: Array
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+
+    def __post_init__(self) -> None:
+        relaxation_of("CreepTest", self.bed)
+        positive_fields(self, force="N")
+        object.__setattr__(self, "time", _checked_row("CreepTest", "time", self.time, "s"))
+
+    def solve(self) -> StepSolution:
+        """Return how the body sinks.
+
+        Returns
+        -------
+        StepSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If it sinks beyond what is known of its profile.
+        """
+        medium = self.bed.medium
+        assert isinstance(medium, RelaxingMedium)
+        sunk = Indentation(elastic_like(self.bed), Force(self.force * medium.creep.at(self.time))).solve()
+        return StepSolution(self, self.time, sunk.depth, np.full(self.time.shape, self.force), sunk.radius)
+
+
+@value
+class RelaxationTest:
+    """The body is pressed to a depth at once, and held.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    depth : float
+        d [m], positive.
+    time : ndarray, (steps,)
+        Since then [s], positive.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, or a number is out of range.
+
+    References
+    ----------
+    E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import Maxwell
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(Maxwell(shear=0.25, relaxation_time=2.0)))
+    >>> RelaxationTest(bed, 0.25, [2.0]).solve().force * 6.0  # a^3 = 1/8: 1/6 exp(-1)
+    array([0.36787944])
+    """
+
+    bed: Bed
+    depth: float
+    time: Array
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+
+    def __post_init__(self) -> None:
+        relaxation_of("RelaxationTest", self.bed)
+        positive_fields(self, depth="m")
+        object.__setattr__(self, "time", _checked_row("RelaxationTest", "time", self.time, "s"))
+
+    def solve(self) -> StepSolution:
+        """Return how the force falls.
+
+        Returns
+        -------
+        StepSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the depth is beyond what is known of the profile.
+        """
+        held = Indentation(elastic_like(self.bed), Depth(self.depth)).solve()
+        force = float(held.force) * relaxation_of("", self.bed).at(self.time)
+        depth, radius = (np.full(self.time.shape, float(number)) for number in (self.depth, held.radius))
+        return StepSolution(self, self.time, depth, force, radius)
+
+
+@value
+class StepSolution:
+    """The answer to a `CreepTest` or a `RelaxationTest`.
+
+    Parameters
+    ----------
+    problem : CreepTest or RelaxationTest
+        What was asked.
+    time : ndarray, (steps,)
+        Since the step [s].
+    depth : ndarray, (steps,)
+        d [m].
+    force : ndarray, (steps,)
+        F_N [N].
+    radius : ndarray, (steps,)
+        a [m].
+    """
+
+    problem: CreepTest | RelaxationTest
+    time: Array
+    depth: Quantity
+    force: Quantity
+    radius: Quantity
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed = self.problem.bed
+        depth, radius = np.broadcast_arrays(np.ravel(self.depth), np.ravel(self.radius))
+        times = times_notes(bed, float(np.min(self.time)), float(np.max(self.time)))
+        return (*bed.notes, *contact_notes(elastic_like(bed), depth, radius), *times, *relaxing_yield(bed.medium))
+
+
+@value
+class HarmonicIndentation:
+    """A body pressed in, at rest until all has relaxed, then moved up and down a little.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)).
+    normal : Depth or Force
+        The steady load about which it oscillates, one number; a Force needs a solid that does not flow for ever.
+    angular_frequency : float or ndarray
+        omega [rad/s], positive; the answers have its shape.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax, a fluid is to bear a force, or a number is out of range.
+
+    References
+    ----------
+    V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
+    >>> from winkler.profiles.power import Paraboloid
+    >>> from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.5)))
+    >>> shaken = HarmonicIndentation(bed, Depth(0.25), 3.0).solve()
+    >>> shaken.storage_stiffness, shaken.loss_stiffness  # 2 a E*, 2 a omega eta*
+    (1.0, 6.0)
+    """
+
+    bed: Bed
+    normal: Depth | Force
+    angular_frequency: Quantity
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+
+    def __post_init__(self) -> None:
+        series = relaxation_of("HarmonicIndentation", self.bed)
+        load = self.normal.depth if isinstance(self.normal, Depth) else getattr(self.normal, "force", None)
+        if not isinstance(self.normal, Depth | Force) or np.ndim(np.asarray(load)) != 0 or not float(load or 0.0) > 0.0:
+            raise InvalidInput(
+                f"HarmonicIndentation: normal is {self.normal!r}; give Depth(d) or Force(F) with one positive number."
+            )
+        if isinstance(self.normal, Force) and series.relaxed == 0.0:
+            raise InvalidInput(
+                "HarmonicIndentation: the body flows for ever, so that it never rests under a force; give a Depth."
+            )
+        frequencies = np.asarray(self.angular_frequency, dtype=float)
+        if not frequencies.size or not np.all(np.isfinite(frequencies)) or np.any(frequencies <= 0.0):
+            raise InvalidInput(
+                f"HarmonicIndentation: angular_frequency is {self.angular_frequency!r}; give positive, finite numbers "
+                "in rad/s."
+            )
+
+    def solve(self) -> HarmonicSolution:
+        """Return storage and loss stiffness.
+
+        Returns
+        -------
+        HarmonicSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is beyond what is known of the profile.
+        """
+        series, elastic = relaxation_of("", self.bed), elastic_like(self.bed)
+        load = self.normal if isinstance(self.normal, Depth) else Force(float(self.normal.force) / series.relaxed)
+        contact = Indentation(elastic, load).solve()
+        complex_stiffness = float(contact.stiffness) * series.dynamic(np.asarray(self.angular_frequency, dtype=float))
+        single = np.ndim(self.angular_frequency) == 0
+        storage, loss = (
+            float(part) if single else part for part in (np.real(complex_stiffness), np.imag(complex_stiffness))
+        )
+        return HarmonicSolution(
+            self,
+            depth=float(contact.depth),
+            force=series.relaxed * float(contact.force),
+            radius=float(contact.radius),
+            storage_stiffness=storage,
+            loss_stiffness=loss,
+        )
+
+
+@value
+class HarmonicSolution:
+    """The answer to a `HarmonicIndentation`.
+
+    Parameters
+    ----------
+    problem : HarmonicIndentation
+        What was asked.
+    depth, radius : float
+        d and a [m] of the steady contact.
+    force : float
+        F_N [N] of the steady contact, relaxed.
+    storage_stiffness, loss_stiffness : float or ndarray
+        Amplitudes of the force in phase with the motion and a quarter of a turn ahead, over that of the motion [N/m].
+    """
+
+    problem: HarmonicIndentation
+    depth: float
+    force: float
+    radius: float
+    storage_stiffness: Quantity
+    loss_stiffness: Quantity
+
+    @property
+    def angular_frequency(self) -> Quantity:
+        """Omega [rad/s], as asked."""
+        return self.problem.angular_frequency
+
+    @property
+    def loss_tangent(self) -> Quantity:
+        """tan delta [-], loss over storage stiffness."""
+        return self.loss_stiffness / self.storage_stiffness
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed, frequency = self.problem.bed, np.asarray(self.problem.angular_frequency)
+        small = Note(
+            Assumption.RESPONSE,
+            Standing.ASYMPTOTIC,
+            "The amplitude is small against the depth, so that the contact stays as wide as it is and no spring lets "
+            "go.",
+            "linearisation about the relaxed contact",
+        )
+        place = np.array([self.depth]), np.array([self.radius])
+        times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
+        return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small, *relaxing_yield(bed.medium))
+
+
+def _checked_row(owner: str, word: str, given: Array, unit: str) -> Array:
+    try:
+        numbers = np.array(given, dtype=float)
+    except (TypeError, ValueError):
+        numbers = np.empty(0)
+    if numbers.ndim != 1 or not numbers.size or not np.all(np.isfinite(numbers)) or np.any(numbers <= 0.0):
+        raise InvalidInput(f"{owner}: {word} is {given!r}; give a row of positive, finite numbers in {unit}.")
+    numbers.flags.writeable = False
+    return numbers

@@ -1,0 +1,359 @@
+r"""The resistance of a viscoelastic body to a rigid one that slides or rolls over it at a steady speed.
+
+In the frame of the rigid body every spring is pressed in from the leading edge on, relaxes meanwhile, and lets go
+behind the middle where it would pull,
+
+.. math:: q(x) = \int_x^a E^*\!\left(\frac{x'-x}{v}\right) g'(x')\,\mathrm dx', \qquad
+          F = \int q\,\mathrm dx, \qquad F_x = \int q\,g'\,\mathrm dx ,
+
+so that the front bears more than the back.  Sliding breaks the symmetry of revolution, and the line of springs is an
+approximation: for any body of revolution it gives twice the true resistance at low speed and the true one at high
+speed (`winkler.problems.viscoelastic.sliding_factor`).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.given import whole_number
+from winkler.limits import RELAXING_SPRINGS
+from winkler.loading import Depth, Force
+from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.equations.roots import between
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.springs.free_relaxation import Recovery
+from winkler.numerics.springs.spring_pass import pass_over
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import RELAXING
+from winkler.problems.assumptions.times import times_notes
+from winkler.problems.normal.solve_contact import at_depth, at_end, at_force
+from winkler.problems.normal.validity import contact_notes
+from winkler.problems.normal.yield_statement import relaxing_yield
+from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.problems.viscoelastic.sliding_factor import share_of_line
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
+
+DOUBLINGS = 200
+NODES = 8
+"""For what fades within an interval by no more than e: exact to rounding."""
+AGAIN = 1e-6
+"""A spring behind the contact is touched again when the body is this part of the depth below it."""
+
+
+class _Passed(NamedTuple):
+    """What a spring has met under a body at one depth, place by place, with force, resistance and trailing edge."""
+
+    depth: float
+    radius: float
+    place: Array
+    loads: Array
+    force: float
+    shear_force: float
+    trailing_edge: float
+
+    @property
+    def touching(self) -> tuple[Array, Array]:
+        """Places and loads from the trailing to the leading edge."""
+        inside = self.place > self.trailing_edge
+        place = np.append(self.place[inside], self.trailing_edge)
+        return place[::-1], np.append(self.loads[inside], 0.0)[::-1]
+
+
+@value
+class SlidingResistance:
+    """A rigid body that slides without friction, or rolls, over a viscoelastic one at a steady speed.
+
+    A ball that rolls freely leaves the same trace as one that slides, and meets the same resistance at its axle; what
+    else resists rolling (slip, adhesion) is not in it.
+
+    Parameters
+    ----------
+    bed : Bed
+        Foundation(profile, ViscoelasticHalfSpace(solid)); the edge of the contact is not a rim.
+    normal : Depth or Force
+        The steady load, one positive number.
+    speed : float or ndarray
+        v [m/s], positive; the answers have its shape.
+    count : int, optional
+        Into how many parts the widest contact is cut; the error falls with its square, and is none of a paraboloid and
+        a cone.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed does not relax or a number is out of range.
+
+    References
+    ----------
+    V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6;
+    N. V. Brilliantov, T. Poeschel, Europhys. Lett. 42 (1998) 511-516, doi:10.1209/epl/i1998-00281-7
+
+    Examples
+    --------
+    Slowly, a ball meets the resistance tau v F / R (E* = 1 Pa, tau = 1 s), half of that of the line.
+
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.materials.spring_and_dashpot import KelvinVoigt
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1.0), ViscoelasticHalfSpace(KelvinVoigt(shear=0.25, viscosity=0.25)))
+    >>> rolling = SlidingResistance(bed, Depth(0.01), [1e-6, 1e-3, 1e-2]).solve()
+    >>> (rolling.coefficient / rolling.speed).round(3)
+    array([1.   , 0.995, 0.969])
+    """
+
+    bed: Bed
+    normal: Depth | Force
+    speed: Quantity
+    count: int = 1000
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "brilliantov_poschel_1998")
+    assumptions: ClassVar[frozenset[Assumption]] = RELAXING
+    needs_round: ClassVar[str] = "sliding over a solid that relaxes behind the contact"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
+            raise InvalidInput(
+                f"SlidingResistance: the bed stands on a {type(self.bed.medium).__name__}; give Foundation(profile, "
+                "ViscoelasticHalfSpace(solid)): what a line of springs loses in sliding is known for half-spaces only."
+            )
+        relaxation_of("SlidingResistance", self.bed)
+        load = self.normal.depth if isinstance(self.normal, Depth) else getattr(self.normal, "force", None)
+        if not isinstance(self.normal, Depth | Force) or np.ndim(np.asarray(load)) != 0 or not float(load or 0.0) > 0.0:
+            raise InvalidInput(
+                f"SlidingResistance: normal is {self.normal!r}; give Depth(d) or Force(F) with one positive number."
+            )
+        try:
+            speeds = np.asarray(self.speed, dtype=float)
+        except (TypeError, ValueError):
+            speeds = np.empty(0)
+        if not speeds.size or not np.all(np.isfinite(speeds)) or np.any(speeds <= 0.0):
+            raise InvalidInput(f"SlidingResistance: speed is {self.speed!r}; give positive, finite numbers in m/s.")
+        whole_number("SlidingResistance", "count", self.count, 10, RELAXING_SPRINGS)
+
+    def solve(self) -> SlidingResistanceSolution:
+        """Return the resistance at every speed.
+
+        Returns
+        -------
+        SlidingResistanceSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If the load is beyond what is known of the profile, the contact reaches a rim or is no disc, or the body
+            touches again behind.
+        NotConverged
+            If the depth under a force is not found.
+        """
+        medium = self.bed.medium
+        assert isinstance(medium, ViscoelasticHalfSpace)
+        rows = []
+        for speed in np.ravel(np.asarray(self.speed, dtype=float)).tolist():
+            done = self._settled(speed)
+            share = share_of_line(medium.creep, speed, *done.touching)
+            sums = done.depth, done.force, done.radius, done.trailing_edge, done.shear_force
+            rows.append((*sums, share * done.shear_force))
+        columns = (np.reshape(column, np.shape(self.speed)) for column in zip(*rows, strict=True))
+        if np.ndim(self.speed) == 0:
+            return SlidingResistanceSolution(self, self.speed, *(float(column) for column in columns))
+        return SlidingResistanceSolution(self, np.array(self.speed, dtype=float), *columns)
+
+    def _settled(self, speed: float) -> _Passed:
+        """Return what the springs have met at the depth that is prescribed, or that gives the force."""
+        if isinstance(self.normal, Depth):
+            return self._passed(float(self.normal.depth), speed)
+        wanted = float(self.normal.force)
+        elastic = elastic_like(self.bed)
+        series = relaxation_of("", self.bed)
+        known = [modulus for modulus in (series.relaxed, series.glassy) if 0.0 < modulus < math.inf]
+        modulus = known[0] if known else float(series.viscosity / np.max(series.times, initial=1.0))
+        end, most = at_end(elastic)
+        high = low = end if wanted / modulus >= most else float(at_force(elastic, np.array([wanted / modulus]))[0][0])
+        for _ in range(DOUBLINGS):
+            if self._passed(low, speed).force <= wanted:
+                break
+            high, low = low, 0.5 * low
+        for _ in range(DOUBLINGS):
+            if self._passed(high, speed).force >= wanted:
+                break
+            if high == end:
+                raise OutsideValidity(
+                    f"SlidingResistance: at {speed:.6g} m/s the force {wanted:.6g} N presses the body beyond what is "
+                    "known of its profile; give less."
+                )
+            low, high = high, min(2.0 * high, end)
+        else:
+            raise NotConverged(f"SlidingResistance: at {speed:.6g} m/s no depth bears the force {wanted:.6g} N.")
+        depth = high
+        if high > low:
+
+            def missing(logarithm: float) -> float:
+                return self._passed(math.exp(logarithm), speed).force / wanted - 1.0
+
+            depth = math.exp(between(missing, math.log(low), math.log(high), absolute=1e-15))
+        return self._passed(depth, speed)
+
+    def _passed(self, depth: float, speed: float) -> _Passed:
+        """Let the body pass over a spring at a depth."""
+        elastic = elastic_like(self.bed)
+        _, radii = at_depth(elastic, np.array([depth]))
+        radius = float(radii[0])
+        if radius >= elastic.rim:
+            raise OutsideValidity(
+                f"SlidingResistance: at the depth {depth:.6g} m the contact fills the body up to its rim, whose "
+                "leading corner would cut into the other one; give a rounded body, or less load."
+            )
+        x = np.linspace(radius, 0.0, self.count // 2 + 1)
+        x = np.unique(np.concatenate([x, [b for b, _ in elastic.kinks if b < radius]]))
+        before, after = _slopes(elastic, x)
+        gaps = elastic.gap(x)
+        recess = np.concatenate([depth - gaps[::-1], depth - gaps[1:]])
+        recess[0] = recess[-1] = 0.0
+        place = np.concatenate([radius - x[::-1], radius + x[1:]])
+        series = relaxation_of("", self.bed)
+        memory, loads, sums = np.zeros(series.moduli.size), np.empty(place.size), np.empty(3)
+        pass_over(
+            series.relaxed, series.viscosity * speed, series.moduli, series.times * speed, place, recess,
+            np.concatenate([after[::-1], -before]), np.concatenate([before[::-1], -after]), memory, loads,
+            gauss_legendre(NODES), sums,
+        )  # fmt: skip
+        force, work, let_go = sums.tolist()
+        self._refuse_again(place, recess, memory, let_go, depth, speed)
+        return _Passed(depth, radius, radius - place, loads, force, work, radius - let_go)
+
+    def _refuse_again(
+        self, place: Array, recess: Array, memory: Array, let_go: float, depth: float, speed: float
+    ) -> None:
+        """Refuse bodies that touch the spring again after it has let go."""
+        behind = place > let_go
+        recovery = Recovery.of(relaxation_of("", self.bed))
+        left = depth - float(self.bed.gap(np.abs(np.array([0.5 * float(place[-1]) - let_go])))[0])
+        weights = recovery.from_displacement * left + recovery.from_memory @ memory
+        free = np.exp(-(place[behind, None] - let_go) / speed * recovery.rates) @ weights
+        if np.any(recess[behind] - free > AGAIN * depth):
+            raise OutsideValidity(
+                f"SlidingResistance: at {speed:.6g} m/s the body touches the surface again behind the contact, which "
+                "is no disc then; give a body whose flanks grow steeper, or another speed."
+            )
+
+
+def _slopes(bed: Bed, x: Array) -> tuple[Array, Array]:
+    """Return g' at the near and at the far end of every interval between places (n,), with their mean as it is."""
+    mean = np.diff(bed.gap(x)) / np.diff(x)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope = bed.gap_slope(x)
+    near = np.where(np.isfinite(slope[:-1]), slope[:-1], mean)
+    far = np.where(np.isfinite(slope[1:]), slope[1:], mean)
+    excess = mean - 0.5 * (near + far)
+    return near + excess, far + excess
+
+
+@value
+class SlidingLine:
+    """The springs under a body that slides towards +x, in its frame.
+
+    Parameters
+    ----------
+    position : ndarray, (n,)
+        x [m], from the leading edge to where the body is as far above the surface again.
+    line_load : ndarray, (n,)
+        q(x) [N/m], zero behind the trailing edge.
+    """
+
+    position: Array
+    line_load: Array
+
+
+@value
+class SlidingResistanceSolution:
+    """The answer to a `SlidingResistance`; every quantity has the shape of the speed.
+
+    Parameters
+    ----------
+    problem : SlidingResistance
+        What was asked.
+    speed : float or ndarray
+        v [m/s].
+    depth, force : float or ndarray
+        d [m], F_N [N].
+    radius : float or ndarray
+        a [m], from the middle to the leading edge.
+    trailing_edge : float or ndarray
+        x [m] where the springs let go, negative behind the middle.
+    line_shear_force : float or ndarray
+        F_x [N] of the line of springs, positive against the motion.
+    shear_force : float or ndarray
+        F_x [N] of the body: that of the line, less what waves aslant do not lose.
+    """
+
+    problem: SlidingResistance
+    speed: Quantity
+    depth: Quantity
+    force: Quantity
+    radius: Quantity
+    trailing_edge: Quantity
+    line_shear_force: Quantity
+    shear_force: Quantity
+
+    @property
+    def coefficient(self) -> Quantity:
+        """F_x / F_N [-] of the body, its coefficient of friction."""
+        return self.shear_force / self.force
+
+    def line(self, index: int | tuple[int, ...] = ()) -> SlidingLine:
+        """Return the springs at one speed.
+
+        Parameters
+        ----------
+        index : int or tuple of int, optional
+            Which one; left out if there is only one.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no such speed.
+        """
+        try:
+            speed, depth = (float(np.asarray(each)[index]) for each in (self.speed, self.depth))
+        except (IndexError, TypeError):
+            raise InvalidInput(
+                f"solution.line: there is no speed {index!r} in an answer of shape {np.shape(self.speed)}."
+            ) from None
+        done = self.problem._passed(depth, speed)
+        return SlidingLine(done.place, done.loads)
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed = self.problem.bed
+        assert isinstance(bed.medium, ViscoelasticHalfSpace)
+        depth, radius = (np.ravel(np.asarray(column)) for column in (self.depth, self.radius))
+        passing = (2.0 * radius / np.ravel(np.asarray(self.speed)))[radius > 0.0]
+        times = times_notes(bed, float(np.min(passing)), float(np.max(passing))) if passing.size else ()
+        return (
+            *bed.notes,
+            APPROXIMATE,
+            *times,
+            *contact_notes(elastic_like(bed), depth, radius),
+            *relaxing_yield(bed.medium),
+        )
+
+
+APPROXIMATE = Note(
+    Assumption.RESPONSE,
+    Standing.APPROXIMATE,
+    "A contact that slides is not one of revolution. For every body of revolution the line of springs resists twice as "
+    "much as the body at low speed and as much at high speed; shear_force takes the difference out as if the pressure "
+    "were one of revolution. Against pressures computed in three dimensions it is too high at the peak: by a tenth for "
+    "a solid that is glassy twice as stiff as relaxed, by a third if ten times, by a half if a hundred times, and by "
+    "less than that away from it.",
+    "energy of the moving pressure, compared with the half-space's hereditary integral on a grid",
+)

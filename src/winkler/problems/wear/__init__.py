@@ -1,0 +1,1 @@
+"""Wear by sliding and fretting, and the profile at which it ends."""

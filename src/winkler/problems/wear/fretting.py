@@ -1,0 +1,280 @@
+r"""Fretting wear: a contact pushed to and fro wears where it slips, cycle after cycle.
+
+In every cycle each point slips four times its amplitude s,
+
+.. math:: \frac{\mathrm df}{\mathrm dn} = 4\,\kappa\,p(r)\,s(r) , \qquad s = U - u_x(r) ,
+
+with pressure and slip of the profile as it is then (`winkler.problems.wear.line`): the rapid procedure of Dimaki and
+co-workers.  Under partial slip the core that sticks does not wear; the slipping ring wears until it bears nothing any
+more (`winkler.problems.wear.limiting_profile`).  In gross slip the contact grows without end.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.foundation import Foundation
+from winkler.laws.friction import Coulomb
+from winkler.laws.wear import WearLaw
+from winkler.loading import Normal, ShearForce, Shift
+from winkler.numerics.types import Array, Quantity
+from winkler.path import numbers_of
+from winkler.problems.assumptions.declared import WORN
+from winkler.problems.collect_states import rows
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.wear.input_checks import check_fineness, check_normal, check_wear, touching, wearable
+from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
+from winkler.problems.wear.march import Moment, first_nodes, march, scale_of
+from winkler.problems.wear.states import FrettingState, goals_of
+from winkler.problems.wear.validity import fretting_notes
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["FrettingSolution", "FrettingWear"]
+
+
+@value
+class FrettingWear:
+    """A contact pushed to and fro along the surface, that wears.
+
+    Parameters
+    ----------
+    bed : Foundation
+        Foundation(profile, medium) before wear; the medium homogeneous, or graded by a power law.
+    wear : Archard, PairWear or OwnWear
+        How the surfaces wear.
+    law : Coulomb
+        Friction; its coefficient positive and finite.
+    normal : Depth or Force
+        The steady normal load, one positive number.
+    amplitude : Shift or ShearForce
+        How far to each side, half of the whole stroke: one positive number.
+    cycles : float or ndarray, (steps,)
+        After how many cycles the contact is told; one number stands for all cycles, and 41 states up to there.
+    count : int, optional
+        Cells of the grid of radii.
+    tolerance : float, optional
+        Error of the worn depth in one jump over many cycles, over the depth of the springs.
+
+    Raises
+    ------
+    InvalidInput
+        If a law, a load or a number is not of these kinds.
+    OutsideValidity
+        If the medium is layered: its tractions are not those of its springs.
+
+    References
+    ----------
+    A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids Struct. 51 (2014) 4215-4220;
+    V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749
+
+    Examples
+    --------
+    A ball that sticks within half of its contact wears no deeper than this; what bears in the end is the core alone.
+
+    >>> from winkler.laws.wear import Archard
+    >>> from winkler.loading import Depth
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> medium = HalfSpace(Elastic(young=1.0, poisson=0.0))
+    >>> bed = Foundation(Paraboloid(1.0), medium)
+    >>> swing = Shift(0.5 * 0.75e-2 * medium.modulus / medium.shear_modulus)
+    >>> fretting = FrettingWear(bed, Archard(0.1), Coulomb(0.5), Depth(0.01), swing, [0.0, 1e2, 1e6], count=80)
+    >>> worn = fretting.solve()
+    >>> (worn.force / (medium.modulus * 0.1 * 0.01)).round(2)  # from 4/3 to 11/12
+    array([1.33, 1.21, 0.92])
+    """
+
+    bed: Foundation
+    wear: WearLaw
+    law: Coulomb
+    normal: Normal
+    amplitude: Shift | ShearForce
+    cycles: Quantity
+    count: int = 400
+    tolerance: float = 1e-3
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "popov_2014", "archard_1953")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
+    needs_round: ClassVar[str] = "wear, which follows pressure and slip from place to place,"
+
+    def __post_init__(self) -> None:
+        wearable("FrettingWear", self.bed)
+        check_wear("FrettingWear", self.wear)
+        if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
+            raise InvalidInput(
+                f"FrettingWear: the law is {self.law!r}; give Coulomb(coefficient) with a positive, finite coefficient."
+            )
+        check_normal("FrettingWear", self.normal)
+        if not isinstance(self.amplitude, Shift | ShearForce):
+            raise InvalidInput(
+                f"FrettingWear: amplitude is a {type(self.amplitude).__name__}; give Shift(U) in m or ShearForce(F_x) "
+                "in N."
+            )
+        size = numbers_of(self.amplitude)
+        if size.ndim != 0 or not float(size) > 0.0:
+            raise InvalidInput(
+                f"FrettingWear: the amplitude is {self.amplitude!r}; give one positive number, how far to each side."
+            )
+        goals_of("FrettingWear", "cycles", "", self.cycles)
+        check_fineness("FrettingWear", self.count, self.tolerance)
+
+    @property
+    def goals(self) -> Array:
+        """After how many cycles the contact is told, ``(steps,)``."""
+        return goals_of("FrettingWear", "cycles", "", self.cycles)
+
+    def _rubbed(self, line: WearLine, contact: WornContact) -> Rubbed:
+        coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
+        if isinstance(self.amplitude, ShearForce):
+            size = line.shift_under(contact, coefficient, size)
+        return line.rub(contact, coefficient, size)
+
+    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+        """Return how far the surfaces slip in one cycle at the nodes [m]."""
+        return 4.0 * self._rubbed(line, contact).slip
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse a contact that slides away under a prescribed shear force."""
+        most = self.law.coefficient * contact.force
+        if isinstance(self.amplitude, ShearForce) and float(self.amplitude.shear_force) >= most:
+            raise OutsideValidity(
+                f"FrettingWear: after {elapsed:.6g} cycles friction bears {most:.6g} N, and the bodies slide away "
+                f"under a shear force of {float(self.amplitude.shear_force):.6g} N; give less, or prescribe a Shift."
+            )
+
+    def _begin(self) -> Moment:
+        contact = touching("FrettingWear", Indentation(self.bed, self.normal).solve())
+        radius = float(contact.radius)
+        nodes = first_nodes(self.bed, self.normal, radius, 0.0, self.count)
+        line = wear_line(self.bed, nodes)
+        # the core that sticks at first is looked for on an even grid, and gets a node of its own
+        core = self._rubbed(line, line.press(np.zeros(nodes.size), self.normal)).stick_radius
+        nodes = first_nodes(self.bed, self.normal, radius, core if core < radius else 0.0, self.count)
+        return Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
+    def steps(self, start: FrettingState | None = None) -> Iterator[FrettingState]:
+        """Yield the contact at every number of cycles that was asked for.
+
+        Parameters
+        ----------
+        start : FrettingState, optional
+            A state of this problem that was yielded before, perhaps by a run that was stopped: the march goes on
+            after it, and yields the same numbers as if it had never stopped.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies do not touch, slide away, or the contact outgrows the profile, at that step: the states
+            before it have been yielded.
+        NotConverged
+            If jumps become too short.
+        """
+        goals = self.goals
+        if start is None:
+            moment = self._begin()
+            if goals[0] == 0.0:
+                yield self._state(moment)
+        else:
+            moment = start.moment
+        for reached in march(self, goals, moment):
+            yield self._state(reached)
+
+    def _state(self, moment: Moment) -> FrettingState:
+        line = wear_line(self.bed, moment.nodes)
+        contact = line.press(moment.worn.sum(axis=0), self.normal)
+        self.refuse(contact, moment.elapsed)
+        radius = line.touching(contact, moment.worn.sum(axis=0), self.tolerance * scale_of(self, contact))
+        rubbed = self._rubbed(line, contact)
+        lost = 4.0 * self.law.coefficient * float(line.rings.areas @ (contact.pressure * rubbed.slip))
+        return FrettingState(
+            self.bed, moment.elapsed, moment.jump, moment.nodes, moment.worn[0], moment.worn[1],
+            contact.depth, contact.force, radius, contact.pressure,
+            rubbed.shift, rubbed.shear_force, rubbed.stick_radius, rubbed.slip, lost,
+        )  # fmt: skip
+
+    def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return FrettingSolution.of(self, list(states))
+
+    def solve(self) -> FrettingSolution:
+        """Return the contact over all cycles.
+
+        Returns
+        -------
+        FrettingSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class FrettingSolution:
+    """The answer to a `FrettingWear`, state by state.
+
+    Parameters
+    ----------
+    problem : FrettingWear
+        What was asked.
+    cycles : ndarray, (steps,)
+        n [-].
+    depth, force, radius : ndarray, (steps,)
+        d [m], F_N [N], a [m].
+    stick_radius : ndarray, (steps,)
+        c [m].
+    shift, shear_force : ndarray, (steps,)
+        Amplitudes [m], [N].
+    worn_depth : ndarray, (steps,)
+        Greatest worn depth [m], of both bodies together.
+    worn_volume, first_volume, second_volume : ndarray, (steps,)
+        What both bodies and each of them have lost [m^3].
+    loss_per_cycle : ndarray, (steps,)
+        Energy lost in every cycle [J].
+    states : tuple of FrettingState
+        The states themselves, with the worn profiles.
+    """
+
+    problem: FrettingWear
+    cycles: Array
+    depth: Array
+    force: Array
+    radius: Array
+    stick_radius: Array
+    shift: Array
+    shear_force: Array
+    worn_depth: Array
+    worn_volume: Array
+    first_volume: Array
+    second_volume: Array
+    loss_per_cycle: Array
+    states: tuple[FrettingState, ...]
+
+    @classmethod
+    def of(cls, problem: FrettingWear, states: list[FrettingState]) -> FrettingSolution:
+        """Gather states, of all cycles or of the first."""
+        return cls(
+            problem,
+            cycles=np.array([state.elapsed for state in states]),
+            **rows(cls, states, "cycles"),
+            states=tuple(states),
+        )
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        return fretting_notes(self.problem.bed, self.problem.law.coefficient, self.problem.tolerance, self.states)

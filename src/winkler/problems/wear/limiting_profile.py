@@ -1,0 +1,338 @@
+r"""The limiting profile of fretting: the shape at which wear ends, because nothing that slips bears any more.
+
+Under a steady depth d the core :math:`r<c` that sticks keeps its shape, and everything that slips wears until the
+pressure on it is gone.  What bears in the end is the core alone, with the springs' displacement :math:`d-g_0(x)` up to
+c and none beyond; the worn surface lies where the core's pressure leaves the other one,
+
+.. math:: f_\infty(r) = d - u(r) = \frac2\pi\Big[\int_0^c\frac{g_0(x)\,\mathrm dx}{\sqrt{r^2-x^2}}
+          + d\arccos\frac cr\Big] , \qquad c<r<a_\infty , \qquad f_\infty(a_\infty) = f_0(a_\infty) ,
+
+whatever the law of wear (Popov).  The displacement u is the medium's own: the rule holds in every medium.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.foundation.bed import Bed
+from winkler.foundation.foundation import Foundation
+from winkler.laws.friction import Coulomb
+from winkler.loading import Depth, Shift
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array
+from winkler.path import numbers_of
+from winkler.problems.assumptions.coupling import sticking_note
+from winkler.problems.assumptions.declared import WORN
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.normal.yield_statement import Rubbing
+from winkler.problems.wear.validity import debris_note, slip_note
+from winkler.validity import Assumption, Note, Standing
+from winkler.values import value
+
+__all__ = ["Core", "LimitingProfile", "LimitingSolution"]
+
+POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
+NODES = 64
+SAMPLES = 513
+MIDDLE = 1e-9
+"""Part of the contact that stands for its middle, where springs of graded media are known in the limit only."""
+
+
+@value
+class Core:
+    """The springs that bear in the end: those of the bed as deep as it is pressed, up to the stick radius.
+
+    Parameters
+    ----------
+    bed : Bed
+    depth, radius : float
+        d [m], c [m].
+    """
+
+    bed: Bed
+    depth: float
+    radius: float
+
+    @property
+    def kinks(self) -> tuple[tuple[float, float], ...]:
+        """``(x, strength)`` within the core."""
+        return tuple((b, strength) for b, strength in self.bed.kinks if b < self.radius)
+
+    @property
+    def edge(self) -> float:
+        """u(c-) [m]: the core ends with a jump."""
+        return float(self.depth - self.bed.gap(np.array([self.radius]))[0])
+
+    def value(self, x: Array) -> Array:
+        """u(x) [m]."""
+        return self.depth - self.bed.gap(x)
+
+    def slope(self, x: Array) -> Array:
+        """u'(x) [-]."""
+        return -self.bed.gap_slope(x)
+
+
+@value
+class LimitingProfile:
+    """The shape and the contact in which fretting wear ends, under a steady depth and a steady amplitude.
+
+    Parameters
+    ----------
+    bed : Foundation
+        Foundation(profile, medium) before wear.
+    law : Coulomb
+        Friction; its coefficient positive and finite.
+    normal : Depth
+        One positive number.
+    amplitude : Shift
+        How far to each side, one positive number; less than slides everything.
+
+    Raises
+    ------
+    InvalidInput
+        If the bed, the law, the load or the amplitude are not of these kinds.
+
+    References
+    ----------
+    V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749;
+    A. I. Dmitriev, L. B. Voll, S. G. Psakhie, V. L. Popov, Sci. Rep. 6 (2016) 23231, doi:10.1038/srep23231
+
+    Examples
+    --------
+    A ball that sticks within half of its contact.
+
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> medium = HalfSpace(Elastic(young=1.0, poisson=0.0))
+    >>> swing = Shift(0.5 * 0.75e-2 * medium.modulus / medium.shear_modulus)
+    >>> limit = LimitingProfile(Foundation(Paraboloid(1.0), medium), Coulomb(0.5), Depth(0.01), swing).solve()
+    >>> round(limit.stick_radius, 6), round(limit.radius, 7), round(limit.worn_volume * 1e4, 5)
+    (0.05, 0.1229791, 0.7593)
+    """
+
+    bed: Foundation
+    law: Coulomb
+    normal: Depth
+    amplitude: Shift
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_2014", "dmitriev_2016")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
+    needs_round: ClassVar[str] = "wear, which follows the slip from place to place,"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.bed, Foundation):
+            raise InvalidInput(
+                f"LimitingProfile: the bed is a {type(self.bed).__name__}; give Foundation(profile, medium): what "
+                "wears is the profile."
+            )
+        if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
+            raise InvalidInput(
+                f"LimitingProfile: the law is {self.law!r}; give Coulomb(coefficient) with a positive, finite "
+                "coefficient."
+            )
+        if not isinstance(self.normal, Depth) or numbers_of(self.normal).ndim != 0 or not float(self.normal.depth) > 0:
+            raise InvalidInput(
+                f"LimitingProfile: normal is {self.normal!r}; give Depth(d) with one positive number: under a steady "
+                "force the core takes over what the worn ring lets go, ask for FrettingWear."
+            )
+        size = self.amplitude
+        if not isinstance(size, Shift) or numbers_of(size).ndim != 0 or not float(size.shift) > 0.0:
+            raise InvalidInput(
+                f"LimitingProfile: amplitude is {size!r}; give Shift(U) with one positive number, how far to each side."
+            )
+
+    @property
+    def contact(self) -> IndentationSolution:
+        """The contact before wear."""
+        return Indentation(self.bed, self.normal).solve()
+
+    def solve(self) -> LimitingSolution:
+        """Return the limiting profile.
+
+        Returns
+        -------
+        LimitingSolution
+
+        Raises
+        ------
+        OutsideValidity
+            If everything slips: such a contact has no core, and wears without end.  If nothing slips.  If the worn
+            contact ends beyond what is known of the profile.
+        """
+        contact = self.contact
+        depth, radius = float(self.normal.depth), float(contact.radius)
+        if radius == 0.0:
+            raise OutsideValidity("LimitingProfile: the bodies do not touch at this depth; press them together.")
+        core = Core(self.bed, depth, self._stick_radius(depth, radius))
+        return LimitingSolution(self, core, self._outer_radius(core))
+
+    def _stick_radius(self, depth: float, radius: float) -> float:
+        moved, bed = float(self.amplitude.shift), self.bed
+
+        def margin(x: Array) -> Array:
+            ratio = bed.normal_stiffness(x) / bed.tangential_stiffness(x)
+            return np.asarray(self.law.coefficient * ratio * (depth - bed.gap(x)) - moved)
+
+        place = radius * np.linspace(0.0, 1.0, SAMPLES)
+        place[0] = MIDDLE * radius
+        sticks = margin(place) >= 0.0
+        if not sticks[0]:
+            raise OutsideValidity(
+                f"LimitingProfile: with an amplitude of {moved:.6g} m everything slips; such a contact wears without "
+                "end: give a smaller amplitude, or ask for FrettingWear."
+            )
+        if np.all(sticks):
+            raise OutsideValidity(
+                f"LimitingProfile: with an amplitude of {moved:.6g} m nothing slips, and nothing wears."
+            )
+        last = int(np.argmin(sticks)) - 1
+        return float(between(lambda x, _: margin(x), place[last : last + 1], place[last + 1 : last + 2])[0])
+
+    def _outer_radius(self, core: Core) -> float:
+        bed = self.bed
+
+        def above(r: Array, _: Array) -> Array:
+            return core.depth - bed.medium.displacement(core, r) - bed.height(r)
+
+        low = core.radius * (1.0 + 1e-9)
+        high = 2.0 * low
+        while high < bed.reach and float(bed.height(np.array([high]))[0]) < core.depth:
+            high *= 2.0
+        end = min(bed.reach, bed.rim)
+        high = min(high, end)
+        if float(above(np.array([high]), np.zeros(1, dtype=int))[0]) > 0.0:
+            if high == bed.rim:
+                return high
+            raise OutsideValidity(
+                f"LimitingProfile: the worn contact ends beyond {high:.6g} m, as far as the profile is known; give one "
+                "that is known farther out."
+            )
+        return float(between(above, np.array([low]), np.array([high]))[0])
+
+
+@value
+class LimitingSolution:
+    """The answer to a `LimitingProfile`.
+
+    Parameters
+    ----------
+    problem : LimitingProfile
+        What was asked.
+    core : Core
+        The springs that bear.
+    radius : float
+        a_inf [m], where the worn part ends.
+    """
+
+    problem: LimitingProfile
+    core: Core
+    radius: float
+
+    @property
+    def depth(self) -> float:
+        """d [m]."""
+        return self.core.depth
+
+    @property
+    def stick_radius(self) -> float:
+        """c [m]: it bears everything in the end."""
+        return self.core.radius
+
+    @property
+    def force(self) -> float:
+        """F_N [N], that of the core."""
+        bed, c = self.problem.bed, np.array([self.core.radius])
+        return float(bed.stiffness(c)[0] * self.core.depth - bed.gap_load(c)[0])
+
+    @property
+    def worn_volume(self) -> float:
+        """What is worn off in the end [m^3]."""
+        # r^2 - c^2 = s^2: the worn depth begins like the root of the distance from the core
+        c, end = self.core.radius, self.radius
+        nodes, weights = gauss_legendre(NODES)
+        span = math.sqrt((end - c) * (end + c))
+        s = span * nodes
+        worn = self.worn(np.hypot(c, s))
+        return float(2.0 * np.pi * span * np.sum(weights * s * worn))
+
+    @property
+    def worn_depth(self) -> float:
+        """The greatest worn depth [m]."""
+        r = self.core.radius + (self.radius - self.core.radius) * np.linspace(0.0, 1.0, SAMPLES) ** 2
+        return float(np.max(self.worn(r)))
+
+    def height(self, r: Array) -> Array:
+        """Height of the limiting profile.
+
+        Parameters
+        ----------
+        r : ndarray
+            Distances from the axis [m].
+
+        Returns
+        -------
+        ndarray
+            f(r) [m], that before wear within the core and beyond the worn part.
+        """
+        r = np.asarray(r, dtype=float)
+        return np.asarray(self.problem.bed.height(r) + self.worn(r))
+
+    def worn(self, r: Array) -> Array:
+        """Worn depth [m] at distances from the axis [m]; zero within the core and beyond the worn part."""
+        r = np.asarray(r, dtype=float)
+        ring = (r > self.core.radius) & (r < self.radius)
+        worn = np.zeros(r.shape)
+        if np.any(ring):
+            bed = self.problem.bed
+            worn[ring] = self.core.depth - bed.medium.displacement(self.core, r[ring]) - bed.height(r[ring])
+        return np.maximum(worn, 0.0)
+
+    def pressure(self, r: Array) -> Array:
+        """Pressure in the end.
+
+        Parameters
+        ----------
+        r : ndarray
+            Distances from the axis [m].
+
+        Returns
+        -------
+        ndarray
+            p [Pa], zero outside the core, infinite at its edge.
+        """
+        return self.problem.bed.medium.pressure(self.core, np.asarray(r, dtype=float))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        bed = self.problem.bed
+        rubbing = Rubbing(self.problem.law.coefficient)
+        notes = [*self.problem.contact.notes_with(rubbing), debris_note(), slip_note(bed)]
+        notes.append(sticking_note(bed.medium, self.problem.law.coefficient))
+        notes.append(
+            Note(
+                Assumption.WEAR,
+                Standing.EXACT,
+                "The limiting profile does not depend on the law of wear; the pressure is infinite at the edge of the "
+                "core, where a real one yields or cracks.",
+                POPOV,
+            )
+        )
+        if not alike(stiffness_ratios(bed, self.core.radius)):
+            notes.append(
+                Note(
+                    Assumption.SLIP,
+                    Standing.APPROXIMATE,
+                    "On layers the radius of the core is that of springs which stick or slip by themselves, an "
+                    "approximation; the shape around a core of this radius is exact.",
+                    "flat punches have tangential tractions of another shape than pressures",
+                )
+            )
+        return tuple(notes)

@@ -1,0 +1,295 @@
+r"""How a worn profile is followed: in jumps over many cycles, as long as the error and the shortest waves allow.
+
+What is worn off spreads the pressure, the faster the shorter its waves; a jump that is too long for them would blow up.
+The jumps are steps of a method that is stable for them (`winkler.numerics.equations.stabilised`); each tells its own
+error, and one that is too inaccurate is taken again, shorter.  Where all slides, and the shortest waves have decayed
+many times on the way so far, jumps are implicit (`winkler.numerics.equations.implicit`): as long as the slow growth
+of the contact allows, over many nodes that come into contact.  The grid is fixed while the contact stays on it, finest
+beside the core that sticks, and follows a contact that grows.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Iterator
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.foundation.foundation import Foundation
+from winkler.laws.wear import WearLaw, worn_by
+from winkler.loading import Depth, Normal
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.equations.implicit import implicit_step
+from winkler.numerics.equations.stabilised import MOST_STAGES, longest, stages_for, step, step_error
+from winkler.numerics.transforms.ring_transforms import ring_means
+from winkler.numerics.types import Array
+from winkler.problems.wear.line import WearLine, WornContact, wear_line
+from winkler.problems.wear.rates import SlidingSystem, law_slope
+
+__all__ = ["Moment", "Wearing", "first_nodes", "march", "scale_of"]
+
+FIRST = 2e-3
+"""Part of the depth that the first jump wears off."""
+MARGIN = 1.2
+"""On the fastest rate, which is a bound for steady slip; slip grows where wear sets in."""
+CROWDED = 0.95
+"""Part of the grid at which a growing contact gets a wider one."""
+GROWTH = 1.5
+SMALL = 1e-2
+"""Part of the error allowed in a jump that may be worn off at once, without looking."""
+STIFF = 3000.0
+"""How often the shortest waves must have decayed, by a factor e, before jumps are implicit."""
+FEW_STAGES = 4
+"""A jump of not more stages is cheaper than an implicit one."""
+SHORTER = 0.2
+"""Part of a jump that failed, to be tried next."""
+SHORTEST = 1e-13
+"""Part of a way at which jumps are given up."""
+
+
+class Moment(NamedTuple):
+    """How far wear has come.
+
+    Parameters
+    ----------
+    elapsed : float
+        Cycles, or distance [m].
+    jump : float
+        How far the next jump would go.
+    nodes : ndarray, (n,)
+        r [m].
+    worn : ndarray, (2, n)
+        What the first and the second body have lost [m].
+    """
+
+    elapsed: float
+    jump: float
+    nodes: Array
+    worn: Array
+
+
+class Wearing(Protocol):
+    """What the march needs of a problem."""
+
+    @property
+    def bed(self) -> Foundation:
+        """The springs before wear."""
+        ...
+
+    @property
+    def wear(self) -> WearLaw:
+        """The law of wear."""
+        ...
+
+    @property
+    def normal(self) -> Normal:
+        """The steady normal load."""
+        ...
+
+    @property
+    def tolerance(self) -> float:
+        """Error of the worn depth in one jump, over the depth."""
+        ...
+
+    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+        """Return how far the surfaces slip at the nodes, over one cycle [m] or one metre of sliding [-]."""
+        ...
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse a contact that cannot go on."""
+        ...
+
+
+def first_nodes(bed: Foundation, normal: Normal, radius: float, core: float, count: int) -> Array:
+    """Return the nodes on which a contact begins to wear.
+
+    Parameters
+    ----------
+    bed : Foundation
+    normal : Depth or Force
+        At a depth the contact never grows beyond where the profile is as high; there the grid ends.
+    radius, core : float
+        Contact and stick radius before wear [m].
+    count : int
+        How many nodes beside the axis.
+    """
+    if isinstance(normal, Depth) and radius < bed.rim:
+        depth = float(normal.depth)
+        high = GROWTH * radius
+        while high < bed.reach and float(bed.height(np.array([min(high, bed.reach)]))[0]) < depth:
+            high *= GROWTH
+        high = min(high, bed.reach, bed.rim)
+        if float(bed.height(np.array([high]))[0]) > depth:
+            found = between(lambda r, _: bed.height(r) - depth, np.array([0.5 * radius]), np.array([high]))
+            high = min(1.02 * float(found[0]), bed.reach, bed.rim)
+    else:
+        high = min(GROWTH * radius, bed.reach, bed.rim)
+    return _nodes(core, high, bed.rim, count)
+
+
+def _nodes(core: float, reach: float, rim: float, count: int) -> Array:
+    """Return radii from the axis to `reach`: close together beyond a core that sticks, and below a rim."""
+    if reach == rim:
+        nodes = reach * np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, count + 1))
+        nodes[-1] = reach
+        return nodes
+    if not 0.0 < core < 0.98 * reach:
+        return np.linspace(0.0, reach, count + 1)
+    inner = min(max(round(count * core / reach), count // 8), count - count // 8)
+    inside = np.linspace(0.0, core, inner + 1)[:-1]
+    return np.append(inside, core + (reach - core) * np.linspace(0.0, 1.0, count - inner + 1) ** 2)
+
+
+def march(problem: Wearing, goals: Array, moment: Moment, *, everywhere: bool = False) -> Iterator[Moment]:
+    """Yield how far wear has come, at every goal beyond where it begins.
+
+    Parameters
+    ----------
+    problem : FrettingWear or SlidingWear
+    goals : ndarray, (steps,)
+        Cycles or distances [m], rising.
+    moment : Moment
+        Where it begins; with a jump of zero, for the first time.
+    everywhere : bool, optional
+        Whether all that touches slides, by one metre per metre, and one body alone wears.
+
+    Raises
+    ------
+    OutsideValidity
+        If the contact outgrows the profile, or the bodies slide away; what was reached before has been yielded.
+    NotConverged
+        If jumps become too short to go on.
+    """
+    for goal in goals[goals > moment.elapsed]:
+        moment = _advance(problem, moment, float(goal), everywhere)
+        yield moment
+
+
+class _Tried(NamedTuple):
+    """What a jump came to: the worn depths and their rates ``(2, n)``, and its error over that allowed."""
+
+    end: Array
+    last: Array
+    error: float
+
+
+class _Worn:
+    """A problem on one grid."""
+
+    def __init__(self, problem: Wearing, nodes: Array) -> None:
+        self.problem, self.nodes, self.line = problem, nodes, wear_line(problem.bed, nodes)
+
+    @functools.cached_property
+    def system(self) -> SlidingSystem:
+        return SlidingSystem(self.line, self.problem.normal, self.problem.wear)
+
+    def contact(self, worn: Array) -> WornContact:
+        return self.line.press(worn.sum(axis=0), self.problem.normal)
+
+    def rates(self, worn: Array) -> Array:
+        there = self.contact(worn)
+        return np.stack(worn_by(self.problem.wear, there.pressure)) * self.problem.slipped(self.line, there)
+
+    def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _Tried:
+        end = step(self.rates, worn, first, length, stages)
+        last = self.rates(end)
+        error = np.max(np.abs(step_error(worn, end, first, last, length).sum(axis=0)))
+        return _Tried(end, last, float(error) / scale)
+
+    def implicit(self, worn: Array, first: Array, length: float, scale: float) -> _Tried:
+        end, last, error = implicit_step(self.system, worn.sum(axis=0), first.sum(axis=0), length)
+        parts = np.stack([end - worn[1], worn[1]]), np.stack([last, np.zeros(last.size)])
+        return _Tried(*parts, float(np.max(np.abs(error))) / scale)
+
+
+def _advance(problem: Wearing, moment: Moment, goal: float, everywhere: bool) -> Moment:
+    """Go on to a goal."""
+    elapsed, jump, nodes, worn = moment
+    here = _Worn(problem, nodes)
+    contact, first = here.contact(worn), here.rates(worn)
+    problem.refuse(contact, elapsed)
+    begun, overrun = elapsed, False
+    while elapsed < goal:
+        if overrun or (here.nodes[-1] < _end(problem.bed) and contact.radius > CROWDED * here.nodes[-1]):
+            nodes, worn = _wider(problem.bed, here.nodes, worn)
+            here, overrun = _Worn(problem, nodes), False
+            contact, first = here.contact(worn), here.rates(worn)
+        fastest = float(np.max(first))
+        scale = problem.tolerance * scale_of(problem, contact)
+        if fastest * (goal - elapsed) <= SMALL * scale:
+            return Moment(goal, jump, here.nodes, worn + (goal - elapsed) * first)
+        damping = MARGIN * _damping(problem, here.line, contact)
+        wanted = jump if jump > 0.0 else FIRST * contact.depth / fastest
+        length = min(wanted, goal - elapsed)
+        settled = everywhere and elapsed * damping > STIFF and stages_for(length, damping) > FEW_STAGES
+        if not settled:
+            length = min(length, longest(MOST_STAGES, damping))
+        if length < SHORTEST * max(goal - begun, elapsed) and length < goal - elapsed:
+            raise NotConverged(
+                f"Wear: after {elapsed:.6g} the jumps become too short to go on; take more nodes or a smaller "
+                "tolerance."
+            )
+        try:
+            with np.errstate(over="raise", invalid="raise"):
+                if settled:
+                    tried = here.implicit(worn, first, length, problem.tolerance * contact.depth)
+                else:
+                    tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
+        except (FloatingPointError, NotConverged):
+            jump = SHORTER * length
+            continue
+        error = tried.error
+        if not error <= 1.0:
+            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else SHORTER)
+            continue
+        # what is worn off does not come back, whatever rounding says
+        back = bool(np.any(tried.end < worn))
+        end = np.maximum(tried.end, worn) if back else tried.end
+        there = here.contact(end)
+        overrun = there.stretch[-1] > 0.0 and here.nodes[-1] < _end(problem.bed)
+        if overrun:
+            continue
+        grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
+        # a goal that was near does not tell how far the next jump may go
+        jump = max(grown, wanted) if length == goal - elapsed else grown
+        elapsed = goal if length == goal - elapsed else elapsed + length
+        worn, contact = end, there
+        problem.refuse(contact, elapsed)
+        _refuse_outgrown(problem.bed, contact, here.nodes)
+        first = here.rates(worn) if back else tried.last
+    return Moment(elapsed, jump, here.nodes, worn)
+
+
+def scale_of(problem: Wearing, contact: WornContact) -> float:
+    """Return the displacement [m] in terms of which errors count."""
+    return contact.depth if isinstance(problem.normal, Depth) else float(np.max(contact.stretch))
+
+
+def _damping(problem: Wearing, line: WearLine, contact: WornContact) -> float:
+    """Return a bound of how fast the shortest waves of the pressure decay."""
+    return float(np.max(law_slope(problem.wear, contact.pressure) * problem.slipped(line, contact) * line.answer))
+
+
+def _end(bed: Foundation) -> float:
+    """Return where the profile ends [m]."""
+    return min(bed.reach, bed.rim)
+
+
+def _refuse_outgrown(bed: Foundation, contact: WornContact, nodes: Array) -> None:
+    """Refuse a contact that grows beyond what is known of its profile."""
+    if _end(bed) <= nodes[-1] < bed.rim and contact.stretch[-1] > 0.0:
+        raise OutsideValidity(
+            f"Wear: the contact grows beyond {nodes[-1]:.6g} m, as far as the profile is known; give one that is known "
+            "farther out, or wear less."
+        )
+
+
+def _wider(bed: Foundation, nodes: Array, worn: Array) -> tuple[Array, Array]:
+    """Return a wider grid, and what was worn on it."""
+    reach = min(GROWTH * float(nodes[-1]), bed.reach, bed.rim)
+    # the core has moved by then: a grid of even steps serves as well
+    wide = _nodes(0.0, reach, bed.rim, nodes.size - 1)
+    return wide, np.stack([ring_means(nodes**2, row, wide**2) for row in worn])

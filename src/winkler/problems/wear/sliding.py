@@ -1,0 +1,227 @@
+r"""Sliding wear: a body that slides loses what pressure and distance take off it, and runs in.
+
+.. math:: \frac{\mathrm df}{\mathrm ds} = \kappa\,p(r)
+
+at every point of the contact.  Under a steady force the pressure evens out: on a flat punch to :math:`F/(\pi b^2)`,
+which its worn shape bears with :math:`f(b)-f(0) = \frac{4pb}{\pi E^*}(\frac\pi2-1)`; a ball is worn to a cap of the
+volume :math:`\kappa F s = \pi a^4/4R`, once that is much deeper than the elastic contact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import ClassVar
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.foundation import Foundation
+from winkler.laws.wear import Archard, OwnWear, PairWear
+from winkler.loading import Normal
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.assumptions.declared import WORN
+from winkler.problems.collect_states import rows
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.wear.input_checks import check_fineness, check_normal, check_wear, touching, wearable
+from winkler.problems.wear.line import WearLine, WornContact, wear_line
+from winkler.problems.wear.march import Moment, first_nodes, march, scale_of
+from winkler.problems.wear.states import WearState, goals_of
+from winkler.problems.wear.validity import sliding_notes
+from winkler.validity import Assumption, Note
+from winkler.values import value
+
+__all__ = ["SlidingSolution", "SlidingWear"]
+
+
+@value
+class SlidingWear:
+    """A body that slides under a steady load, and wears.
+
+    Parameters
+    ----------
+    bed : Foundation
+        Foundation(profile, medium) before wear; the medium homogeneous, or graded by a power law.
+    wear : Archard or OwnWear
+        How the body that stays in contact wears.
+    normal : Depth or Force
+        The steady normal load, one positive number.
+    distance : float or ndarray, (steps,)
+        After which distances slid [m] the contact is told, to and fro counted together; one number stands for the
+        whole distance, and 41 states up to there.
+    count : int, optional
+        Cells of the grid of radii.
+    tolerance : float, optional
+        Error of the worn depth in one jump, over the depth of the springs.
+
+    Raises
+    ------
+    InvalidInput
+        If a law, a load or a number is not of these kinds.
+    OutsideValidity
+        If the medium is layered: its pressure is not that of its springs.
+
+    References
+    ----------
+    J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
+
+    Examples
+    --------
+    A ball of 1 mm is worn to a cap, of which the volume is the rate times force and distance.
+
+    >>> from winkler.laws.wear import Archard
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(1e-3), HalfSpace.between(Elastic(210e9, 0.3), Elastic(210e9, 0.3)))
+    >>> worn = SlidingWear(bed, Archard(1e-14), Force(1.0), [0.0, 50.0], count=80).solve()
+    >>> round(float(worn.worn_volume[-1] / (1e-14 * 1.0 * 50.0)), 3)
+    1.0
+    >>> round(float(worn.radius[-1] / (4e-3 * 1e-14 * 50.0 / np.pi) ** 0.25), 1)
+    1.0
+    """
+
+    bed: Foundation
+    wear: Archard | OwnWear
+    normal: Normal
+    distance: Quantity
+    count: int = 400
+    tolerance: float = 1e-3
+
+    references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "archard_1953")
+    assumptions: ClassVar[frozenset[Assumption]] = WORN
+    needs_round: ClassVar[str] = "wear, which follows the pressure from place to place,"
+
+    def __post_init__(self) -> None:
+        wearable("SlidingWear", self.bed)
+        check_wear("SlidingWear", self.wear)
+        if isinstance(self.wear, PairWear):
+            raise InvalidInput(
+                "SlidingWear: wear is a PairWear; give the law of the body that stays in contact, or ask for "
+                "FrettingWear, where both do."
+            )
+        check_normal("SlidingWear", self.normal)
+        goals_of("SlidingWear", "distance", " in m", self.distance)
+        check_fineness("SlidingWear", self.count, self.tolerance)
+
+    @property
+    def goals(self) -> Array:
+        """After which distances the contact is told [m], ``(steps,)``."""
+        return goals_of("SlidingWear", "distance", " in m", self.distance)
+
+    def slipped(self, line: WearLine, contact: WornContact) -> Array:
+        """Return how far the surfaces slip per distance: all of it."""
+        return np.ones(line.nodes.size)
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse nothing: sliding goes on."""
+
+    @property
+    def total(self) -> int:
+        """How many states `steps` yields: one for each of `goals`."""
+        return int(self.goals.size)
+
+    def steps(self, start: WearState | None = None) -> Iterator[WearState]:
+        """Yield the contact at every distance that was asked for.
+
+        Parameters
+        ----------
+        start : WearState, optional
+            A state of this problem that was yielded before: the march goes on after it, and yields the same numbers as
+            if it had never stopped.
+
+        Raises
+        ------
+        OutsideValidity
+            If the bodies do not touch, or the contact outgrows the profile, at that step.
+        NotConverged
+            If jumps become too short.
+        """
+        goals = self.goals
+        if start is None:
+            contact = touching("SlidingWear", Indentation(self.bed, self.normal).solve())
+            nodes = first_nodes(self.bed, self.normal, float(contact.radius), 0.0, self.count)
+            moment = Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+            if goals[0] == 0.0:
+                yield self._state(moment)
+        else:
+            moment = start.moment
+        for reached in march(self, goals, moment, everywhere=True):
+            yield self._state(reached)
+
+    def _state(self, moment: Moment) -> WearState:
+        line, worn = wear_line(self.bed, moment.nodes), moment.worn.sum(axis=0)
+        contact = line.press(worn, self.normal)
+        radius = line.touching(contact, worn, self.tolerance * scale_of(self, contact))
+        return WearState(
+            self.bed, moment.elapsed, moment.jump, moment.nodes, moment.worn[0], moment.worn[1],
+            contact.depth, contact.force, radius, contact.pressure,
+        )  # fmt: skip
+
+    def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
+        """Return the answer from these states, of the whole path or of its beginning."""
+        return SlidingSolution.of(self, list(states))
+
+    def solve(self) -> SlidingSolution:
+        """Return the contact over the whole distance.
+
+        Returns
+        -------
+        SlidingSolution
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `steps`.
+        """
+        return self.gathered(self.steps())
+
+
+@value
+class SlidingSolution:
+    """The answer to a `SlidingWear`, state by state.
+
+    Parameters
+    ----------
+    problem : SlidingWear
+        What was asked.
+    distance : ndarray, (steps,)
+        s [m].
+    depth, force, radius : ndarray, (steps,)
+        d [m], F_N [N], a [m].
+    worn_depth : ndarray, (steps,)
+        Greatest worn depth [m].
+    worn_volume : ndarray, (steps,)
+        What was lost [m^3].
+    states : tuple of WearState
+        The states themselves, with the worn profiles.
+    """
+
+    problem: SlidingWear
+    distance: Array
+    depth: Array
+    force: Array
+    radius: Array
+    worn_depth: Array
+    worn_volume: Array
+    states: tuple[WearState, ...]
+
+    @classmethod
+    def of(cls, problem: SlidingWear, states: list[WearState]) -> SlidingSolution:
+        """Gather states, of the whole distance or of its beginning."""
+        return cls(
+            problem,
+            distance=np.array([state.elapsed for state in states]),
+            **rows(cls, states, "distance"),
+            states=tuple(states),
+        )
+
+    @property
+    def mean_pressure(self) -> Array:
+        """F / (pi a^2) [Pa], ``(steps,)``."""
+        return np.asarray(self.force / (np.pi * self.radius**2))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the result can be trusted."""
+        return sliding_notes(self.problem.bed, self.problem.tolerance, self.states)

@@ -1,0 +1,139 @@
+"""What a worn contact is after some cycles or some distance: what is written down, and from which the march goes on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.foundation.foundation import Foundation
+from winkler.numerics.types import Array, Quantity
+from winkler.problems.wear.line import wear_line
+from winkler.problems.wear.march import Moment
+from winkler.values import value
+
+__all__ = ["FrettingState", "WearState", "goals_of"]
+
+STATES = 41
+"""How many states are told if only the end is given."""
+FEW = 5
+"""So many numbers of a row are repeated in a sentence about it."""
+
+
+@value
+class WearState:
+    """A contact that has worn by sliding.
+
+    Parameters
+    ----------
+    bed : Foundation
+        The springs before wear.
+    elapsed : float
+        How far wear has come: cycles, or distance slid [m].
+    jump : float
+        How far the next jump of the march would go, as `elapsed`.
+    radii : ndarray, (n,)
+        r [m] of the nodes, from the axis on.
+    first_worn, second_worn : ndarray, (n,)
+        What the first and the second body have lost there [m].
+    depth, force, radius : float
+        d [m], F_N [N], a [m].
+    pressure : ndarray, (n,)
+        p [Pa], the mean over a ring about each node.
+    """
+
+    bed: Foundation
+    elapsed: float
+    jump: float
+    radii: Array
+    first_worn: Array
+    second_worn: Array
+    depth: float
+    force: float
+    radius: float
+    pressure: Array
+
+    @property
+    def moment(self) -> Moment:
+        """From where the march goes on."""
+        return Moment(self.elapsed, self.jump, np.array(self.radii), np.stack([self.first_worn, self.second_worn]))
+
+    @property
+    def worn(self) -> Array:
+        """What both bodies have lost at the nodes [m], ``(n,)``."""
+        return np.asarray(self.first_worn + self.second_worn)
+
+    @property
+    def height(self) -> Array:
+        """Height of the worn profile at the nodes [m], above the apex before wear, ``(n,)``."""
+        return np.asarray(self.bed.height(self.radii) + self.worn)
+
+    @property
+    def worn_depth(self) -> float:
+        """Greatest worn depth, of both bodies together [m]."""
+        return float(np.max(self.worn))
+
+    @property
+    def worn_volume(self) -> float:
+        """What both bodies have lost [m^3]."""
+        return self._volume(self.worn)
+
+    @property
+    def first_volume(self) -> float:
+        """What the first body has lost [m^3]."""
+        return self._volume(self.first_worn)
+
+    @property
+    def second_volume(self) -> float:
+        """What the second body has lost [m^3]."""
+        return self._volume(self.second_worn)
+
+    def _volume(self, worn: Array) -> float:
+        return float(wear_line(self.bed, self.radii).rings.areas @ worn)
+
+
+@value
+class FrettingState(WearState):
+    """A contact that has worn by fretting.
+
+    Parameters
+    ----------
+    shift, shear_force : float
+        Amplitudes of the shift [m] and of the shear force [N].
+    stick_radius : float
+        c [m]: nothing slips inside; a if nothing slips at all, zero if everything does.
+    slip : ndarray, (n,)
+        Amplitude of the slip at the nodes [m].
+    loss_per_cycle : float
+        Energy lost in every cycle [J].
+    """
+
+    shift: float
+    shear_force: float
+    stick_radius: float
+    slip: Array
+    loss_per_cycle: float
+
+
+def goals_of(owner: str, word: str, unit: str, given: Quantity) -> Array:
+    """Return where states are told, rising, zero or more.
+
+    One number stands for so far and `STATES` states on the way, closer at the beginning where wear is fastest.
+
+    Raises
+    ------
+    InvalidInput
+        If the numbers are negative, not finite, do not rise, or end at zero.
+    """
+    numbers = np.asarray(given)
+    sound = numbers.dtype.kind in "fiu" and numbers.size > 0 and numbers.ndim <= 1
+    row = np.ravel(numbers) if sound else np.zeros(1)
+    more = ", ..." if row.size > FEW else ""
+    said = f"[{', '.join(f'{each:g}' for each in row[:FEW])}{more}]" if sound and numbers.ndim else repr(given)
+    if not (np.all(np.isfinite(row)) and row[0] >= 0.0 and row[-1] > 0.0 and np.all(np.diff(row) > 0.0)):
+        raise InvalidInput(
+            f"{owner}: {word} is {said}; give one positive number{unit}, or a row of numbers that rise from zero or "
+            "more: where the contact is told."
+        )
+    if numbers.ndim == 0:
+        return np.asarray(float(numbers) * np.linspace(0.0, 1.0, STATES) ** 2)
+    return np.asarray(numbers, dtype=float)

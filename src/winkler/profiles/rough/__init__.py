@@ -1,0 +1,1 @@
+"""Rough surfaces: height maps, line scans, spectra and random surfaces."""

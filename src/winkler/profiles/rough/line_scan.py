@@ -1,0 +1,183 @@
+r"""A scan along a line, as a stylus makes it, and the spectrum of the surface behind scans.
+
+A scan of an isotropic surface sees waves of every direction, foreshortened:
+
+.. math:: C_\mathrm{line}(q) = 2\int_q^\infty\frac{C(s)\,s}{\sqrt{s^2-q^2}}\,\mathrm ds , \qquad
+          C(q) = -\frac1\pi\int_q^\infty\frac{C_\mathrm{line}'(s)}{\sqrt{s^2-q^2}}\,\mathrm ds .
+
+It falls, whatever the surface.  What has been measured scatters, so it is levelled where it rises; between its numbers
+it is a power law, and it is continued by one beyond the last, where the scan has seen nothing.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.types import Array
+from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
+from winkler.values import frozen_array, value
+
+__all__ = ["LineScan", "spectrum_of_lines"]
+
+NODES = 16
+"""Of Gauss's rule between two numbers."""
+LEAST_STEEP = 1.0
+"""The continuation falls at least with 1/q, as that of the roughest surface, H = 0."""
+
+FEWEST = 64
+"""Heights of which less is said than a spectrum needs."""
+
+
+@value
+class LineScan:
+    """Heights along a straight line over a surface, as a stylus measures them.
+
+    Parameters
+    ----------
+    position : array_like, (n,)
+        Places along the line [m], rising; they need not be equally far apart.
+    heights : array_like, (n,)
+        Heights there [m], up.
+
+    Raises
+    ------
+    InvalidInput
+        If there are fewer than 64, they do not fit one another, or places do not rise.
+
+    Examples
+    --------
+    >>> x = np.arange(1000) * 1e-6
+    >>> scan = LineScan(x, 1e-3 * x + 1e-7 * np.sin(2e5 * x))
+    >>> round(scan.rms_height * 1e9, 1)  # of the wave; the tilt is none of the roughness
+    70.7
+    """
+
+    position: Array
+    heights: Array
+
+    def __post_init__(self) -> None:
+        try:
+            x, z = np.array(self.position, dtype=float), np.array(self.heights, dtype=float)
+        except (TypeError, ValueError):
+            raise InvalidInput("LineScan: position and heights must be numbers in m; give two rows.") from None
+        if x.ndim != 1 or x.shape != z.shape or x.size < FEWEST:
+            raise InvalidInput(
+                f"LineScan: there are {x.shape} places and {z.shape} heights; give two equally long rows of at least "
+                f"{FEWEST} numbers."
+            )
+        if not (np.all(np.isfinite(x)) and np.all(np.isfinite(z)) and np.all(np.diff(x) > 0.0)):
+            raise InvalidInput("LineScan: places must rise, and all numbers be finite; sort the rows, delete gaps.")
+        object.__setattr__(self, "position", frozen_array(x))
+        object.__setattr__(self, "heights", frozen_array(z))
+
+    @property
+    def _levelled(self) -> tuple[float, Array]:
+        """The distance of equally spaced places [m], and heights there without mean and tilt [m]."""
+        x = np.linspace(self.position[0], self.position[-1], self.position.size)
+        z = np.interp(x, self.position, self.heights)
+        turn = np.linspace(-1.0, 1.0, z.size)
+        return float(x[1] - x[0]), z - np.polyval(np.polyfit(turn, z, 1), turn)
+
+    @property
+    def rms_height(self) -> float:
+        """Root mean square height [m] about the straight line through the scan, Rq."""
+        return float(np.std(self._levelled[1]))
+
+    @property
+    def spectrum(self) -> PowerSpectrum:
+        """C(q) of an isotropic surface that looks like the scan: a guess from one line of it.
+
+        The scan is levelled, and fades towards its ends under Hann's window; the powers of its waves scatter and are
+        averaged over twentieths of a decade.  One line is one sample: the density scatters
+        by its own size where few waves fit it, and what is levelled is up to 30 per cent low in the mean over scans;
+        height and slope are met within 10 and 5 per cent in that mean.
+        """
+        step, z = self._levelled
+        window = np.hanning(z.size + 2)[1:-1]
+        waves = np.fft.rfft(z * window)[1:]
+        density = np.abs(waves) ** 2 * step / (2.0 * np.pi * np.sum(window**2))
+        q = 2.0 * np.pi * np.arange(1, waves.size + 1) / (step * z.size)
+        return spectrum_of_lines(q, np.maximum(density, np.finfo(float).tiny))
+
+
+def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
+    r"""Return the isotropic spectrum of a surface from that of scans along lines.
+
+    Parameters
+    ----------
+    wave_numbers : ndarray, (n,)
+        q [rad/m], positive and rising.
+    densities : ndarray, (n,)
+        C_line(q) [m^3], two-sided: the mean square height is its integral over all q, positive and negative.
+
+    Returns
+    -------
+    PowerSpectrum
+        At the same wave numbers, or at 20 in a decade where there are more.
+
+    Raises
+    ------
+    InvalidInput
+        If they do not fit one another, do not rise, or are not positive.
+
+    Examples
+    --------
+    Lines on a surface with C = 1/q^4 have C_line = pi / (2 q^3):
+
+    >>> q = np.array([1.0, 2.0, 4.0])
+    >>> spectrum_of_lines(q, np.pi / 2.0 / q**3).densities
+    array([1.        , 0.0625    , 0.00390625])
+    """
+    given = PowerSpectrum(wave_numbers, densities)  # says what is wrong with the rows
+    q, line = _thinned(given.wave_numbers, given.densities)
+    line = _falling(line)
+    if not line[0] > line[-1]:
+        raise InvalidInput(
+            "spectrum_of_lines: the densities do not fall with the wave number, as those of every surface do; give "
+            "those of a wider range."
+        )
+    logs = np.log(q)
+    steep = -np.diff(np.log(line)) / np.diff(logs)
+    last = logs > logs[-1] - 0.5 * np.log(10.0)  # its slope from half a decade, or from two numbers
+    last[-2:] = True
+    tail = max(-float(np.polyfit(logs[last], np.log(line[last]), 1)[0]), LEAST_STEEP)
+    nodes, weights = gauss_legendre(NODES)
+    density = np.empty(q.size)
+    for k, low in enumerate(q):
+        edges = np.arccosh(q[k:] / low)
+        t = edges[:-1, None] + np.diff(edges)[:, None] * nodes
+        s = low * np.cosh(t)
+        inner = steep[k:, None] * line[k:-1, None] * (q[k:-1, None] / s) ** steep[k:, None] / s
+        density[k] = np.sum(np.diff(edges)[:, None] * weights * inner) + _beyond(low, q[-1], line[-1], tail)
+    return PowerSpectrum(q, density / np.pi)
+
+
+def _thinned(q: Array, density: Array) -> tuple[Array, Array]:
+    """Return means over bins that are equal on a logarithmic axis, where numbers lie closer than these."""
+    which = np.floor(np.log10(q / q[0]) * PER_DECADE + 1e-9).astype(int)
+    _, where, counts = np.unique(which, return_inverse=True, return_counts=True)
+    return np.exp(np.bincount(where, np.log(q)) / counts), np.bincount(where, density) / counts
+
+
+def _falling(density: Array) -> Array:
+    """Return the falling numbers next to these: neighbours that rise become their mean."""
+    groups: list[tuple[float, int]] = []
+    for number in density:
+        mean, count = float(number), 1
+        while groups and groups[-1][0] < mean:
+            before, size = groups.pop()
+            mean, count = (before * size + mean * count) / (size + count), size + count
+        groups.append((mean, count))
+    means, counts = zip(*groups, strict=True)
+    return np.repeat(means, counts)
+
+
+def _beyond(low: float, last: float, density: float, tail: float) -> float:
+    """Return the integral from the last wave number on, under a power law: an incomplete beta function."""
+    from scipy.special import beta, betainc
+
+    a = 0.5 * (tail + 1.0)
+    part = betainc(a, 0.5, (low / last) ** 2) * beta(a, 0.5)
+    return float(0.5 * tail * density * (last / low) ** tail / low * part)

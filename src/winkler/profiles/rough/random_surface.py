@@ -1,0 +1,69 @@
+r"""A rough surface made at random, as a value: what it was made from is kept, and can be written into a study."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.numerics.types import Array
+from winkler.profiles.rough.random_rough import random_topography
+from winkler.profiles.rough.spectrum import Spectrum
+from winkler.profiles.rough.topography import Topography
+from winkler.values import value
+
+__all__ = ["RandomTopography"]
+
+MOST = 2**13
+"""Pixels along one side; more would not fit the memory of most machines."""
+
+
+@value
+class RandomTopography(Topography):
+    """A height map with a given spectrum and phases by chance.
+
+    Parameters
+    ----------
+    lengths : array_like, (2,)
+        Lengths [m] of the map.
+    spectrum : Spectrum
+        C(q): SelfAffine or PowerSpectrum; waves longer than the map, or shorter than two pixels, are left out.
+    shape : tuple of int
+        Pixels along both directions, (nx, ny).
+    seed : int, optional
+        Of the phases: equal seeds, equal surfaces.
+    periodic : bool, optional
+        Whether the map is repeated for ever (the default), or this one period stands alone.
+
+    Raises
+    ------
+    InvalidInput
+        If lengths, shape or seed are out of range, or no wave of the spectrum fits the map.
+
+    Examples
+    --------
+    >>> from winkler.profiles.rough.spectrum import SelfAffine
+    >>> blasted = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=2e-5)
+    >>> surface = RandomTopography([1e-3, 1e-3], blasted, (128, 128), seed=1)
+    >>> surface.heights.shape, surface.periodic, surface == RandomTopography([1e-3, 1e-3], blasted, (128, 128), seed=1)
+    ((128, 128), True, True)
+    """
+
+    heights: Array = dataclasses.field(init=False, repr=False, default_factory=lambda: np.zeros((2, 2)))
+    periodic: bool = dataclasses.field(default=True, kw_only=True)
+    spectrum: Spectrum = dataclasses.field()
+    shape: tuple[int, int] = (256, 256)
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        given = self.shape if isinstance(self.shape, tuple | list) else ()
+        whole = len(given) == 2 and all(isinstance(n, int) and not isinstance(n, bool) and n <= MOST for n in given)
+        if not whole:
+            raise InvalidInput(f"RandomTopography: shape is {self.shape!r}; give two whole numbers, at most {MOST}.")
+        try:
+            made = random_topography(self.spectrum, self.shape, self.lengths, self.seed)
+        except InvalidInput as error:
+            raise InvalidInput(str(error).replace("random_topography: ", "RandomTopography: ", 1)) from None
+        object.__setattr__(self, "heights", made.heights)
+        object.__setattr__(self, "lengths", made.lengths)

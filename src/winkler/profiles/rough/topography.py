@@ -1,0 +1,276 @@
+r"""A height map: the heights of a surface on a rectangular grid, as an instrument or a simulation gives them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.given import affordable
+from winkler.limits import HOLES
+from winkler.numerics.types import Array, ArrayLike
+from winkler.profiles.rough.spikes import Spikes
+from winkler.values import frozen_array, value
+
+__all__ = ["Topography"]
+
+ORDERS = {0: "its mean", 1: "a plane", 2: "a paraboloid"}
+
+
+@value
+class Topography:
+    """A height map.
+
+    Parameters
+    ----------
+    heights : array_like, (nx, ny)
+        Heights [m] at the centres of the pixels, up towards the other body; nan, or masked, where they are missing.
+    lengths : array_like, (2,)
+        Lengths [m] of the map along its two directions: pixels are lengths / (nx, ny), and need not be square.
+    periodic : bool, optional
+        Whether the map is repeated for ever, or stands alone (the default), with nothing outside.
+
+    Raises
+    ------
+    InvalidInput
+        If the heights are no map of at least two by two finite numbers, or a length is not positive.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> x = np.arange(64) / 64 * 1e-3
+    >>> wave = Topography(1e-6 * np.cos(2 * np.pi * x[:, None] / 1e-3) + 0.0 * x, [1e-3, 1e-3], periodic=True)
+    >>> round(wave.rms_height * 1e6, 6)
+    0.707107
+    """
+
+    heights: Array
+    lengths: Array
+    periodic: bool = False
+
+    def __post_init__(self) -> None:
+        try:
+            if np.iscomplexobj(self.heights):
+                raise TypeError("heights are real")
+            heights = np.array(self.heights, dtype=float)
+            lengths = np.array(self.lengths, dtype=float)
+        except (TypeError, ValueError):
+            raise InvalidInput("Topography: heights and lengths must be numbers in m; give arrays.") from None
+        if heights.ndim != 2 or min(heights.shape) < 2:
+            raise InvalidInput(
+                f"Topography: heights have the shape {heights.shape}; give a map of at least 2 x 2 pixels, (nx, ny)."
+            )
+        if lengths.shape != (2,) or not (np.all(np.isfinite(lengths)) and np.all(lengths > 0.0)):
+            raise InvalidInput(f"Topography: lengths are {self.lengths!r}; give two positive lengths in m.")
+        if np.any(np.isinf(heights)) or np.all(np.isnan(heights)):
+            raise InvalidInput("Topography: heights are infinite, or all missing; give finite ones, nan for missing.")
+        if not isinstance(self.periodic, bool | np.bool_):
+            raise InvalidInput(f"Topography: periodic is {self.periodic!r}; give True or False.")
+        object.__setattr__(self, "heights", frozen_array(heights))
+        object.__setattr__(self, "lengths", frozen_array(lengths))
+
+    @property
+    def pixel(self) -> tuple[float, float]:
+        """Size of one pixel [m]."""
+        return float(self.lengths[0] / self.heights.shape[0]), float(self.lengths[1] / self.heights.shape[1])
+
+    @property
+    def area(self) -> float:
+        """Of the map [m^2]."""
+        return float(self.lengths[0] * self.lengths[1])
+
+    @property
+    def missing(self) -> int:
+        """How many heights are missing."""
+        return int(np.count_nonzero(np.isnan(self.heights)))
+
+    @property
+    def rms_height(self) -> float:
+        """Root mean square height about the mean [m], Sq."""
+        return float(np.nanstd(self.heights))
+
+    @property
+    def gaps(self) -> Array:
+        """How far every pixel lies below the highest one [m], (nx, ny)."""
+        return np.asarray(np.nanmax(self.heights) - self.heights)
+
+    @property
+    def rms_slope(self) -> float:
+        """Root mean square of the gradient [-], from differences of neighbouring pixels."""
+        return math.sqrt(sum(float(np.nanmean(part**2)) for part in self._gradient()))
+
+    @property
+    def skewness(self) -> float:
+        """Mean cube of the heights over that of their root mean square [-], Ssk; negative with deep valleys."""
+        return self._moment(3)
+
+    @property
+    def kurtosis(self) -> float:
+        """Mean fourth power of the heights over that of their root mean square [-], Sku; 3 of Gaussian ones."""
+        return self._moment(4)
+
+    def _moment(self, power: int) -> float:
+        if self.rms_height == 0.0:
+            raise InvalidInput("Topography: a flat map has no skewness and no kurtosis; its heights do not differ.")
+        return float(np.nanmean(((self.heights - np.nanmean(self.heights)) / self.rms_height) ** power))
+
+    def _gradient(self) -> tuple[Array, Array]:
+        """Return differences of neighbours over their distance [-], along both directions."""
+        parts = []
+        for axis, step in enumerate(self.pixel):
+            if self.periodic:
+                parts.append((np.roll(self.heights, -1, axis) - self.heights) / step)
+            else:
+                parts.append(np.diff(self.heights, axis=axis) / step)
+        return parts[0], parts[1]
+
+    def detrended(self, order: int = 1) -> Topography:
+        """Return the map without its mean (0), a plane (1) or a paraboloid (2), fitted by least squares.
+
+        Raises
+        ------
+        InvalidInput
+            If the order is another one, or the map is periodic and would not be so without its trend.
+        """
+        if order not in ORDERS:
+            raise InvalidInput(
+                f"Topography: cannot detrend to the order {order!r}; give 0 for the mean, 1 for a plane, "
+                "2 for a paraboloid."
+            )
+        if self.periodic and order:
+            raise InvalidInput(
+                "Topography: without a plane or paraboloid a periodic map would not fit its neighbours any more; give "
+                "order 0, or a map that is not periodic."
+            )
+        x, y = (np.linspace(-1.0, 1.0, n) for n in self.heights.shape)
+        terms = [
+            (x[:, None] ** i) * (y[None, :] ** j) for i in range(order + 1) for j in range(order + 1) if i + j <= order
+        ]
+        known = ~np.isnan(self.heights)
+        rows = np.stack([term[known] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
+        strengths, *_ = np.linalg.lstsq(rows, self.heights[known], rcond=None)
+        trend = sum(strength * term for strength, term in zip(strengths, terms, strict=True))
+        return Topography(self.heights - trend, self.lengths, self.periodic)
+
+    def masked(self, where: ArrayLike) -> Topography:
+        """Return the map with some heights missing: behind a dust grain, or where an instrument has lost the surface.
+
+        Parameters
+        ----------
+        where : array_like of bool, (nx, ny)
+            True where a height is not to be trusted, such as ``surface.heights > 2e-6``.
+
+        Raises
+        ------
+        InvalidInput
+            If it has another shape than the map, is no truth of every pixel, or leaves nothing.
+        """
+        lost = np.asarray(where)
+        if lost.dtype != bool or lost.shape != self.heights.shape:
+            raise InvalidInput(
+                f"Topography: masked needs True or False for each of {self.heights.shape} pixels; there is an array of "
+                f"{lost.dtype} with the shape {lost.shape}."
+            )
+        return Topography(np.where(lost, np.nan, self.heights), self.lengths, self.periodic)
+
+    def spikes(self, times: float = 4.0) -> Spikes:
+        """Return where heights are no surface: they would bear the load before anything else touches.
+
+        A height is a grain or dropout if it lies outside of Tukey's fences around it: `times` the distance of the
+        quartiles above the upper or below the lower one, among the heights within four pixels; so they are found up to
+        some four pixels wide.  A scar is a run of pixels along a line, up to three pixels wide, whose steps on both
+        sides lie outside of these fences among the steps around; long runs, and what continues a scar, by half of it.
+        Structured surfaces (narrow ridges, pillars) are not for it: they look like spikes.  J. W. Tukey, Exploratory
+        Data Analysis, Addison-Wesley 1977.
+
+        Parameters
+        ----------
+        times : float, optional
+            How far is too far; 4 leaves Gaussian and self-affine surfaces, and smooth shapes, as they are.
+
+        Raises
+        ------
+        InvalidInput
+            If `times` is not positive.
+        """
+        if isinstance(times, bool) or not isinstance(times, int | float) or not times > 0.0:
+            raise InvalidInput(f"Topography: spikes are asked for with times = {times!r}; give a positive number.")
+        from winkler.numerics.surfaces.bridging import bridged, spikes
+        from winkler.numerics.surfaces.scars import scars
+
+        grains = spikes(self.heights, times, self.periodic)
+        clean = bridged(np.where(grains, np.nan, self.heights), self.periodic)
+        found = scars(clean, times, self.periodic) & ~np.isnan(self.heights)
+        bare = self.masked(grains | found).filled().heights
+        return Spikes(grains, found & ~grains, np.where(grains | found, self.heights - bare, 0.0))
+
+    def without_spikes(self, times: float = 4.0) -> Topography:
+        """Return the map with grains, dropouts and scars missing; `spikes` tells which they are.
+
+        Parameters
+        ----------
+        times : float, optional
+            As for `spikes`.
+
+        Raises
+        ------
+        InvalidInput
+            If `times` is not positive.
+        """
+        return self.masked(self.spikes(times).where)
+
+    def filled(self) -> Topography:
+        """Return the map with missing heights bridged, each island by the smoothest surface through its border.
+
+        The filled heights solve Laplace's equation, so that none lies above the highest of its border.
+        """
+        if not self.missing:
+            return self
+        from winkler.numerics.surfaces.bridging import bridged
+
+        affordable("Topography", "missing heights", self.missing, HOLES)
+        return Topography(bridged(self.heights, self.periodic), self.lengths, self.periodic)
+
+    def cropped(self, first: tuple[int, int], count: tuple[int, int]) -> Topography:
+        """Return the part of `count` pixels from pixel `first` on; it is not periodic any more.
+
+        Raises
+        ------
+        InvalidInput
+            If it is not inside the map.
+        """
+        shape = self.heights.shape
+        if len(first) != 2 or len(count) != 2 or not all(isinstance(n, int | np.integer) for n in (*first, *count)):
+            raise InvalidInput(f"Topography: cropped needs two whole numbers twice; there are {first!r} and {count!r}.")
+        inside = all(a >= 0 and n >= 2 and a + n <= m for a, n, m in zip(first, count, shape, strict=True))
+        if not inside:
+            raise InvalidInput(
+                f"Topography: {count} pixels from {first} on are not inside a map of {shape}; give a part of it."
+            )
+        part = self.heights[first[0] : first[0] + count[0], first[1] : first[1] + count[1]]
+        return Topography(part, np.array(self.pixel) * count)
+
+    def coarsened(self, times: int) -> Topography:
+        """Return the map with means over `times` by `times` pixels.
+
+        What does not fill such a block is left out, and a mean with a missing height is missing.
+
+        Raises
+        ------
+        InvalidInput
+            If fewer than two by two pixels would be left.
+        """
+        nx, ny = (
+            n // times if isinstance(times, int) and not isinstance(times, bool) and times > 0 else 0
+            for n in self.heights.shape
+        )
+        if min(nx, ny) < 2:
+            raise InvalidInput(
+                f"Topography: {self.heights.shape} pixels cannot be coarsened {times!r} times; give a smaller whole "
+                "number."
+            )
+        block = self.heights[: nx * times, : ny * times].reshape(nx, times, ny, times)
+        whole = nx * times == self.heights.shape[0] and ny * times == self.heights.shape[1]
+        lengths = np.array(self.pixel) * times * np.array([nx, ny])
+        return Topography(block.mean(axis=(1, 3)), lengths, self.periodic and whole)

@@ -1,0 +1,263 @@
+"""The outcome of a study: what tables, archives, figures and the report are made of.
+
+::
+
+    outcome.study                 the `Study` that was run (title, problem, sweep, design, fields, output, expect)
+    outcome.points                one `Solved` or `Failed` per point of the sweep, in its order (one without a sweep);
+                                  `Recalled` if the solution was not kept, which then is solved again when asked for
+    outcome.solved, .failed       the same, apart
+    outcome.verdicts              one `Verdict` for every [[expect]] at every solved point
+    outcome.provenance            `Provenance`: version, hash of the study, time, versions of what computed
+    outcome.validity              the notes of all points, each kind of statement once, in its worst standing
+    outcome.shape                 number of points along each dimension of the sweep
+    outcome.table()               `Column` after `Column`: a long table with one row per load; swept keys, then answers
+    outcome.answers               names of the answers (depth, force, ...), as in the glossary
+    outcome.indices               `Indices` of every answer, if the design is sensitivity: what makes it scatter
+    outcome.answer("depth")       the same numbers as an array of shape ``shape + (loads,)``, NaN where a point failed
+
+    point.index, point.settings   place in the sweep, and the values of its keys there (in the order of study.sweep)
+    point.problem, point.solution
+    point.answers                 name -> numbers of shape (loads,)
+    point.each                    the solution load by load: one scalar solution for every load asked at once
+    point.surface                 SurfaceFields of every load, in the order of `each`; empty unless [fields] asks for r
+    point.subsurface              SubsurfaceFields of every load; empty unless [fields] asks for r and z
+
+Numbers are SI.  Symbols, units and meanings come from `winkler.vocabulary`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import re
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import OutsideValidity
+from winkler.numerics.types import Array, Quantity
+from winkler.study.batch.points import Answered, Failed, Point, Recalled, Solved, Verdict
+from winkler.study.batch.sensitivity import Indices, sensitivity
+from winkler.study.language import keys
+from winkler.study.language.designs import Sensitivity
+from winkler.study.language.study import Study
+from winkler.validity import Note, worst
+from winkler.values import value
+from winkler.vocabulary import Word, word
+
+__all__ = [
+    "Answered",
+    "Column",
+    "Failed",
+    "Outcome",
+    "Point",
+    "Provenance",
+    "Recalled",
+    "Solved",
+    "Verdict",
+    "answers_of",
+]
+
+
+def answers_of(solution: Any) -> dict[str, Quantity]:
+    """Return the numbers that a solution answers with: every public field or property that the glossary gives a unit.
+
+    Returns
+    -------
+    dict
+        Name -> float or array in SI units, in the order in which the class states them.  Arrays that are not as long
+        as the first one are no rows of the answer, and left out; `winkler.study.batch.events` has what they tell.
+        Rows of two numbers, a direction in the plane, are two answers: ``shift_x``, ``shift_y``.
+    """
+    owner = type(solution)
+    names = [field.name for field in dataclasses.fields(solution)]
+    for base in reversed(owner.__mro__):
+        names += [name for name, member in vars(base).items() if isinstance(member, property)]
+    answers: dict[str, Quantity] = {}
+    rows: tuple[int, ...] | None = None
+    for name in dict.fromkeys(names):
+        if name.startswith("_"):
+            continue
+        try:
+            unit = word(owner.__name__, name).unit
+        except KeyError:
+            continue
+        try:
+            content = getattr(solution, name) if unit is not None else None
+        except OutsideValidity:  # an answer that this medium does not have
+            continue
+        if isinstance(content, int | float):
+            answers[name] = float(content) + 0.0
+        elif (
+            isinstance(content, np.ndarray)
+            and content.dtype.kind in "bfiu"
+            and content.shape == (rows or content.shape)
+        ):
+            rows = content.shape
+            answers[name] = np.asarray(content, dtype=float) + 0.0  # no minus before a zero
+        elif isinstance(content, np.ndarray) and rows is not None and content.shape == (*rows, 2):
+            answers |= {f"{name}_{axis}": content[:, place] + 0.0 for place, axis in enumerate("xy")}
+    return answers
+
+
+@value
+class Column:
+    """A column of the table of answers.
+
+    Parameters
+    ----------
+    name
+        Key of the sweep (``problem.load.force``), name of an answer (``depth``), or ``failure``.
+    word
+        Symbol, unit and meaning; the unit is None for text.
+    content : ndarray, shape (rows,)
+        Numbers in SI units, or text.
+    """
+
+    name: str
+    word: Word
+    content: np.ndarray
+
+
+@value
+class Provenance:
+    """What made the numbers.
+
+    Parameters
+    ----------
+    version
+        Version of winkler.
+    hash
+        SHA-256 of the canonical form of problem, sweep, design and fields: equal hashes mean equal questions.
+    created
+        Time of the run in UTC, ISO 8601.
+    seconds
+        How long it took [s].
+    packages
+        ``(name, version)`` of Python and of the packages that computed.
+    source
+        Name of the study file, without its folder; empty for a study made in Python.
+    """
+
+    version: str
+    hash: str
+    created: str
+    seconds: float
+    packages: tuple[tuple[str, str], ...]
+    source: str = ""
+
+    def attributes(self, title: str, study: str) -> dict[str, Any]:
+        """Return what a NetCDF file says of its origin, with the title and the text of the study."""
+        return {
+            "title": title,
+            "program": "winkler",
+            "winkler_version": self.version,
+            "study_hash": self.hash,
+            "study": study,
+            "study_file": self.source,
+            "created": self.created,
+            "seconds": self.seconds,
+            **{f"{name}_version": number for name, number in self.packages if name != "winkler"},
+        }
+
+
+@value
+class Outcome:
+    """What a study came to; see the module for its parts."""
+
+    study: Study
+    points: tuple[Point, ...]
+    verdicts: tuple[Verdict, ...]
+    provenance: Provenance
+
+    @functools.cached_property
+    def solved(self) -> tuple[Answered, ...]:
+        """The points that were solved, in the order of the sweep."""
+        return tuple(point for point in self.points if not isinstance(point, Failed))
+
+    @functools.cached_property
+    def failed(self) -> tuple[Failed, ...]:
+        """The points that have no answer, in the order of the sweep."""
+        return tuple(point for point in self.points if isinstance(point, Failed))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of points along each dimension of the sweep; ``()`` without a sweep."""
+        return self.study.shape
+
+    @functools.cached_property
+    def validity(self) -> tuple[Note, ...]:
+        """The notes of all points; of statements that differ in their numbers only, the worst."""
+        found: dict[str, Note] = {}
+        each = {(note.standing, note.statement): note for point in self.solved for note in point.validity}
+        for note in each.values():
+            topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
+            if topic not in found or worst((found[topic], note)) is note.standing:
+                found[topic] = note
+        return tuple(found.values())
+
+    @functools.cached_property
+    def answers(self) -> tuple[str, ...]:
+        """Names of the answers, in the order of the solution."""
+        return tuple(dict.fromkeys(name for point in self.solved for name, _ in point.found))
+
+    def answer(self, name: str) -> Array:
+        """Return one answer, shape ``shape + (loads,)``, SI; NaN where a point failed or has fewer loads."""
+        found = [
+            (point.index, numbers[name])
+            for point, numbers in zip(self.points, self._numbers, strict=True)
+            if name in numbers
+        ]
+        result = np.full((*self.shape, max((len(numbers) for _, numbers in found), default=1)), np.nan)
+        for index, numbers in found:
+            result[index][: len(numbers)] = numbers
+        return result
+
+    @functools.cached_property
+    def indices(self) -> tuple[Indices, ...]:
+        """How much of the scatter of each answer every key makes; none unless the design is a `Sensitivity`."""
+        return sensitivity(self) if isinstance(self.study.design, Sensitivity) else ()
+
+    @functools.cached_property
+    def _numbers(self) -> tuple[dict[str, Array], ...]:
+        """Answers of every point; none where there is no answer."""
+        return tuple({} if isinstance(point, Failed) else point.answers for point in self.points)
+
+    def word(self, name: str) -> Word:
+        """Return symbol, unit and meaning of an answer or of a swept key."""
+        if any(line.key == name for line in self.study.sweep):
+            return keys.word_at(self.study, name)
+        having = (point for point in self.solved if any(name == one for one, _ in point.found))
+        owner = next((point.answer_type for point in having), type(None))
+        return word(owner.__name__, name)
+
+    def table(self) -> tuple[Column, ...]:
+        """Return the long table, one row per point and load: swept keys, answers, and failures if there are any."""
+        return self._table
+
+    @functools.cached_property
+    def _table(self) -> tuple[Column, ...]:
+        numbers = self._numbers
+        counts = [max((len(content) for content in found.values()), default=1) for found in numbers]
+        columns = []
+        for place, axis in enumerate(self.study.sweep):
+            content = _repeated([point.settings[place] for point in self.points], counts)
+            told = self.word(axis.key)
+            if all(isinstance(item, int | float) for item in content):
+                columns.append(Column(axis.key, told, np.array(content, dtype=float)))
+            else:
+                labels = np.array([keys.label(item) for item in content])
+                columns.append(Column(axis.key, told._replace(unit=None), labels))
+        for name in self.answers:
+            parts = [found.get(name, np.full(count, np.nan)) for found, count in zip(numbers, counts, strict=True)]
+            columns.append(Column(name, self.word(name), np.concatenate(parts)))
+        if self.failed:
+            reasons = [point.reason if isinstance(point, Failed) else "" for point in self.points]
+            columns.append(
+                Column("failure", Word("", None, "why a point has no answer"), np.array(_repeated(reasons, counts)))
+            )
+        return tuple(columns)
+
+
+def _repeated(items: list[Any], counts: list[int]) -> list[Any]:
+    return [item for item, count in zip(items, counts, strict=True) for _ in range(count)]

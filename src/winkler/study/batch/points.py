@@ -1,0 +1,200 @@
+"""What came of a point of a study: it was solved, its answer was recalled from a journal, or it has none."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from winkler.numerics.types import Array, Quantity
+from winkler.study.batch.events import Event, events_of
+from winkler.study.batch.marching import is_march, marched
+from winkler.study.language.study import Expectation
+from winkler.validity import Note
+from winkler.values import value
+
+__all__ = ["Answered", "Failed", "Point", "Recalled", "Solved", "Verdict"]
+
+
+@value
+class Solved:
+    """A point of the study that was solved; see the module for its parts.
+
+    A march that ended before the end of its path says why in `stopped`; `code` is then what the command line returns.
+    """
+
+    index: tuple[int, ...]
+    settings: tuple[Any, ...]
+    problem: Any
+    solution: Any
+    found: tuple[tuple[str, Quantity], ...]
+    surface: tuple[Any, ...] = ()
+    subsurface: tuple[Any, ...] = ()
+    stopped: str = ""
+    code: int = 0
+
+    @property
+    def answers(self) -> dict[str, Array]:
+        """Name -> numbers of shape (loads,), SI."""
+        return _answers(self.found)
+
+    @property
+    def answer_type(self) -> type:
+        """Class of the solution."""
+        return type(self.solution)
+
+    def events(self, name: str) -> tuple[tuple[Event, ...], ...]:
+        """Return one row for each event of a kind (`winkler.study.batch.events`)."""
+        return events_of(self.solution, name)
+
+    @property
+    def each(self) -> tuple[Any, ...]:
+        """The solution load by load: one scalar solution for every load."""
+        return tuple(_loads(self.solution))
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """What was assumed and checked."""
+        return tuple(getattr(self.solution, "validity", ()))
+
+
+def _loads(solution: Any) -> Iterator[Any]:
+    if hasattr(solution, "states"):  # a march: one state for every point of its path
+        yield from solution.states
+        return
+    shape = max(
+        (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
+    )
+    if shape == () or not hasattr(solution, "at"):
+        yield solution
+        return
+    for index in np.ndindex(shape):
+        yield solution.at(index[0] if len(index) == 1 else index)
+
+
+@value
+class Failed:
+    """A point of the study that has no answer, and why.
+
+    Parameters
+    ----------
+    index, settings, problem
+        As for `Solved`.
+    reason
+        The sentence of the error.
+    code
+        What the command line returns for it: 2 input, 3 not converged, 4 outside validity, 70 a mistake of winkler.
+    traceback
+        Where an error came from that winkler does not raise on purpose: a mistake of its own, or too little memory.
+        Such a point is tried again when a sweep that was stopped goes on; empty for all others.
+    """
+
+    index: tuple[int, ...]
+    settings: tuple[Any, ...]
+    problem: Any
+    reason: str
+    code: int
+    traceback: str = ""
+
+
+@value
+class Verdict:
+    """Whether an expected number came out.
+
+    Parameters
+    ----------
+    index
+        Point of the sweep.
+    expectation
+        What was expected.
+    got : float or ndarray
+        What came out.
+    deviation
+        Largest deviation, relative to the scale of the expectation; infinite if no number came out.
+    """
+
+    index: tuple[int, ...]
+    expectation: Expectation
+    got: Quantity
+    deviation: float
+
+    @property
+    def passed(self) -> bool:
+        """Whether the deviation is within the tolerance."""
+        return self.deviation <= self.expectation.tolerance
+
+    @property
+    def digits(self) -> float:
+        """Decimal digits that agree, at most 16."""
+        return float(min(16.0, max(0.0, -np.log10(max(self.deviation, 1e-16)))))
+
+
+@value
+class Recalled:
+    """A point of the study whose numbers are known, but whose solution was not kept: of a long sweep, or of a journal.
+
+    Parameters
+    ----------
+    index, settings, problem, found, surface, subsurface, stopped, code
+        As for `Solved`.
+    answer_type
+        Class of the solution.
+    validity
+        What was assumed and checked.
+    told
+        ``(kind of event, rows)``.
+    verdicts
+        On what was expected there.
+    """
+
+    index: tuple[int, ...]
+    settings: tuple[Any, ...]
+    problem: Any
+    found: tuple[tuple[str, Quantity], ...]
+    answer_type: type
+    validity: tuple[Note, ...] = ()
+    told: tuple[tuple[str, tuple[tuple[Event, ...], ...]], ...] = ()
+    verdicts: tuple[Verdict, ...] = ()
+    surface: tuple[Any, ...] = ()
+    subsurface: tuple[Any, ...] = ()
+    stopped: str = ""
+    code: int = 0
+
+    @property
+    def answers(self) -> dict[str, Array]:
+        """Name -> numbers of shape (loads,), SI."""
+        return _answers(self.found)
+
+    def events(self, name: str) -> tuple[tuple[Event, ...], ...]:
+        """Return one row for each event of a kind (`winkler.study.batch.events`)."""
+        return dict(self.told).get(name, ())
+
+    @property
+    def solution(self) -> Any:
+        """The solution, solved once more."""
+        return _again(self.problem)
+
+    @property
+    def each(self) -> tuple[Any, ...]:
+        """The solution load by load, solved once more: one scalar solution for every load."""
+        return tuple(_loads(self.solution))
+
+
+Answered = Solved | Recalled
+Point = Solved | Recalled | Failed
+
+
+@functools.lru_cache(maxsize=1)
+def _again(problem: Any) -> Any:
+    return marched(problem).solution if is_march(problem) else problem.solve()
+
+
+def _answers(found: tuple[tuple[str, Quantity], ...]) -> dict[str, Array]:
+    count = max((content.size for _, content in found if isinstance(content, np.ndarray)), default=1)
+    return {
+        name: np.broadcast_to(content.ravel(), (count,)) if isinstance(content, np.ndarray) else np.full(count, content)
+        for name, content in found
+    }

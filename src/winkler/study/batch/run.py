@@ -1,0 +1,124 @@
+"""Running a study: solve its points, judge what was expected, remember what made the numbers."""
+
+from __future__ import annotations
+
+import datetime
+import functools
+import platform
+import time
+from collections.abc import Iterable
+from importlib.metadata import version
+from pathlib import Path
+
+from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
+from winkler.study.batch.journal import Journal
+from winkler.study.batch.outcome import Failed, Outcome, Point, Provenance, Solved, Verdict
+from winkler.study.batch.pool import Workers
+from winkler.study.batch.sweep import journaled, solve_points
+from winkler.study.batch.verdicts import judge
+from winkler.study.language.canonical import digest
+from winkler.study.language.study import Study
+
+__all__ = ["ERRORS", "first_failure", "gather", "provenance", "raised", "run"]
+
+ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity, Mistake)}
+
+
+def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outcome:
+    """Run a study.
+
+    Parameters
+    ----------
+    study
+        What to solve, from `winkler.study.language.reading.read_study` or made in Python.
+    workers
+        Number of processes for a sweep, a `winkler.study.batch.cluster.Cluster`, or
+        `winkler.study.batch.pool.Machine()` for all processors of this machine; the numbers do not depend on it.
+    journal
+        File in which points are kept while it runs: the same call goes on from there if it was stopped. It is removed
+        at the end.
+
+    Returns
+    -------
+    Outcome
+        Points that failed are in it, with their reasons.  Of sweeps with more than 256 points the solutions are not
+        kept; ``point.solution`` solves one again.
+
+    Raises
+    ------
+    InvalidInput, NotConverged, OutsideValidity, Mistake
+        If no point of the study has an answer: the reason of the first, or of the first mistake of winkler's own.
+    """
+    started = time.perf_counter()
+    if journal:
+        with Journal(Path(journal), study) as kept:
+            outcome = gather(study, journaled(study, kept, workers=workers), started=started)
+            kept.remove()
+        return outcome
+    return gather(study, solve_points(study, workers=workers), started=started)
+
+
+def gather(study: Study, points: Iterable[Point], *, started: float, source: str = "") -> Outcome:
+    """Return the outcome of a study from the stream of its points.
+
+    Parameters
+    ----------
+    study
+        What was asked.
+    points
+        What `solve_points` or `journaled` yields, in any order.
+    started
+        ``time.perf_counter()`` when the run began.
+    source
+        Name of the study file.
+    """
+    judged: list[tuple[Point, tuple[Verdict, ...]]] = []
+    for point in points:
+        if isinstance(point, Solved):
+            judged.append((point, tuple(judge(point, expectation, study.shape) for expectation in study.expect)))
+        else:
+            judged.append((point, () if isinstance(point, Failed) else point.verdicts))
+    judged.sort(key=lambda pair: pair[0].index)
+    found = tuple(point for point, _ in judged)
+    if all(isinstance(point, Failed) for point in found):
+        first = first_failure(point for point in found if isinstance(point, Failed))
+        many = f"none of the {len(found)} points of the sweep has an answer; the first: " if len(found) > 1 else ""
+        raise raised(first, many + first.reason)
+    verdicts = tuple(verdict for _, verdicts in judged for verdict in verdicts)
+    made = provenance(digest(study), time.perf_counter() - started, source)
+    return Outcome(study, found, verdicts, made)
+
+
+def first_failure(failed: Iterable[Failed]) -> Failed:
+    """Return the point that stands for all that failed: the first mistake of winkler's own, else the first."""
+    each = list(failed)
+    return next((point for point in each if point.code == Mistake.exit_code), each[0])
+
+
+def named(error: WinklerError, name: str) -> WinklerError:
+    """Return an error that says which file it is of, and still shows where it came from."""
+    again = type(error)(f"{name}: {error}")
+    for note in getattr(error, "__notes__", ()):
+        again.add_note(note)
+    return again
+
+
+def raised(point: Failed, sentence: str) -> WinklerError:
+    """Return the error that a point stands for; a mistake shows where it came from."""
+    error = ERRORS.get(point.code, NotConverged)(sentence)
+    if point.traceback:
+        error.add_note(point.traceback)
+    return error
+
+
+def provenance(question: str, seconds: float, source: str) -> Provenance:
+    """Return what made numbers now; `question` is the hash of what was asked."""
+    created = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+    packages = (("python", platform.python_version()), *((name, _version(name)) for name in ("numpy", "scipy")))
+    return Provenance(_version("winkler"), question, created, seconds, packages, source)
+
+
+@functools.cache
+def _version(package: str) -> str:
+    """Return the version of an installed package; its files are read once."""
+    return version(package)

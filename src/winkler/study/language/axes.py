@@ -1,0 +1,204 @@
+"""The lines of ``[sweep]`` and its design: values are checked like the key that they replace."""
+
+from __future__ import annotations
+
+import dataclasses
+import typing
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, suggest
+from winkler.numerics.types import Array
+from winkler.study.language import keys
+from winkler.study.language.build import assembled, unbuild, written_field, written_number
+from winkler.study.language.designs import DESIGNS, Design
+from winkler.study.language.varied import Axis, Range
+
+__all__ = ["design", "line", "written", "written_design"]
+
+
+def design(raw: Any) -> Design:
+    """Return the design of a sweep, from a table with a kind.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such design, or it does not take what is given.
+    """
+    known = ", ".join(DESIGNS)
+    if not isinstance(raw, dict) or "kind" not in raw:
+        raise InvalidInput(
+            f'sweep.design is {_shown(raw)} without a kind; give a table such as {{ kind = "zipped" }}, of a kind from '
+            f"{known}."
+        )
+    kind, given = raw["kind"], {name: content for name, content in raw.items() if name != "kind"}
+    if kind not in DESIGNS:
+        raise InvalidInput(f"sweep.design.kind is {kind!r}{suggest(str(kind), DESIGNS)}; give one of {known}.")
+    fields = {field.name: field.default for field in dataclasses.fields(DESIGNS[kind])}
+    taken = ", ".join(("kind", *fields))
+    for name in given:
+        if name not in fields:
+            raise InvalidInput(f"sweep.design.{name} is not known{suggest(name, fields)}; {kind} takes {taken}.")
+    for name, default in fields.items():
+        if name not in given and default is dataclasses.MISSING:
+            raise InvalidInput(f"sweep.design has no '{name}'; {kind} takes {taken}.")
+    return DESIGNS[kind](**given)
+
+
+def written_design(content: Design) -> dict[str, Any]:
+    """Return what stands in a study file for a design."""
+    return {"kind": content.kind, **{field.name: getattr(content, field.name) for field in dataclasses.fields(content)}}
+
+
+def line(key: str, raw: Any, problem: Any, of: Design, *, file: str, folder: Path) -> Axis | Range:
+    """Return one line of ``[sweep]``.
+
+    Parameters
+    ----------
+    key
+        Path of the key, ``problem.load.force``.
+    raw
+        What stands there: a list, a range ``{ from, to, count, spacing }``, or a range ``{ from, to, scale }`` to draw
+        from.
+    problem
+        The problem whose key varies.
+    of
+        The design of the sweep.
+    file, folder
+        As for `winkler.study.language.build.build`.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such key, or it cannot take one of the values.
+    """
+    first, _, rest = key.partition(".")
+    if key == "together":
+        raise InvalidInput("sweep: 'together' is not known; write design = { kind = \"zipped\" }.")
+    if first != "problem" or not rest:
+        raise InvalidInput(f"sweep: the key '{key}' does not start with 'problem.'; sweep a key of the problem.")
+    try:
+        target = _Target(problem, rest)
+    except InvalidInput as error:
+        raise InvalidInput(f"sweep: {str(error).replace(rest, key, 1)}") from None
+    where = f'sweep."{key}"'
+    if isinstance(raw, dict) and "kind" not in raw and target.is_number and of.draws:
+        return Range(key, **_ends(raw, target, where, of.kind))
+    if isinstance(raw, dict) and "kind" not in raw and target.is_number:
+        return Axis(key, tuple(float(number) for number in target.numbers(raw, where)))
+    if not isinstance(raw, list):
+        such = "a range { from, to, count }" if target.is_number else "a list of one"
+        raise InvalidInput(f"{where} is {_shown(raw)}, not a list; give the values in turn, or {such}.")
+    if not raw:
+        raise InvalidInput(f"{where} is an empty list; give at least one value.")
+    return Axis(key, tuple(target.content(item, f"{where}[{place}]", file, folder) for place, item in enumerate(raw)))
+
+
+def written(line: Axis | Range, problem: Any) -> Any:
+    """Return what stands in a study file for the values of a key, or for its range."""
+    target = _Target(problem, line.key.partition(".")[2])
+    if isinstance(line, Range):
+        ends = {"from": target.text(line.start), "to": target.text(line.stop)}
+        return ends if line.scale == "linear" else {**ends, "scale": line.scale}
+    return [target.text(content) for content in line.values]
+
+
+DRAWN = {"from": "start", "to": "stop", "scale": "scale"}
+"""What a range to draw from says -> what it is called in Python."""
+
+
+def _ends(raw: dict[str, Any], target: _Target, where: str, kind: str) -> dict[str, Any]:
+    """Return the ends and the scale of a range that a design draws from."""
+    for name in raw:
+        if name not in DRAWN:
+            told = {"count": "; the count of the points stands in sweep.design", "spacing": "; write scale"}.get(
+                name, ""
+            )
+            raise InvalidInput(
+                f"{where}.{name} is not known{told or suggest(name, DRAWN)}; a range that {kind} draws from takes "
+                f"{', '.join(DRAWN)}."
+            )
+    for name in ("from", "to"):
+        if name not in raw:
+            raise InvalidInput(f"{where} has no '{name}'; a range that {kind} draws from needs from, to.")
+    found = {DRAWN[name]: float(target.numbers([raw[name]], f"{where}.{name}")[0]) for name in ("from", "to")}
+    return found | ({"scale": raw["scale"]} if "scale" in raw else {})
+
+
+def _shown(raw: Any) -> str:
+    return "a table" if isinstance(raw, dict) else repr(raw)
+
+
+class _Target:
+    """The place in a problem that a key names, and what may stand there."""
+
+    def __init__(self, problem: Any, key: str) -> None:
+        from winkler.study.language import quantities, schema
+
+        self.owner, self.field, self.below = keys.owner_at(problem, key)
+        self.cls = self.owner.__class__
+        self.hint = schema.hints(self.cls)[self.field]
+        self.is_constant = bool(self.below) and self.hint == tuple[tuple[str, float], ...]
+        if self.below and not self.is_constant:
+            inner = typing.get_args(self.hint)
+            self.hint = inner[0] if typing.get_origin(self.hint) is tuple else float
+        scalar = self.hint is float or float in typing.get_args(self.hint)
+        self.is_number = self.is_constant or (scalar and typing.get_origin(self.hint) is not tuple)
+        if (self.cls.__name__, self.field) in quantities.INDEXED and self.below:
+            self.unit = quantities.INDEXED[self.cls.__name__, self.field](int(self.below[0]))
+        else:
+            self.unit = quantities.unit_of(self.cls, self.field) or ""
+        if self.field in quantities.dependent(self.cls):
+            fields = {item.name: getattr(self.owner, item.name) for item in dataclasses.fields(self.cls)}
+            self.unit = quantities.settled(self.unit, self.cls, fields)
+
+    def numbers(self, raw: Any, where: str) -> Array:
+        """Return SI numbers from a list or range."""
+        from pydantic_core import PydanticCustomError
+
+        from winkler.study.language import quantities
+
+        try:
+            if self.is_constant and isinstance(raw, list):
+                return np.array([quantities.named({"value": item})[0][1] for item in raw])
+            return quantities.numbers(raw, self.unit)
+        except PydanticCustomError as error:
+            sentence = str((error.context or {})["sentence"])
+            for mark in (f"{quantities.WHERE}[0]", f"{quantities.WHERE}.value", quantities.WHERE):
+                sentence = sentence.replace(mark, where)
+            raise InvalidInput(sentence) from None
+
+    def content(self, raw: Any, where: str, file: str, folder: Path) -> Any:
+        """Return one value for the key."""
+        from pydantic import BaseModel, ValidationError
+
+        from winkler.study.language import mistakes, quantities, schema
+
+        if self.is_number:
+            if quantities.endless(self.cls, self.field) and raw == quantities.INFINITE:
+                return float("inf")
+            if isinstance(raw, dict):  # a range stands for many values, here is place for one
+                raise InvalidInput(f'{where} is a table; give one quantity, such as "{quantities.sample(self.unit)}".')
+            return float(self.numbers([raw], where)[0])
+        try:
+            content = schema.adapter(self.cls, self.field, self.hint).validate_python({"content": raw}).content
+        except ValidationError as error:
+            raise InvalidInput("\n".join(mistakes.sentences(error, {"content": raw}, where))) from None
+        if isinstance(content, BaseModel):
+            return assembled(content, folder=folder, file=file, key=where)
+        if isinstance(content, list):
+            keyed = enumerate(content)
+            return tuple(assembled(item, folder=folder, file=file, key=f"{where}[{place}]") for place, item in keyed)
+        if isinstance(content, np.ndarray) and typing.get_origin(self.hint) is tuple:
+            return tuple(float(number) for number in content)
+        return content
+
+    def text(self, content: Any) -> Any:
+        """Return what a study file says for one value."""
+        if not self.below:
+            return written_field(self.owner, self.field, content)
+        if dataclasses.is_dataclass(content):
+            return unbuild(content)
+        return float(content) if self.is_constant else written_number(float(content), self.unit)

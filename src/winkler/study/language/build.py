@@ -1,0 +1,202 @@
+"""Text to value and back: tables of a study file become plain dataclasses, and dataclasses become tables again.
+
+``build(unbuild(x)) == x`` for every value of the catalogue, floats to the last digit.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import math
+import typing
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, WinklerError
+from winkler.io.foreign import reason_of, shown
+from winkler.study.language.catalogue import kind_of, kinds
+from winkler.vocabulary import word
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+__all__ = ["assembled", "build", "unbuild", "written_field", "written_number", "written_numbers"]
+
+NEIGHBOURS = 1000
+"""Among so many files of a folder similar ones are looked for."""
+SHORT = 12
+"""Longer lists of quantities are written as plain numbers with one unit."""
+
+
+def build(table: Any, slot: str = "problem", *, folder: Path = Path(), file: str = "", key: str = "") -> Any:
+    """Return the value that a table of a study file describes.
+
+    Parameters
+    ----------
+    table
+        ``{"kind": ..., ...}``, quantities as text with units.
+    slot
+        What it must be: a slot of the catalogue, such as profile or problem.
+    folder
+        Where files that the table names lie.
+    file, key
+        Name of the study file and place of the table in it, for error messages.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+
+    Examples
+    --------
+    >>> build({"kind": "sphere", "curvature_radius": "10 mm"}, "profile")
+    Sphere(curvature_radius=0.01)
+    """
+    from pydantic import ValidationError
+
+    from winkler.study.language import mistakes, schema
+
+    try:
+        form = schema.slot_adapter(slot).validate_python({"content": table}).content
+    except ValidationError as error:
+        found = mistakes.sentences(error, {"content": table}, key or slot)
+        raise mistakes.worded(file, found) from None
+    return assembled(form, folder=folder, file=file, key=key or slot)
+
+
+def assembled(form: BaseModel, *, folder: Path, file: str, key: str) -> Any:
+    """Return the plain dataclass of a checked input model, and of those inside it."""
+    from pydantic import BaseModel
+
+    from winkler.study.language.schema import MISSING
+
+    line = kinds()[form.kind]  # type: ignore[attr-defined]
+    given: dict[str, Any] = {}
+    for name in type(form).model_fields:
+        content = getattr(form, name)
+        if name == "kind" or content is MISSING:
+            continue
+        if isinstance(content, BaseModel):
+            content = assembled(content, folder=folder, file=file, key=f"{key}.{name}")
+        elif isinstance(content, list):
+            content = tuple(
+                assembled(item, folder=folder, file=file, key=f"{key}.{name}[{place}]")
+                if isinstance(item, BaseModel)
+                else item
+                for place, item in enumerate(content)
+            )
+        given[name] = content
+    try:
+        if "file" in given:
+            assert line.reader is not None
+            return line.reader(_found(folder, given.pop("file")), **given)
+        return line.cls(**given)
+    except WinklerError as error:
+        raise type(error)(_located(str(error), line.cls, f"{file}: {key}" if file else key)) from None
+
+
+def _located(sentence: str, cls: type, key: str) -> str:
+    """Return a sentence of a class with the key that it is about in front."""
+    for field in dataclasses.fields(cls):
+        begin = f"{cls.__name__}: {field.name} is "
+        if sentence.startswith(begin):
+            return f"{key}.{field.name} is {sentence.removeprefix(begin)}"
+    return f"{key}: {sentence}"
+
+
+def _found(folder: Path, name: str) -> Path:
+    path = folder / name
+    try:
+        if path.is_file():
+            return path
+        beside = path.parent.iterdir() if path.parent.is_dir() else ()
+        near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS) if item.suffix == path.suffix)[:5]
+    except (OSError, ValueError) as error:
+        raise InvalidInput(
+            f"file is '{shown(name)}', which cannot be looked at ({reason_of(error)}); give its path from the study."
+        ) from None
+    near_ones = f"; there are {', '.join(near)}" if near else ""
+    raise InvalidInput(
+        f"file is '{shown(name)}', which does not exist beside the study{near_ones}; give its path from there."
+    )
+
+
+def unbuild(content: Any) -> dict[str, Any]:
+    """Return the table that `build` makes `content` from; keys at their default are left out.
+
+    Raises
+    ------
+    InvalidInput
+        If the catalogue does not know the class.
+    """
+    name = kind_of(type(content))
+    if not name:
+        raise InvalidInput(f"{type(content).__name__} is not in the catalogue, so that no study file can name it.")
+    table: dict[str, Any] = {"kind": name}
+    for field in dataclasses.fields(content):
+        if not field.init:  # follows from the others
+            continue
+        inside = getattr(content, field.name)
+        if field.default is not dataclasses.MISSING and _same(inside, field.default):
+            continue
+        table[field.name] = written_field(content, field.name, inside)
+    return table
+
+
+def _same(content: Any, default: Any) -> bool:
+    return type(content) is type(default) and bool(np.all(content == default))
+
+
+def written_field(owner: Any, field: str, content: Any) -> Any:
+    """Return what stands at the key `field` of a study file for `content`."""
+    from winkler.study.language import maps, quantities
+
+    cls = type(owner)
+    if dataclasses.is_dataclass(content):
+        return unbuild(content)
+    if isinstance(content, bool | str) or (isinstance(content, int) and typing.get_type_hints(cls)[field] is int):
+        return content
+    if (cls.__name__, field) in quantities.INDEXED:
+        return {"values": [float(number) for number in content]}
+    if (cls.__name__, field) in quantities.GRIDS:
+        return np.asarray(content, dtype=float).tolist()
+    if typing.get_type_hints(cls)[field] == tuple[int, int]:
+        return list(content)
+    unit = word(cls.__name__, field).unit or ""
+    if (cls.__name__, field) in maps.MAPS:
+        return maps.written_map(content, unit)
+    if field in quantities.dependent(cls):
+        unit = quantities.settled(
+            unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
+        )
+    if quantities.endless(cls, field) and math.isinf(content):
+        return quantities.INFINITE
+    if isinstance(content, int | float):
+        return written_number(float(content), unit)
+    if isinstance(content, tuple) and all(dataclasses.is_dataclass(item) for item in content):
+        return [unbuild(item) for item in content]
+    if isinstance(content, tuple) and all(isinstance(item, tuple) for item in content):
+        return dict(content)
+    return written_numbers(np.asarray(content, dtype=float), unit)
+
+
+def written_number(number: float, unit: str) -> Any:
+    """Return one SI number as a study file writes it."""
+    from winkler.units import format_quantity
+
+    return format_quantity(number, unit) if unit else number
+
+
+def written_numbers(numbers: np.ndarray, unit: str) -> Any:
+    """Return a list of SI numbers as a study file writes it."""
+    if numbers.ndim == 2:
+        return [[written_number(float(number), unit) for number in row] for row in numbers]
+    if numbers.ndim != 1:
+        raise InvalidInput(
+            f"an array of shape {numbers.shape} cannot be written in a study file; give a list, or a list of rows."
+        )
+    if unit and len(numbers) > SHORT:
+        return {"values": [float(number) for number in numbers], "unit": unit}
+    return [written_number(float(number), unit) for number in numbers]

@@ -1,0 +1,83 @@
+"""The canonical form of a question, and its hash: equal questions have equal hashes on every machine."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from winkler.study.language.catalogue import kind_of
+from winkler.study.language.fit_study import FitStudy
+from winkler.study.language.study import Places, Study
+
+__all__ = ["canonical", "digest", "digest_of", "how_fitted", "plain"]
+
+LARGE = 4096
+"""Maps with more numbers are told by their hash."""
+
+
+def canonical(study: Study) -> str:
+    """Return what determines the numbers of a study (problem, sweep, fields) as JSON with sorted keys.
+
+    Quantities are SI numbers, written with the digits that tell a float from its neighbours; title, output and
+    expectations do not matter, nor how the units were written.
+    """
+    content = {
+        "problem": plain(study.problem),
+        "sweep": [plain(line) for line in study.sweep],
+        "design": plain(study.design),
+        "fields": [_places(study.fields.r), _places(study.fields.z)],
+    }
+    return json.dumps(content, sort_keys=True, separators=(",", ":"), allow_nan=False)
+
+
+def digest(study: Study) -> str:
+    """Return the SHA-256 of the canonical form, as 64 hexadecimal digits."""
+    return hashlib.sha256(canonical(study).encode()).hexdigest()
+
+
+def digest_of(problem: Any) -> str:
+    """Return the SHA-256 of the canonical form of a problem alone, as 64 hexadecimal digits."""
+    content = json.dumps(plain(problem), sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return hashlib.sha256(content.encode()).hexdigest()
+
+
+def how_fitted(study: FitStudy) -> dict[str, Any]:
+    """Return what determines the numbers of a fit beside its curves, as JSON can hold it."""
+    return {
+        "model": digest(Study("", study.problem)),
+        "free": [[free.key, list(free.given)] for free in study.free],
+        "how": [study.part, study.fitted, list(study.correct), *([list(study.segments)] if study.segments else [])],
+        "numbers": [
+            str(number) for number in (study.spring_constant, study.sensitivity, study.frame_stiffness, study.noise)
+        ],
+    }
+
+
+def _places(places: Places) -> Any:
+    return [places.relative, plain(places.values)]
+
+
+def plain(content: Any) -> Any:
+    """Return a value as lists, tables, texts and floats."""
+    if isinstance(content, str | bool):
+        return content
+    if isinstance(content, int | float):
+        return float(content) + 0.0 if math.isfinite(content) else str(float(content))
+    if isinstance(content, np.ndarray) and content.ndim == 2 and content.size > LARGE:
+        told = np.where(np.isnan(content), np.nan, content + 0.0)  # one nan, one zero
+        stored = np.ascontiguousarray(told, dtype="<f8").tobytes()
+        return {"shape": list(content.shape), "sha256": hashlib.sha256(stored).hexdigest()}
+    if isinstance(content, np.ndarray):
+        return plain(content.tolist())
+    if isinstance(content, tuple | list):
+        if {float}.issuperset(map(type, content)) and all(map(math.isfinite, content)):
+            return [number + 0.0 for number in content]
+        return [plain(item) for item in content]
+    cls = type(content)
+    fields = {field.name: plain(getattr(content, field.name)) for field in dataclasses.fields(content)}
+    return {"kind": kind_of(cls) or cls.__name__, **fields}

@@ -1,0 +1,78 @@
+"""The catalogue: every kind that a study file may name, and the class behind it.
+
+One line in a table of kinds makes a class known to study files, ``winkler show``, ``winkler new``, ``winkler cite`` and
+the tests: its keys, units and meanings are read from the class and the glossary.  The line also carries an example
+(values as a study file writes them; for a part that is left out, the first kind of its slot is taken) and the BibTeX
+keys of the papers that the class stands on.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from winkler.foundation.bed import Bed
+from winkler.laws.wear import OwnWear
+from winkler.materials.depth_grading import DepthGrading
+from winkler.media.medium import Medium
+from winkler.path_steps import Kept
+from winkler.problems.friction.spring_states import OwnLaw
+from winkler.profiles.flat import Cylinder
+from winkler.profiles.profile import Profile
+from winkler.profiles.rough.spectrum import Spectrum
+from winkler.study.chapters.kind import Kind
+from winkler.study.chapters.kinds_of_bodies import BODIES
+from winkler.study.chapters.kinds_of_conduction import CONDUCTION
+from winkler.study.chapters.kinds_of_contacts import CONTACTS
+from winkler.study.chapters.kinds_of_friction import FRICTION
+from winkler.study.chapters.kinds_of_heating import HEATING
+from winkler.study.chapters.kinds_of_rolling import ROLLING
+from winkler.study.chapters.kinds_of_roughness import ROUGHNESS
+from winkler.study.chapters.kinds_of_viscoelasticity import VISCOELASTICITY
+from winkler.study.chapters.kinds_of_wear import WEAR
+
+__all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "kind_of", "kinds", "slot_of"]
+
+
+def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
+    """Put the kinds of every slot together, in the order of the tables."""
+    slots: dict[str, dict[str, Kind]] = {}
+    for table in tables:
+        for slot, lines in table.items():
+            slots.setdefault(slot, {}).update(lines)
+    return slots
+
+
+CATALOGUE: dict[str, dict[str, Kind]] = _merged(
+    BODIES, CONTACTS, FRICTION, VISCOELASTICITY, CONDUCTION, ROLLING, HEATING, WEAR, ROUGHNESS
+)
+"""Slot -> kind -> class; kinds are unique over all slots."""
+
+SLOTS: dict[Any, str] = {
+    Profile: "profile",
+    Medium: "medium",
+    Bed: "bed",
+    DepthGrading: "grading",
+    Spectrum: "spectrum",
+}
+"""Protocol -> slot: what may stand where a class asks for this contract."""
+
+UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw, OwnWear})
+"""What a study file does not name where a class takes it: a load that stays, left out; a law that is a function."""
+
+REFUSED: dict[str, type] = {"cylinder": Cylinder}
+"""Kinds that people ask for and that cannot be answered; making one raises the reason."""
+
+
+def kinds() -> dict[str, Kind]:
+    """Return every kind of every slot by its name."""
+    return {name: line for slot in CATALOGUE.values() for name, line in slot.items()}
+
+
+def kind_of(cls: type) -> str:
+    """Return the name of `cls` in study files; an empty string if the catalogue does not know it."""
+    return next((name for name, line in kinds().items() if line.cls is cls), "")
+
+
+def slot_of(name: str) -> str:
+    """Return the slot that the kind `name` belongs to."""
+    return next(slot for slot, known in CATALOGUE.items() if name in known)

@@ -1,0 +1,270 @@
+"""Studies with ``[fit]`` read from TOML: the model, the files of curves, and what is free."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, WinklerError, suggest
+from winkler.fitting.parameters import found
+from winkler.io.foreign import reason_of, shown
+from winkler.limits import MOST_CURVES
+from winkler.loading import Depth, Force
+from winkler.path import Path as MotionPath
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.study.language import keys
+from winkler.study.language.build import NEIGHBOURS, assembled
+from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
+from winkler.study.language.reading import parsed, read_text
+from winkler.study.language.segmenting import FOUND
+from winkler.study.language.study import Output
+
+__all__ = ["FITTED", "parse_fit_study", "read_fit_study"]
+
+FITTED = ("indentation", "adhesive_indentation", "viscoelastic_indentation")
+"""Problems that can be the model of a curve."""
+PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
+PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}
+PATTERN = re.compile(r"[*?\[]")
+OTHERS = ("sweep", "fields", "expect", "source", "grade")
+
+
+def read_fit_study(path: str | Path, *, segments: tuple[str, ...] = ()) -> FitStudy:
+    """Read a study file with a section ``[fit]``.
+
+    Parameters
+    ----------
+    path
+        A TOML file; the curves that it names lie relative to it.
+    segments : tuple of str, optional
+        In place of those of the file, as "hold 12 s".
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake: file, key, what it was, what is allowed.
+    """
+    path = Path(path)
+    text = read_text(path)
+    return parse_fit_study(_with_segments(text, path, segments), file=path.name, folder=path.parent)
+
+
+def _with_segments(text: str, path: Path, segments: tuple[str, ...]) -> str:
+    """Return a study that states segments; word for word if none are stated."""
+    raw = parsed(text, path.name) if segments else {}
+    if not isinstance(raw.get("fit"), dict):
+        return text
+    import tomli_w
+
+    raw["fit"]["segments"] = FOUND if segments == (FOUND,) else list(segments)
+    return tomli_w.dumps(raw)
+
+
+def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitStudy:
+    """Return the study with ``[fit]`` that TOML `text` describes; parameters as for `parse_study`."""
+    from pydantic import ValidationError
+
+    from winkler.study.language import grammar, mistakes
+    from winkler.study.language.schema import MISSING
+
+    raw = parsed(text, file)
+    at = f"{file}: " if file else ""
+    if "fit" not in raw:
+        raise InvalidInput(f"{at}the study has no section [fit]; add it, or take `winkler run`.")
+    for name in OTHERS:
+        if name in raw:
+            raise InvalidInput(f"{at}a study with [fit] has no {name}; leave it out.")
+    _placeholder(raw, at)
+    try:
+        form: Any = grammar.study_form().model_validate(raw)
+    except ValidationError as error:
+        raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
+    problem = assembled(form.problem, folder=folder, file=file, key="problem")
+    given = {name: content for name, content in form.fit if content is not MISSING}
+    try:
+        problem = _unloaded(problem, given)
+        if "noise" in given:
+            given["noise"] = _noise(given["noise"], "N" if given.get("fitted", "force") == "force" else "m")
+        return FitStudy(
+            title=form.title or Path(file).stem,
+            problem=problem,
+            sources=_sources(given.pop("curve"), folder),
+            free=_frees(given.pop("free"), problem),
+            output=Output()
+            if form.output is MISSING
+            else Output(**{name: content for name, content in form.output if content is not MISSING}),
+            text=text,
+            folder=str(folder),
+            **given,
+        )
+    except WinklerError as error:
+        raise type(error)(f"{at}{error}") from None
+
+
+def _placeholder(raw: dict[str, Any], at: str) -> None:
+    """Put a load into a problem without one, and refuse problems that are no model of a curve."""
+    problem = raw.get("problem")
+    if not isinstance(problem, dict):
+        return
+    kind = problem.get("kind")
+    if isinstance(kind, str) and kind not in FITTED:
+        from winkler.study.language.catalogue import CATALOGUE
+
+        if kind in CATALOGUE["problem"]:
+            raise InvalidInput(f"{at}problem.kind is '{kind}', which no curve can be fitted to; give "
+                               f"{', '.join(FITTED[:-1])} or {FITTED[-1]}.")  # fmt: skip
+    if kind == FITTED[-1]:
+        problem.setdefault("path", dict(PLACEHOLDER_PATH))
+    else:
+        problem.setdefault("load", dict(PLACEHOLDER))
+
+
+def _unloaded(problem: Any, given: dict[str, Any]) -> Any:
+    """Return the model with a placeholder for its load, or for its path, which says what drives."""
+    part, fitted = given["part"], given.get("fitted", "force")
+    if not isinstance(problem, ViscoelasticIndentation):
+        for key, content in (("part", part if part == "hold" else ""), ("fitted", fitted if fitted != "force" else "")):
+            if content:
+                raise InvalidInput(
+                    f"fit.{key} is '{content}', which needs a body that relaxes; give {FITTED[-1]}, or leave it."
+                )
+        return dataclasses.replace(problem, load=Depth(0.0))
+    if part == "retract":
+        raise InvalidInput(
+            "fit.part is 'retract', but what a body that relaxes does depends on how it was pressed; give both."
+        )
+    if fitted == "position" and part == "both":
+        raise InvalidInput(
+            "fit.part is 'both', but forces drive a contact only while it grows; give hold, or fit forces."
+        )
+    return dataclasses.replace(problem, path=MotionPath(np.zeros(1), Depth(0.0) if fitted == "force" else Force(0.0)))
+
+
+def _noise(raw: Any, unit: str) -> float:
+    noise = _number(raw, unit, "fit.noise")
+    if not noise > 0.0:
+        raise InvalidInput(f"fit.noise is {raw!r}; it must be positive.")
+    return noise
+
+
+def _sources(given: str, folder: Path) -> tuple[str, ...]:
+    """Return the files that `curve` names."""
+    try:
+        found_, what = _named(given, folder)
+        files = sorted(itertools.islice(found_, MOST_CURVES + 1), key=_in_numbers)
+    except InvalidInput:
+        raise
+    except (OSError, ValueError, NotImplementedError, RecursionError) as error:
+        raise InvalidInput(
+            f"fit.curve is '{shown(given)}', which cannot be looked at ({reason_of(error)}); give a file, a folder or "
+            "a pattern from the study."
+        ) from None
+    if not files:
+        raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
+    if len(files) > MOST_CURVES:
+        raise InvalidInput(
+            f"fit.curve is '{shown(given)}', which are more than {MOST_CURVES} files; fit them in parts."
+        )
+    return tuple(str(item) for item in files)
+
+
+def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
+    """Return the files that `curve` names, and what to say if there are none."""
+    path = folder / given
+    if path.is_file():
+        return iter((path,)), ""
+    if path.is_dir():
+        inside = (item for item in path.iterdir() if item.is_file() and not item.name.startswith("."))
+        return inside, f"the folder '{given}' holds no files"
+    if PATTERN.search(given):
+        if given.count("**") > 1:
+            raise InvalidInput(f"fit.curve is '{shown(given)}'; give a pattern with ** once, or without.")
+        absolute = Path(given).is_absolute()
+        root = Path(Path(given).anchor) if absolute else folder
+        pattern = str(Path(given).relative_to(root)) if absolute else given
+        return (item for item in root.glob(pattern) if item.is_file()), f"no file fits the pattern '{shown(given)}'"
+    beside = path.parent.iterdir() if path.parent.is_dir() else ()
+    near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS))
+    hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
+    raise InvalidInput(
+        f"fit.curve is '{shown(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
+        "pattern from there."
+    )
+
+
+def _in_numbers(path: Path) -> tuple[Any, ...]:
+    """Return what sorts curve2 before curve10."""
+    parts = re.split(r"(\d+)", path.as_posix())
+    return tuple((int(part), "") if part.isdecimal() else (-1, part) for part in parts)
+
+
+def _frees(raw: dict[str, Any], problem: Any) -> tuple[Free, ...]:
+    if not raw:
+        raise InvalidInput('fit.free is empty; name what is fitted, such as "problem.bed.medium.first.young" = true.')
+    return tuple(free for key, content in raw.items() for free in _free_row(key, content, problem))
+
+
+def _free_row(key: str, raw: Any, problem: Any) -> tuple[Free, ...]:
+    """Return one line of ``[fit.free]``; of the name of a row, one for each of its numbers."""
+    plain = re.sub(r"\[(\d+)\]", r".\1", key).removeprefix("problem.")
+    try:
+        content = keys.content_at(problem, plain) if key.startswith("problem.") else ()
+    except InvalidInput:  # told below
+        content = ()
+    if not isinstance(content, np.ndarray):
+        return (_free(key, raw, problem),)
+    return tuple(_free(f"{key}.{index}", raw, problem) for index in range(content.size))
+
+
+def _free(key: str, raw: Any, problem: Any) -> Free:
+    where = f'fit.free."{key}"' if "." in key else f"fit.free.{key}"
+    plain = re.sub(r"\[(\d+)\]", r".\1", key)
+    free = Free(plain)
+    curves = OF_A_TIMED_CURVE if isinstance(problem, ViscoelasticIndentation) else OF_A_CURVE
+    if key in curves:
+        unit = word_of(problem, key).unit or ""
+    elif not plain.startswith("problem."):
+        hint = suggest(key, curves)
+        raise InvalidInput(
+            f"{where} is neither a key of the problem, which begins with 'problem.', nor one of "
+            f"{', '.join(curves)}{hint}."
+        )
+    else:
+        try:
+            keys.content_at(problem, plain.removeprefix("problem."))
+            found(problem, free.path)
+        except InvalidInput as error:
+            sentence = str(error).removeprefix("free: ").replace(plain.removeprefix("problem."), key, 1)
+            raise InvalidInput(f"{where}: {sentence.removeprefix(f'the key {key!r}: ')}") from None
+        unit = word_of(problem, plain).unit or ""
+    if raw is True or raw == {}:
+        return free
+    texts = raw if isinstance(raw, list) else [raw]
+    if isinstance(raw, bool | dict) or len(texts) not in (1, 2) or (isinstance(raw, list) and len(raw) != 2):
+        raise InvalidInput(
+            f"{where} is {str(raw).lower() if isinstance(raw, bool) else raw!r}; give two bounds as a list, a start, "
+            "or true for neither; leave out what is not fitted."
+        )
+    numbers = tuple(
+        _number(text, unit, f"{where}[{place}]" if len(texts) == 2 else where) for place, text in enumerate(texts)
+    )
+    if len(numbers) == 2 and not numbers[0] < numbers[1]:
+        raise InvalidInput(f"{where}: the lower bound {texts[0]!r} is not below the upper one {texts[1]!r}.")
+    return Free(plain, numbers)
+
+
+def _number(raw: Any, unit: str, where: str) -> float:
+    from pydantic_core import PydanticCustomError
+
+    from winkler.study.language import quantities
+
+    try:
+        return float(quantities.number(raw, unit))
+    except PydanticCustomError as error:
+        raise InvalidInput(str((error.context or {})["sentence"]).replace(quantities.WHERE, where)) from None

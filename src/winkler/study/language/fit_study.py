@@ -1,0 +1,158 @@
+"""A study with ``[fit]``: measured curves, a problem as their model, and the numbers that the curves are to tell.
+
+::
+
+    [fit]
+    curve = "gel/*.csv"
+    part = "approach"
+
+    [fit.free]
+    "problem.bed.medium.first.young" = ["1 kPa", "10 MPa"]
+    contact_point = true
+
+The load of the problem is only a placeholder and may be left out.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import re
+from typing import Any
+
+from winkler.study.language import keys
+from winkler.study.language.study import Output
+from winkler.values import value
+from winkler.vocabulary import Word, word
+
+__all__ = ["OF_A_CURVE", "OF_A_TIMED_CURVE", "FitStudy", "Free", "word_of"]
+
+OF_A_CURVE = {
+    "contact_point": Word("D_0", "m", "position at which the curve first touches"),
+    "baseline": Word("F_0", "N", "force out of contact"),
+    "tilt": Word("t", "N/m", "change of the baseline with the position"),
+}
+OF_A_TIMED_CURVE = OF_A_CURVE | {
+    "drift": Word("u", "m/s", "drift of the position"),
+    "drag": Word("c_v", "N s/m", "drag of the liquid on the cantilever, over its velocity"),
+}
+"""What a curve leaves open where the model relaxes."""
+
+
+@value
+class Free:
+    """One line of ``[fit.free]``.
+
+    Parameters
+    ----------
+    key
+        As it stands in the study: ``problem.bed.medium.first.young``, or contact_point, baseline, tilt; of a body
+        that relaxes also drift and drag.
+    given : tuple of float
+        ``(low, high)``, ``(start,)``, or nothing; SI.
+    """
+
+    key: str
+    given: tuple[float, ...] = ()
+
+    @property
+    def path(self) -> str:
+        """The name that `winkler.fitting.fit.fit` knows it by."""
+        return re.sub(r"\.(\d+)(?=\.|$)", r"[\1]", self.key.removeprefix("problem."))
+
+    @property
+    def label(self) -> str:
+        """Its last name, with its number in a row."""
+        return re.sub(r"^.*?(\w+(\.\d+)*)$", r"\1", self.key)
+
+    @property
+    def asked(self) -> tuple[float, ...] | float:
+        """What `winkler.fitting.fit.fit` takes for it."""
+        return self.given[0] if len(self.given) == 1 else self.given
+
+
+@value
+class FitStudy:
+    """What to fit, and to what.
+
+    Parameters
+    ----------
+    title
+        One line for tables, figures and the report.
+    problem
+        The model; its load is a placeholder.
+    sources : tuple of str
+        Files of curves, in the order in which they are fitted.
+    free : tuple of Free
+        What is fitted.
+    part
+        approach, hold (with the approach), retract or both.
+    segments : tuple of str
+        "found", or kinds with their beginnings, as "hold 12 s"; empty: as the file says, or found where it does not.
+    fitted
+        force, or of a body that relaxes position, under the measured forces.
+    correct : tuple of str
+        Corrections in their order.
+    spring_constant, sensitivity
+        [N/m] and [m/V], zero where the files tell them.
+    frame_stiffness
+        [N/m].
+    noise
+        [N], or [m] where positions are fitted; zero: read from the curves.
+    time_limit
+        The longest that the fit of one curve may take [s].
+    output
+        What is written.
+    text
+        The study file, word for word.
+    folder
+        Where it lies; names of curves are told from there.
+    """
+
+    title: str
+    problem: Any
+    sources: tuple[str, ...]
+    free: tuple[Free, ...]
+    part: str = "approach"
+    segments: tuple[str, ...] = ()
+    fitted: str = "force"
+    correct: tuple[str, ...] = ()
+    spring_constant: float = 0.0
+    sensitivity: float = 0.0
+    frame_stiffness: float = math.inf
+    noise: float = 0.0
+    time_limit: float = math.inf
+    output: Output = Output()
+    text: str = ""
+    folder: str = "."
+
+    @property
+    def spread(self) -> Word:
+        """Symbol, unit and meaning of the noise."""
+        unit = "N" if self.fitted == "force" else "m"
+        return Word("", unit, f"standard deviation of the {self.fitted}")
+
+    def word(self, key: str) -> Word:
+        """Return symbol, unit and meaning of a free number."""
+        return word_of(self.problem, key)
+
+
+def word_of(problem: Any, key: str) -> Word:
+    """Return symbol, unit and meaning of a number that is free in `problem`, by its key in the study."""
+    if key in OF_A_TIMED_CURVE:
+        return OF_A_TIMED_CURVE[key]
+    told = keys.word_at(problem, key.removeprefix("problem."))
+    return told._replace(unit=_unit(problem, key))
+
+
+def _unit(problem: Any, key: str) -> str:
+    """Return the unit of a key of the problem, with the numbers put in that it depends on."""
+    from winkler.study.language import quantities
+
+    owner, field, _ = keys.owner_at(problem, key.removeprefix("problem."))
+    cls = type(owner)
+    unit = word(cls.__name__, field).unit or ""
+    if field in quantities.dependent(cls):
+        content = {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
+        unit = quantities.settled(unit, cls, content)
+    return unit

@@ -1,0 +1,260 @@
+"""The grammar of a study file above its kinds: title, sweep, fields, output, expect."""
+
+from __future__ import annotations
+
+import functools
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, Field, StrictBool, StrictStr, create_model
+from pydantic_core import PydanticCustomError
+
+from winkler.errors import InvalidInput, suggest
+from winkler.study.language import quantities
+from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.language.correcting import CORRECTIONS
+from winkler.study.language.quantities import WHERE, wrong
+from winkler.study.language.schema import FORBID, MISSING, choice, forms
+from winkler.study.language.segmenting import stated_segments
+from winkler.study.language.study import Expectation, Places, named
+from winkler.vocabulary import GLOSSARY
+
+__all__ = ["SECTIONS", "expectation", "section_keys", "study_form", "unit_of_quantity"]
+
+SECTIONS: dict[str, dict[str, str]] = {
+    "the study": {
+        "title": "one line for tables, figures and the report; the name of the file if left out",
+        "problem": "what is asked: a table with a kind",
+        "sweep": "keys of the problem that vary",
+        "fit": "measured curves, and which numbers of the problem they are to tell; for `winkler fit`",
+        "fields": "where pressures, displacements and stresses are restored",
+        "output": "what is written",
+        "expect": "numbers that must come out, one [[expect]] each",
+        "source": "of a literature case: where the expected numbers come from",
+        "grade": "of a literature case: how independent they are, such as analytical or cross-code",
+    },
+    "sweep": {
+        '"problem.load.force"': "the values of a key in turn: a list or a range { from, to, count, spacing }; "
+        "or the range { from, to, scale } that a design draws from",
+        "design": "which points are solved, a table with a kind: crossed (the default), zipped, or with a count and a "
+        "seed latin_hypercube, sobol, sensitivity",
+    },
+    "fields": {
+        "r": 'distances from the axis: lengths, or multiples of the contact radius a, as "2 a"; a list or a range',
+        "z": "depths below the surface, positive in the first body; leave it out for surface fields only",
+    },
+    "fit": {
+        "curve": "a file, a folder or a pattern such as 'gel/*.csv', relative to the study",
+        "part": "approach, hold (with the approach, of a body that relaxes), retract or both",
+        "segments": 'where the curve is loaded, held and unloaded, if not as found: a list such as "hold 12 s" or, by '
+        'the number of the point, "hold 1200"; or "found", whatever the file says',
+        "fitted": "force, or of a body that relaxes position, which then follows from the measured forces",
+        "free": "what is fitted: a table, one key of the problem or of the curve in each line",
+        "spring_constant": "of the cantilever, where the file does not tell it; taken in place of the file's",
+        "sensitivity": "deflection per volt, where the file holds a voltage",
+        "frame_stiffness": "of the frame of the machine, which gives way too",
+        "correct": "corrections in their order: a list of baseline, drift, drag, saturation",
+        "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
+        "time_limit": "the longest that the fit of one curve may take; without end if left out",
+    },
+    "fit.free": {
+        '"problem.bed.medium.first.young"': "a number of the problem: bounds as a list of two, a start, or true",
+        "contact_point": "where the curve first touches: the same",
+        "baseline": "force out of contact: the same",
+        "tilt": "change of the baseline with the position: the same",
+        "drift": "of the position, of a body that relaxes: the same",
+        "drag": "of a liquid on the cantilever, over its velocity, of a body that relaxes: the same",
+    },
+    "output": {
+        "folder": "folder of the results; results/NAME if left out",
+        "figures": "formats of the figures: a list of svg, png, pdf",
+        "report": "whether report.html is written: true or false",
+    },
+    "expect": {
+        "quantity": "an answer (depth), a restored field (pressure, von_mises), a function (line_load), or a path",
+        "value": "a quantity, or a number with its unit in unit; a list where the load is one, or for each point",
+        "unit": "unit of value and scale, where they are numbers",
+        "tolerance": "largest allowed deviation, relative to the value or to scale",
+        "scale": "what deviations are relative to; needed where the value is zero",
+        "r": "of a field: distance from the axis",
+        "x": "of a function along the springs: place; of a field in the axes of the bodies: along x",
+        "y": "of a field in the axes of the bodies: along y, with x and z",
+        "z": "of a field below the surface: depth",
+    },
+}
+"""Section -> key -> what it says."""
+
+
+PLACE = ("r", "x", "y", "z")
+"""Where ``[[expect]]`` asks for a field."""
+
+PART: Any = Literal["approach", "hold", "retract", "both"]
+FIT: Any = Literal["force", "position"]
+
+
+def places(raw: Any) -> Places:
+    """Return places as lengths, or as multiples of the contact radius, written with the unit ``a``."""
+    if isinstance(raw, str):
+        raw = [raw]
+    if isinstance(raw, dict) and "values" in raw and raw.get("unit") == "a":
+        return Places(quantities.numbers({"values": raw["values"]}, ""), relative=True)
+    texts = raw if isinstance(raw, list) else [raw.get("from"), raw.get("to")] if isinstance(raw, dict) else []
+    relative = [isinstance(text, str) and text.split()[1:] == ["a"] for text in texts]
+    if any(relative):
+        if not all(relative):
+            wrong(f"{WHERE} mixes lengths and multiples of the contact radius a; use one of both.")
+        plain = [str(text).split()[0] for text in texts]
+        raw = {**raw, "from": plain[0], "to": plain[1]} if isinstance(raw, dict) else plain
+        return Places(quantities.numbers(raw, ""), relative=True)
+    return Places(quantities.numbers(raw, "m"))
+
+
+def picture_formats(raw: Any) -> Any:
+    """Refuse what is not a list of texts."""
+    if not isinstance(raw, list) or not all(isinstance(item, str) for item in raw):
+        wrong(f'{WHERE} is {raw!r}; give a list of formats, such as ["svg", "png"].')
+    return tuple(raw)
+
+
+def corrections(raw: Any) -> tuple[str, ...]:
+    """Refuse what is not a list of corrections."""
+    if not isinstance(raw, list) or not raw or not all(isinstance(item, str) for item in raw):
+        wrong(f'{WHERE} is {raw!r}; give a list of corrections in their order, such as ["drag", "baseline"].')
+    for item in raw:
+        if item not in CORRECTIONS:
+            wrong(f"{WHERE} asks for '{item}'{suggest(item, CORRECTIONS)}; there are {', '.join(CORRECTIONS)}.")
+    return tuple(raw)
+
+
+def _positive(unit: str) -> Any:
+    def check(raw: Any) -> float:
+        found = float(quantities.number(raw, unit))
+        if not found > 0.0:
+            wrong(f"{WHERE} is {raw!r}; it must be positive.")
+        return found
+
+    return Annotated[Any, BeforeValidator(check)]
+
+
+def _text(raw: Any) -> Any:
+    if not isinstance(raw, str):
+        wrong(f'{WHERE} is {raw!r}, not text; give the name of an answer or a field, such as "depth".')
+    return raw
+
+
+def expectation(table: dict[str, Any]) -> Expectation:
+    """Return one ``[[expect]]``.  Its value is a quantity, or a number with its unit in ``unit``."""
+    name = table["quantity"]
+    unit = unit_of_quantity(name)
+    raw, given = table["value"], table["unit"]
+    if given is not MISSING and isinstance(raw, int | float) and not isinstance(raw, bool):
+        raw = f"{raw!r} {given}".strip()
+    elif given is not MISSING and isinstance(raw, list):
+        raw = {"values": raw, "unit": given}
+    scale = table["scale"]
+    if given is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
+        scale = f"{scale!r} {given}".strip()
+    place = tuple((key, float(_at(key, table[key], "m"))) for key in PLACE if table[key] is not MISSING)
+    if tuple(key for key, _ in place) not in ((), ("r",), ("r", "z"), ("x",), ("x", "y", "z")):
+        raise InvalidInput(
+            f"expect gives {' and '.join(key for key, _ in place)}; give r on the surface, r and z below it, "
+            "x along the springs, or x, y and z."
+        )
+    return Expectation(
+        quantity=name,
+        expected=_at("value", raw, unit),
+        tolerance=float(_at("tolerance", table["tolerance"], "")),
+        place=place,
+        scale=0.0 if scale is MISSING else float(_at("scale", scale, unit)),
+    )
+
+
+def unit_of_quantity(name: str) -> str:
+    """Return the unit of an expected quantity; of a path such as ``problem.bed.medium.modulus``, that of its end.
+
+    A number at the end is a place among many answers, ``shear_force.-1`` the last one.
+
+    Raises
+    ------
+    InvalidInput
+        If the glossary does not know it.
+    """
+    last = named(name)
+    known = sorted({key for key, word in GLOSSARY.items() if word.unit is not None})
+    if last not in known:
+        raise InvalidInput(f"quantity is '{name}'{suggest(last, known)}; give a quantity of the glossary.")
+    return GLOSSARY[last].unit or ""
+
+
+def _at(key: str, raw: Any, unit: str) -> Any:
+    try:
+        return quantities.number_or_numbers(raw, unit)
+    except PydanticCustomError as error:
+        raise InvalidInput(str((error.context or {})["sentence"]).replace(WHERE, key)) from None
+
+
+def _either_value(raw: Any) -> Any:
+    if isinstance(raw, bool) or not isinstance(raw, str | int | float | list):
+        wrong(f"{WHERE} is {raw!r}; give a quantity or a number, or a list of them.")
+    return raw
+
+
+@functools.cache
+def study_form() -> type[BaseModel]:
+    """Return the input model of a whole study."""
+    where = Annotated[Any, BeforeValidator(places)]
+    fields = create_model("fields", __config__=FORBID, r=(where, ...), z=(where, MISSING))
+    output = create_model(
+        "output",
+        __config__=FORBID,
+        folder=(StrictStr, MISSING),
+        figures=(Annotated[Any, BeforeValidator(picture_formats)], MISSING),
+        report=(StrictBool, MISSING),
+    )
+    fit = create_model(
+        "fit",
+        __config__=FORBID,
+        curve=(StrictStr, ...),
+        part=(PART, ...),
+        segments=(Annotated[Any, BeforeValidator(stated_segments)], MISSING),
+        fitted=(FIT, MISSING),
+        free=(dict[str, Any], ...),
+        spring_constant=(_positive("N/m"), MISSING),
+        sensitivity=(_positive("m/V"), MISSING),
+        frame_stiffness=(_positive("N/m"), MISSING),
+        correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
+        noise=(Any, MISSING),
+        time_limit=(_positive("s"), MISSING),
+    )
+    expect = create_model(
+        "expect",
+        __config__=FORBID,
+        quantity=(Annotated[Any, BeforeValidator(_text)], ...),
+        value=(Annotated[Any, BeforeValidator(_either_value)], ...),
+        unit=(StrictStr, MISSING),
+        tolerance=(Any, ...),
+        scale=(Any, MISSING),
+        r=(Any, MISSING),
+        z=(Any, MISSING),
+        x=(Any, MISSING),
+        y=(Any, MISSING),
+    )
+    model = create_model(
+        "study",
+        __config__=FORBID,
+        title=(StrictStr, ""),
+        source=(StrictStr, ""),
+        grade=(StrictStr, ""),
+        problem=(choice(tuple(CATALOGUE["problem"])), ...),
+        sweep=(dict[str, Any], Field(default_factory=dict)),
+        fields=(fields, MISSING),
+        fit=(fit, MISSING),
+        output=(output, MISSING),
+        expect=(list[expect], Field(default_factory=list)),  # type: ignore[valid-type]
+    )
+    model.model_rebuild(_types_namespace=dict(forms()))
+    return model
+
+
+def section_keys(section: str) -> tuple[str, ...]:
+    """Return the keys that a section of a study takes; none if it is no section."""
+    return tuple(SECTIONS.get(section.partition("[")[0], {}))

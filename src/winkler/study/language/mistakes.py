@@ -1,0 +1,181 @@
+"""What is wrong with a study, in one sentence each: file, key, what it was, what is allowed, the nearest known word."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import ValidationError
+
+from winkler.errors import InvalidInput, suggest
+from winkler.study.language.catalogue import REFUSED, kinds, slot_of
+from winkler.study.language.quantities import WHERE, sample, unit_of, wrong
+from winkler.vocabulary import word
+
+__all__ = ["MANY", "chosen", "sentences", "worded"]
+
+KINDLY = ("problem", "content")
+"""Parts of what is checked that are of kinds; pydantic names the kind behind the key of each."""
+
+MANY = 10
+"""So many sentences are shown at most."""
+
+
+def worded(file: str, found: list[str]) -> InvalidInput:
+    """Return the error for the sentences `found` about `file`."""
+    shown = [f"{file}: {sentence}" if file else sentence for sentence in found[:MANY]]
+    if len(found) > MANY:
+        shown.append(f"{len(found) - MANY} more mistakes are not shown.")
+    return InvalidInput("\n".join(shown))
+
+
+def sentences(error: ValidationError, raw: Any, root: str = "") -> list[str]:
+    """Return one sentence for every mistake that pydantic found in `raw`.
+
+    With a `root`, `raw` is ``{"content": ...}``, and what stands there is named by that key.
+    """
+    found: dict[str, str] = {}
+    misspelt: set[str] = set()
+    for mistake in sorted(error.errors(include_url=False), key=lambda mistake: mistake["type"] == "missing"):
+        path, table = _place(mistake["loc"], raw)
+        key = _joined([root, *path[1:]] if root else path) or "the study"
+        if len(found) >= MANY:  # counted, never shown: each sentence costs a search for the nearest word
+            found.setdefault(key, "")
+            continue
+        if mistake["type"] == "extra_forbidden":
+            near = difflib.get_close_matches(str(path[-1]), _allowed(key, table), n=1, cutoff=0.6)
+            misspelt.update(f"{_parent(key)}.{name}" for name in near)
+        if mistake["type"] != "missing" or f"{_parent(key)}.{path[-1]}" not in misspelt:
+            found.setdefault(key, _sentence(mistake, key, path, table))
+    return list(found.values())
+
+
+def _joined(path: list[Any]) -> str:
+    text = ""
+    for part in path:
+        text += f"[{part}]" if isinstance(part, int) else f".{part}" if text else str(part)
+    return text
+
+
+def _place(loc: tuple[Any, ...], raw: Any) -> tuple[list[Any], Any]:
+    """Return the path in the file, without pydantic's own marks, and the innermost table or list on it."""
+    path: list[Any] = []
+    table = content = raw
+    fresh = False  # the study itself is of no kind, and a key may have the name of one
+    for part in loc:
+        if fresh and isinstance(content, Mapping) and content.get("kind") == part and part in kinds():
+            fresh = False
+            continue
+        path.append(part)
+        table, fresh = content, path[0] in KINDLY
+        inside = part in content if isinstance(content, Mapping) else isinstance(content, list) and part < len(content)
+        content = content[part] if inside else None
+    return path, table
+
+
+def _shown(given: Any) -> str:
+    if isinstance(given, Mapping):
+        return "a table"
+    if isinstance(given, list):
+        return "a list"
+    if isinstance(given, bool):
+        return str(given).lower()
+    if not isinstance(given, str | int | float):
+        return str(given)
+    return repr(given) if len(repr(given)) <= 60 else repr(given)[:57] + "..."
+
+
+def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
+    """Refuse what is not a table of one of the `allowed` kinds."""
+    if not isinstance(raw, Mapping):
+        wrong(f'{WHERE} is {_shown(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
+    if "kind" not in raw:
+        add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
+        wrong(f"{WHERE} has no kind; add kind, {add}.")
+    tag = raw["kind"]
+    if tag in allowed:
+        return raw
+    if not isinstance(tag, str):
+        wrong(f"{WHERE}.kind is {_shown(tag)}, not text; allowed are {', '.join(allowed)}.")
+    if tag in REFUSED:
+        try:
+            REFUSED[tag](1.0)
+        except ValueError as refusal:
+            wrong(f"{WHERE}.kind is '{tag}': {refusal}")
+    if tag in kinds():
+        here = f"allowed here are {', '.join(allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
+        wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; {here}.")
+    return wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
+
+
+def _parent(key: str) -> str:
+    return key.rpartition(".")[0] or "the study"
+
+
+def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
+    given, context = mistake["input"], mistake.get("ctx", {})
+    name = str(path[-1]) if path else ""
+    if _kindless(key) and isinstance(table, Mapping):  # a kind has no business there, and says nothing of the table
+        table = {word: content for word, content in table.items() if word != "kind"}
+    owner = kinds().get(str(table.get("kind"))) if isinstance(table, Mapping) else None
+    match mistake["type"]:
+        case "winkler":
+            return str(context["sentence"]).replace(WHERE, _joined([key, *context.get("key", ())]))
+        case "extra_forbidden":
+            return _unknown(key, name, table, owner)
+        case "missing":
+            return _missing(key, name, owner)
+        case "literal_error":
+            allowed = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
+            return f"{key} is {_shown(given)}{suggest(str(given), allowed)}; give {' or '.join(allowed)}."
+        case "model_attributes_type" | "model_type" | "dict_type" | "dataclass_type":
+            return f"{key} is {_shown(given)}, not a table; write it as {{ key = value, ... }} or as [{key}]."
+        case "list_type":
+            right = f"with two brackets, as [[{key}]]" if isinstance(given, Mapping) else "as [ ..., ... ]"
+            return f"{key} is {_shown(given)}, not a list; write it {right}."
+        case "string_type":
+            return f'{key} is {_shown(given)}, not text; write it in quotes, as {name} = "...".'
+        case "bool_type":
+            return f"{key} is {_shown(given)}; give true or false."
+        case "int_type":
+            return f"{key} is {_shown(given)}; give a whole number."
+        case _:
+            return f"{key} is {_shown(given)}: {mistake['msg']}."
+
+
+def _kindless(key: str) -> bool:
+    """Return whether the table around a key is a section that is of no kind, such as [[expect]]."""
+    from winkler.study.language.grammar import SECTIONS
+
+    section = _parent(key).partition("[")[0]
+    return section in SECTIONS and "kind" not in SECTIONS[section] and section != "problem"
+
+
+def _unknown(key: str, name: str, table: Any, owner: Any) -> str:
+    allowed = _allowed(key, table)
+    where = f"{table['kind']}" if owner is not None else _parent(key)
+    return f"{key} is not known{suggest(name, allowed)}; {where} takes {', '.join(allowed)}."
+
+
+def _allowed(key: str, table: Any) -> tuple[str, ...]:
+    """Return the keys that may stand beside `key`."""
+    from winkler.study.language.grammar import section_keys
+    from winkler.study.language.schema import form
+
+    name = str(table.get("kind")) if isinstance(table, Mapping) else ""
+    return tuple(form(name).model_fields) if name in kinds() else section_keys(_parent(key))
+
+
+def _missing(key: str, name: str, owner: Any) -> str:
+    from winkler.study.language.grammar import SECTIONS
+
+    where = _parent(key)
+    if owner is None:
+        told_ = SECTIONS.get(where.partition("[")[0], {}).get(name, "")
+        return f"{where} has no '{name}'{f' ({told_.partition(chr(59))[0]})' if told_ else ''}; add it."
+    told = word(owner.cls.__name__, name)
+    unit = unit_of(owner.cls, name)
+    such = owner.example.get(name)
+    example = f', such as {name} = "{such if isinstance(such, str) else sample(unit)}"' if unit else ""
+    return f"{where} has no '{name}' ({told.meaning}); add it{example}."

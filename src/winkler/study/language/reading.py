@@ -1,0 +1,292 @@
+"""Studies read from TOML, and written back to it."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+import unicodedata
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, WinklerError
+from winkler.io.foreign import shown
+from winkler.io.text_file import content_of
+from winkler.limits import STUDY_BYTES, STUDY_MARKS
+from winkler.study.language import axes
+from winkler.study.language.build import assembled, unbuild, written_number, written_numbers
+from winkler.study.language.designs import Crossed
+from winkler.study.language.study import Expectation, Fields, Output, Places, Study
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+__all__ = ["parse_study", "parsed", "read_study", "read_text", "study_text"]
+
+DEEPEST = 50
+"""Levels of tables and lists within each other."""
+DOTTED = re.compile(rf"(?<![\w.-])(?:(?:[\w-]++|\"[^\"\n]*+\"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{DEEPEST}}}", re.ASCII)
+"""A key of more parts; TOML is read in a time that grows with the square of their number."""
+SEPARATING = (",", "=", "\n", "[", "{", "\\")
+SPACES = 20
+"""So many spaces cost the time of one entry."""
+
+
+def read_study(path: str | Path) -> Study:
+    """Read a study file.
+
+    Parameters
+    ----------
+    path
+        A TOML file; files that it names lie relative to it.
+
+    Returns
+    -------
+    Study
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake: file, key, what it was, what is allowed.
+    """
+    path = Path(path)
+    return parse_study(read_text(path), file=path.name, folder=path.parent)
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a study file.
+
+    Raises
+    ------
+    InvalidInput
+        If it cannot be read.
+    """
+    try:
+        if path.is_dir():
+            raise InvalidInput(f"{shown(path)} is a folder; give a study file in it.")
+        if not path.exists():
+            near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
+            others = f"; there are {', '.join(near)}" if near else ""
+            raise InvalidInput(
+                f"{shown(path)}: there is no such file{others}; `winkler new indentation` writes one."
+            ) from None
+        if not path.is_file():
+            raise InvalidInput(f"{shown(path)}: this is not a file with contents; give a study file.")
+        return content_of(path, STUDY_BYTES).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InvalidInput(f"{path}: byte {error.start} is not UTF-8; save the study as UTF-8 text.") from None
+    except OSError as error:
+        raise InvalidInput(
+            f"{shown(path)}: cannot be read ({error.strerror or error}); give a readable study file."
+        ) from None
+
+
+def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
+    """Return the study that TOML `text` describes.
+
+    Parameters
+    ----------
+    text
+        The content of a study file.
+    file
+        Its name, for messages and as the title where none is given.
+    folder
+        Where the files that it names lie.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+    """
+    raw = parsed(text, file)
+    if "fit" in raw:
+        command = f"winkler fit {file}" if file else "winkler fit"
+        raise InvalidInput(f"{_at(file)}the study has a section [fit]; `{command}` fits it.")
+    if "function" in raw:
+        command = f"winkler validate {file}" if file else "winkler validate"
+        raise InvalidInput(
+            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{command}` judges it."
+        )
+    return _study(raw, file, folder)
+
+
+def parsed(text: str, file: str) -> dict[str, Any]:
+    """Return the tables of a study's TOML `text`; `file` is its name, for messages.
+
+    Raises
+    ------
+    InvalidInput
+        If it is not TOML, or empty.
+    """
+    marks = sum(map(text.count, SEPARATING)) + text.count(" ") // SPACES
+    if marks > STUDY_MARKS:
+        raise InvalidInput(
+            f"{_at(file)}the study has more than {STUDY_MARKS} entries; put long lists into a table, and name its file."
+        )
+    if DOTTED.search(text):
+        raise InvalidInput(f"{_at(file)}a key has more than {DEEPEST} parts; a study needs about ten levels.")
+    try:
+        raw = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InvalidInput(f"{_at(file)}this is not TOML: {_lowered(str(error))}.") from None
+    except ValueError:  # Python turns at most 4300 digits into a whole number
+        raise InvalidInput(f"{_at(file)}a number has thousands of digits; write it as 1e9.") from None
+    except RecursionError:
+        raise InvalidInput(f"{_at(file)}tables or lists are nested too deep; a study needs about ten levels.") from None
+    if _deep(raw):
+        raise InvalidInput(f"{_at(file)}tables or lists are nested more than {DEEPEST} deep; write it more simply.")
+    if controlled := next(_controlled(raw), ""):
+        raise InvalidInput(
+            f"{_at(file)}the text {controlled!a:.60} holds a control character; leave it out, only line breaks and "
+            "tabs are allowed."
+        )
+    if not raw:
+        raise InvalidInput(
+            f"{_at(file)}the study is empty; it needs at least [problem], see `winkler new indentation`."
+        )
+    return raw
+
+
+def _deep(content: Any) -> bool:
+    """Return whether anything is nested deeper than a study needs."""
+    level = [content]
+    for _ in range(DEEPEST):
+        level = [
+            inner
+            for outer in level
+            for inner in (outer.values() if isinstance(outer, dict) else outer)
+            if isinstance(inner, dict | list)
+        ]
+    return bool(level)
+
+
+def _controlled(content: Any) -> Iterator[str]:
+    """Yield texts with control characters: no table, page or archive needs them, and some cannot hold them."""
+    if isinstance(content, str):
+        if not content.isprintable() and any(
+            unicodedata.category(one) == "Cc" and one not in "\t\n\r" for one in content
+        ):
+            yield content
+    elif isinstance(content, dict):
+        for name, inner in content.items():
+            yield from _controlled(name)
+            yield from _controlled(inner)
+    elif isinstance(content, list):
+        for inner in content:
+            yield from _controlled(inner)
+
+
+def _at(file: str) -> str:
+    return f"{file}: " if file else ""
+
+
+def _lowered(sentence: str) -> str:
+    return sentence[:1].lower() + sentence[1:].rstrip(".")
+
+
+def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
+    from pydantic import ValidationError
+
+    from winkler.study.language import grammar, mistakes
+    from winkler.study.language.schema import MISSING
+
+    try:
+        form: Any = grammar.study_form().model_validate(raw)
+    except ValidationError as error:
+        raise mistakes.worded(file, mistakes.sentences(error, raw)) from None
+    problem = assembled(form.problem, folder=folder, file=file, key="problem")
+    try:
+        design = axes.design(form.sweep.pop("design", {"kind": "crossed"}))
+        expect = []
+        for place, item in enumerate(form.expect):
+            try:
+                expect.append(grammar.expectation(dict(item)))
+            except InvalidInput as error:
+                sentence = str(error)
+                rest = sentence.removeprefix("expect") if sentence.startswith("expect") else f".{sentence}"
+                raise InvalidInput(f"expect[{place}]{rest}") from None
+        return Study(
+            title=form.title or Path(file).stem,
+            problem=problem,
+            sweep=tuple(
+                axes.line(key, values, problem, design, file=file, folder=folder) for key, values in form.sweep.items()
+            ),
+            design=design,
+            fields=Fields() if form.fields is MISSING else Fields(**_given(form.fields)),
+            output=Output() if form.output is MISSING else Output(**_given(form.output)),
+            expect=tuple(expect),
+            source=form.source,
+            grade=form.grade,
+        )
+    except WinklerError as error:
+        if file and str(error).startswith(f"{file}: "):
+            raise
+        raise type(error)(f"{_at(file)}{error}") from None
+
+
+def _given(form: BaseModel) -> dict[str, Any]:
+    from winkler.study.language.schema import MISSING
+
+    return {name: content for name, content in form if content is not MISSING}
+
+
+def study_text(study: Study) -> str:
+    """Return a study as TOML; `parse_study` gives the same study back, floats to the last digit.
+
+    Examples
+    --------
+    A study that was made in Python becomes a file by ``Path("study.toml").write_text(study_text(study))``.
+    """
+    import tomli_w
+
+    table: dict[str, Any] = {"title": study.title} if study.title else {}
+    table |= {name: text for name, text in (("source", study.source), ("grade", study.grade)) if text}
+    table["problem"] = unbuild(study.problem)
+    if study.expect:
+        table["expect"] = [_expected(item) for item in study.expect]
+    text = tomli_w.dumps(table) + _sweep(study)
+    table = {}
+    if study.fields != Fields():
+        asked = (("r", study.fields.r), ("z", study.fields.z))
+        table["fields"] = {name: _places(places) for name, places in asked if places.values.size}
+    if study.output != Output():
+        table["output"] = _output(study.output)
+    return f"{text}\n{tomli_w.dumps(table)}" if table else text
+
+
+def _sweep(study: Study) -> str:
+    """Return the section of the sweep; its keys stay in their order, which drawn points depend on."""
+    from winkler.study.language.template import inline
+
+    if not study.sweep:
+        return ""
+    lines = [] if study.design == Crossed() else [f"design = {inline(axes.written_design(study.design))}"]
+    lines += [f"{json.dumps(line.key)} = {inline(axes.written(line, study.problem))}" for line in study.sweep]
+    return "\n[sweep]\n" + "\n".join(lines) + "\n"
+
+
+def _places(places: Places) -> Any:
+    if places.relative:
+        return {"values": [float(number) for number in places.values], "unit": "a"}
+    return written_numbers(places.values, "m")
+
+
+def _output(output: Output) -> dict[str, Any]:
+    table: dict[str, Any] = {"folder": output.folder} if output.folder else {}
+    return table | {"figures": list(output.figures), "report": output.report}
+
+
+def _expected(item: Expectation) -> dict[str, Any]:
+    unit = item.unit
+    expected = item.expected
+    table: dict[str, Any] = {"quantity": item.quantity}
+    table["value"] = (
+        written_numbers(expected, unit) if isinstance(expected, np.ndarray) else written_number(float(expected), unit)
+    )
+    table["tolerance"] = float(item.tolerance)
+    if item.scale:
+        table["scale"] = written_number(float(item.scale), unit)
+    return table | {name: written_number(float(number), "m") for name, number in item.place}

@@ -1,0 +1,195 @@
+"""Input models, derived from the dataclasses: what a study file may say, key by key.
+
+Every class of the catalogue becomes a pydantic model with the same keys and a ``kind``; extra keys are forbidden.  A
+float becomes a quantity in the glossary's unit, a contract the union of the kinds that fulfil it.  The models only
+check and convert; the plain dataclasses are made from them in `winkler.study.language.build`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import inspect
+import types
+import typing
+from collections.abc import Callable
+from typing import Annotated, Any, ForwardRef, Literal, Union
+
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    StrictBool,
+    StrictInt,
+    StrictStr,
+    TypeAdapter,
+    create_model,
+    model_validator,
+)
+
+from winkler.numerics.types import Array
+from winkler.study.language import maps, mistakes, quantities
+from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+
+__all__ = [
+    "FORBID",
+    "MISSING",
+    "adapter",
+    "allowed_in_list",
+    "allowed_kinds",
+    "choice",
+    "form",
+    "forms",
+    "hints",
+    "options",
+    "slot_adapter",
+]
+
+MISSING: Any = object()
+"""Stands in a form for a key that was left out and has a default in its class."""
+
+FORBID = ConfigDict(extra="forbid", arbitrary_types_allowed=True, protected_namespaces=())
+
+
+def _checked(convert: Callable[[Any], Any]) -> Any:
+    return Annotated[Any, BeforeValidator(convert)]
+
+
+def choice(allowed: tuple[str, ...]) -> Any:
+    """Return what checks a table of one of the `allowed` kinds."""
+    forms_allowed: Any = Union[tuple(ForwardRef(name) for name in allowed)]  # noqa: UP007
+    check = BeforeValidator(functools.partial(mistakes.chosen, allowed=allowed))
+    return Annotated[forms_allowed, Field(discriminator="kind"), check]
+
+
+def annotation(owner: type, field: str, hint: Any) -> Any:
+    """Return what pydantic checks the key `field` of `owner` by; `hint` is its type in the class.
+
+    Raises
+    ------
+    TypeError
+        If a study file cannot hold such a field.
+    """
+    if hint in (int, bool, str):
+        return {int: StrictInt, bool: StrictBool, str: StrictStr}[hint]
+    origin, inner = typing.get_origin(hint), typing.get_args(hint)
+    unit = quantities.unit_of(owner, field)
+    if (owner.__name__, field) in quantities.INDEXED:
+        return _checked(functools.partial(quantities.indexed, units=quantities.INDEXED[owner.__name__, field]))
+    if (owner.__name__, field) in quantities.GRIDS:
+        return _checked(quantities.grid)
+    if (owner.__name__, field) in maps.MAPS:
+        return _checked(functools.partial(maps.height_map, unit=unit))
+    if (owner.__name__, field) in maps.PAIRS:
+        return _checked(functools.partial(maps.pair, unit=unit))
+    if hint == tuple[int, int]:
+        return _checked(maps.counts)
+    if hint is float:
+        taken = quantities.number_or_infinite if quantities.endless(owner, field) else quantities.number
+        return _checked(functools.partial(taken, unit=unit))
+    if hint == Array:
+        return _checked(functools.partial(quantities.numbers, unit=unit))
+    if origin in (Union, types.UnionType) and set(inner) == {float, Array}:
+        return _checked(functools.partial(quantities.number_or_numbers, unit=unit))
+    if origin is tuple and inner == (float, Ellipsis):
+        return _checked(functools.partial(quantities.numbers, unit=unit))
+    if hint == tuple[tuple[str, float], ...]:
+        return _checked(quantities.named)
+    if origin is tuple and len(inner) == 2 and inner[1] is Ellipsis:
+        return list[annotation(owner, field, inner[0])]  # type: ignore[misc]
+    allowed = allowed_kinds(hint)
+    if allowed:
+        return choice(allowed)
+    raise TypeError(f"{owner.__name__}.{field}: a study file cannot hold {hint}.")
+
+
+def allowed_kinds(hint: Any) -> tuple[str, ...]:
+    """Return the kinds that may stand where a class asks for `hint`; none if it does not ask for one."""
+    if hint in SLOTS:
+        return tuple(CATALOGUE[SLOTS[hint]])
+    if typing.get_origin(hint) in (Union, types.UnionType):
+        parts = [allowed_kinds(part) for part in typing.get_args(hint) if part not in UNWRITTEN]
+        return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
+    return tuple(name for name, line in kinds().items() if isinstance(hint, type) and issubclass(line.cls, hint))
+
+
+def allowed_in_list(hint: Any) -> tuple[str, ...]:
+    """Return the kinds that may stand in a list where a class asks for ``tuple[X, ...]``; none if it does not."""
+    inner = typing.get_args(hint)
+    listed = typing.get_origin(hint) is tuple and len(inner) == 2 and inner[1] is Ellipsis
+    return allowed_kinds(inner[0]) if listed else ()
+
+
+@functools.cache
+def hints(owner: type) -> dict[str, Any]:
+    """Return field -> type of a dataclass, in the order of its fields."""
+    known = typing.get_type_hints(owner)
+    return {field.name: known[field.name] for field in dataclasses.fields(owner) if field.init}
+
+
+def options(line: Kind) -> dict[str, Any]:
+    """Return name -> type of what a kind's reader takes beside the file: its keyword-only arguments."""
+    if line.reader is None:
+        return {}
+    known, types_ = inspect.signature(line.reader).parameters.values(), typing.get_type_hints(line.reader)
+    return {item.name: types_[item.name] for item in known if item.kind is inspect.Parameter.KEYWORD_ONLY}
+
+
+def _model(name: str, line: Kind) -> type[BaseModel]:
+    required = [
+        field.name
+        for field in dataclasses.fields(line.cls)
+        if field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
+    ]
+    others = [field for field in hints(line.cls) if field not in required]
+    keys: dict[str, Any] = {"kind": (Literal[name], ...)}
+    for field, hint in hints(line.cls).items():
+        optional = field not in required or line.reader is not None
+        keys[field] = (annotation(line.cls, field, hint), MISSING if optional else ...)
+    rules: dict[str, Any] = {}
+    if line.reader is not None:
+        keys["file"] = (StrictStr, MISSING)
+        taken = options(line)
+        keys |= {option: (annotation(line.cls, option, hint), MISSING) for option, hint in taken.items()}
+        alone = tuple(option for option in taken if option not in hints(line.cls))
+        either = functools.partial(
+            quantities.either_file_or, required=required, others=others, options=tuple(taken), alone=alone
+        )
+        rules["either"] = model_validator(mode="before")(either)
+    depends = quantities.dependent(line.cls)
+    if depends:
+        rules["units"] = model_validator(mode="after")(functools.partial(quantities.settle, cls=line.cls, keys=depends))
+    return create_model(name, __config__=FORBID, __validators__=rules, **keys)
+
+
+@functools.cache
+def forms() -> dict[str, type[BaseModel]]:
+    """Return the input model of every kind."""
+    models = {name: _model(name, line) for name, line in kinds().items()}
+    for model in models.values():
+        model.model_rebuild(_types_namespace=dict(models))
+    return models
+
+
+def form(name: str) -> type[BaseModel]:
+    """Return the input model of one kind."""
+    return forms()[name]
+
+
+def _adapter(shape: Any) -> TypeAdapter[Any]:
+    wrapper = create_model("wrapper", __config__=FORBID, content=(shape, ...))
+    wrapper.model_rebuild(_types_namespace=dict(forms()))
+    return TypeAdapter(wrapper)
+
+
+@functools.cache
+def slot_adapter(slot: str) -> TypeAdapter[Any]:
+    """Return what checks ``{"content": table}`` where the table is any kind of `slot`."""
+    return _adapter(choice(tuple(CATALOGUE[slot])))
+
+
+@functools.cache
+def adapter(owner: type, field: str, hint: Any) -> TypeAdapter[Any]:
+    """Return what checks ``{"content": x}`` where x of the type `hint` stands at the key `field` of `owner`."""
+    return _adapter(annotation(owner, field, hint))

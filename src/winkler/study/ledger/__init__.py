@@ -1,0 +1,1 @@
+"""The validation table: literature cases, run and compared."""

@@ -1,0 +1,78 @@
+"""Literature cases that fit a curve: a study with ``[fit]``, and ``[[expect]]`` for what it must tell.
+
+The quantity of an expectation is the key of a free number, ``problem.bed.medium.first.young``.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput
+from winkler.study.batch.fit_outcome import Fitted
+from winkler.study.batch.fit_run import fit_study
+from winkler.study.batch.outcome import Verdict
+from winkler.study.batch.verdicts import deviation
+from winkler.study.language.fit_reading import parse_fit_study
+from winkler.study.language.fit_study import FitStudy
+from winkler.study.language.reading import parsed, read_text
+from winkler.study.language.study import Expectation
+from winkler.study.ledger.expected_case import expectations
+
+__all__ = ["FitCase", "fit_verdicts", "is_fit", "read_fit_case"]
+
+
+class FitCase(NamedTuple):
+    """A study with ``[fit]``, where its expected numbers come from, and these."""
+
+    study: FitStudy
+    source: str
+    grade: str
+    expect: tuple[Expectation, ...]
+
+
+def is_fit(path: Path) -> bool:
+    """Return whether a case fits a curve."""
+    return "fit" in parsed(read_text(path), path.name)
+
+
+def read_fit_case(path: Path) -> FitCase:
+    """Read a case with ``[fit]``.
+
+    Raises
+    ------
+    InvalidInput
+        With one sentence for every mistake.
+    """
+    import tomli_w
+
+    raw = parsed(read_text(path), path.name)
+    source, grade = str(raw.pop("source", "")), str(raw.pop("grade", ""))
+    asked = expectations(raw.pop("expect", []), path.name)
+    study = parse_fit_study(tomli_w.dumps(raw), file=path.name, folder=path.parent)
+    free = [line.key for line in study.free]
+    for item in asked:
+        if item.quantity not in free:
+            raise InvalidInput(
+                f"{path.name}: expect asks for '{item.quantity}', which is not free; give one of {', '.join(free)}."
+            )
+    return FitCase(study, source, grade, asked)
+
+
+def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
+    """Return the verdicts on what the fits of a case told, curve by curve.
+
+    Raises
+    ------
+    InvalidInput, NotConverged, OutsideValidity
+        If no curve can be fitted.
+    """
+    paths = {line.key: line.path for line in case.study.free}
+    verdicts = []
+    for place, result in enumerate(fit_study(case.study).results):
+        for asked in case.expect:
+            got = result.fit.value(paths[asked.quantity]) if isinstance(result, Fitted) else np.nan
+            verdicts.append(Verdict((place,), asked, got, deviation(got, asked)))
+    return tuple(verdicts)

@@ -1,0 +1,85 @@
+"""The functions that a case of the ledger may name: a closed list, each with what it takes and what it answers.
+
+Coefficients that no problem answers with have their numbers judged by ``[function]``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from winkler.fitting.unloading.contact_reading import CalibratedArea, contact_reading, sample_young
+from winkler.materials.elastic import Elastic
+from winkler.problems.adhesion.model_choice import maugis_parameter
+from winkler.problems.rolling.kalker import creep_coefficients
+from winkler.problems.rough.persson import area_fraction
+
+__all__ = ["FUNCTIONS", "Function"]
+
+
+class Function(NamedTuple):
+    """One line of the list."""
+
+    call: Callable[..., Any]
+    physics: str
+    """The chapter of the ledger."""
+    answer: str
+    """The word of the glossary for what is answered."""
+    units: Mapping[str, str]
+    """Every argument and its unit."""
+    part: str = ""
+    """Which attribute of the result is meant; empty if it is the number itself."""
+
+
+FOUR_TERMS = {
+    "stiffness": "N/m",
+    "force": "N",
+    "depth": "m",
+    "c0": "",
+    "c1": "m",
+    "c2": "m^1.5",
+    "c3": "m^1.75",
+}
+"""A stiffness, and the area function of the tip that found it."""
+
+
+def _hardness(stiffness: float, force: float, depth: float, c0: float, c1: float, c2: float, c3: float) -> float:
+    """Return the hardness [Pa] that `contact_reading` reads."""
+    return contact_reading(stiffness, force, depth, CalibratedArea((c0, c1, c2, c3))).hardness
+
+
+def _young(
+    stiffness: float, force: float, depth: float, c0: float, c1: float, c2: float, c3: float, *, poisson: float,
+    indenter_young: float, indenter_poisson: float,
+) -> float:  # fmt: skip
+    """Return Young's modulus [Pa] of the sample that `contact_reading` and `sample_young` read."""
+    pair = contact_reading(stiffness, force, depth, CalibratedArea((c0, c1, c2, c3))).modulus
+    return sample_young(pair, poisson, Elastic(indenter_young, indenter_poisson))
+
+
+KALKER = {"ratio": "", "poisson": ""}
+
+FUNCTIONS: dict[str, Function] = {
+    "area_fraction": Function(
+        area_fraction,
+        "measured and rough surfaces",
+        "area_fraction",
+        {"pressure": "Pa", "modulus": "Pa", "rms_slope": ""},
+    ),
+    "contact_reading.hardness": Function(_hardness, "fits", "hardness", FOUR_TERMS),
+    "contact_reading.young": Function(
+        _young, "fits", "young", FOUR_TERMS | {"poisson": "", "indenter_young": "Pa", "indenter_poisson": ""}
+    ),
+    "creep_coefficients.lateral": Function(creep_coefficients, "rolling", "creep_coefficient", KALKER, "lateral"),
+    "creep_coefficients.longitudinal": Function(
+        creep_coefficients, "rolling", "creep_coefficient", KALKER, "longitudinal"
+    ),
+    "creep_coefficients.spin": Function(creep_coefficients, "rolling", "creep_coefficient", KALKER, "spin"),
+    "maugis_parameter": Function(
+        maugis_parameter,
+        "adhesion",
+        "maugis_parameter",
+        {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "strength": "Pa"},
+    ),
+}
+"""Name of a public function, with what of its answer is meant, and what there is to know of it."""

@@ -1,0 +1,253 @@
+"""Numbers to keep: NetCDF with units, meanings and provenance, and CSV that every spreadsheet reads.
+
+::
+
+    results.nc     every answer over the axes of the sweep, and every restored field; read it with xarray
+    results.csv    one row per point and load: what was varied, then the answers; units in the header
+    surface.csv    the fields on the surface, if [fields] asked for them
+    jumps.csv, branches.csv, limit.csv, stages.csv
+                   one row per jump of an adhesive cycle or curve, stable branch, limit of a sheared contact, or stage
+                   of sticking and sliding in an impact
+    sensitivity.csv
+                   one row per answer and varied key: how much of the scatter it makes, if the design is sensitivity
+
+All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only, and so are
+heights, pressure and distance over the pixels of a height map.
+"""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.study.batch.events import EVENTS, columns_of, found_in
+from winkler.study.batch.outcome import Answered, Outcome
+from winkler.study.batch.sensitivity import SENSITIVITY
+from winkler.study.batch.sensitivity import variables as index_variables
+from winkler.study.batch.sensitivity import write as write_indices
+from winkler.study.language import keys
+from winkler.study.language.reading import study_text
+from winkler.study.report.archive_maps import add_maps
+from winkler.study.report.netcdf import netcdf_attributes
+from winkler.vocabulary import Word, word
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write"]
+
+NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
+
+ACROSS = "load"
+"""Dimension of the loads that one point asks for at once."""
+
+LARGE = 1000
+"""Arrays with more numbers are compressed, without loss."""
+
+EXTRA = ("von_mises", "max_shear")
+"""What is kept of the stresses beside their components."""
+
+
+def write(outcome: Outcome, folder: Path) -> None:
+    """Write the numbers of a study into a folder.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+    folder
+        Must exist; files of the same names are replaced.
+    """
+    data = dataset(outcome)
+    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
+    data.to_netcdf(folder / NETCDF, engine="h5netcdf", encoding=large)
+    columns = outcome.table()
+    _write_rows(
+        folder / CSV,
+        [heading(column.name, column.word) for column in columns],
+        zip(*(column.content.tolist() for column in columns), strict=True),
+    )
+    if any(point.surface for point in outcome.solved):
+        _write_surface(outcome, folder / SURFACE)
+    if outcome.indices:
+        write_indices(outcome.indices, [axis.key for axis in outcome.study.axes], folder / SENSITIVITY)
+    for name in EVENTS:
+        if columns_of(outcome, name):
+            _write_events(outcome, name, folder / f"{name}.csv")
+
+
+def heading(name: str, told: Word) -> str:
+    """Return the heading of a column: its name, and its unit in brackets; ``-`` for numbers without one.
+
+    Examples
+    --------
+    >>> heading("force", Word("F_N", "N", "normal force")), heading("failure", Word("", None, "why"))
+    ('force [N]', 'failure')
+    """
+    return name if told.unit is None else f"{name} [{told.unit or '-'}]"
+
+
+def _write_rows(path: Path, headings: list[str], rows: Any) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(headings)
+        writer.writerows([repr(item) if isinstance(item, float) else item for item in row] for row in rows)
+
+
+def _write_surface(outcome: Outcome, path: Path) -> None:
+    swept = [axis.key for axis in outcome.study.sweep]
+    many = any(len(point.surface) > 1 for point in outcome.solved)
+    first = next(fields for point in outcome.solved for fields in point.surface)
+    names = [field.name for field in dataclasses.fields(first)]
+    headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([ACROSS] if many else [])
+    headings += [heading(name, word(type(first).__name__, name)) for name in names]
+
+    def rows() -> Any:
+        for point in outcome.solved:
+            settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
+            for load, fields in enumerate(point.surface):
+                numbers = zip(*(getattr(fields, name).tolist() for name in names), strict=True)
+                for row in numbers:
+                    yield [*settings, *([load] if many else []), *row]
+
+    _write_rows(path, headings, rows())
+
+
+def _write_events(outcome: Outcome, name: str, path: Path) -> None:
+    headings = [heading(axis.key, _swept_word(outcome, axis.key)) for axis in outcome.study.sweep]
+    headings += [heading(one.name, one.word) for one in columns_of(outcome, name)]
+
+    def rows() -> Any:
+        for point, events in found_in(outcome, name):
+            settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
+            for event in events:
+                yield [*settings, *(one.content for one in event)]
+
+    _write_rows(path, headings, rows())
+
+
+def _swept_word(outcome: Outcome, key: str) -> Word:
+    told = outcome.word(key)
+    axis = next(axis for axis in outcome.study.axes if axis.key == key)
+    return told if axis.numeric else told._replace(unit=None)
+
+
+# ---------------------------------------------------------------------------------------------------- NetCDF
+
+
+def dataset(outcome: Outcome) -> xarray.Dataset:
+    """Return everything that a study came to as an xarray dataset, with units and provenance.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions: the keys of the sweep (``point`` if they are not crossed), ``load`` if points ask for many loads at
+        once, ``r`` and ``z`` of restored fields (``r_over_a`` and ``z_over_a`` if they were given as multiples of the
+        contact radius; r and z then are coordinates), ``jumps``, ``branches`` or ``limit`` where answers have them.
+        NaN where a point has no answer.
+    """
+    import xarray
+
+    study = outcome.study
+    dims = study.dims
+    coords: dict[str, Any] = {}
+    for place, axis in enumerate(study.axes):
+        told = _swept_word(outcome, axis.key)
+        values = [item if told.unit is not None else keys.label(item) for item in axis.values]
+        along = dims[place] if len(dims) == len(study.axes) else dims[0]
+        coords[axis.key] = ((along,), np.array(values), netcdf_attributes(told))
+    variables: dict[str, Any] = {}
+    for name in outcome.answers:
+        content = outcome.answer(name)
+        across = () if content.shape[-1] == 1 else (ACROSS,)
+        shown = content if across else content[..., 0]
+        variables[name] = ((*dims, *across), shown, netcdf_attributes(outcome.word(name)))
+    if outcome.failed:
+        reasons = np.full(outcome.shape, "", dtype=object)
+        for point in outcome.failed:
+            reasons[point.index] = point.reason
+        variables["failure"] = (dims, reasons.astype(str), {"long_name": "why a point has no answer"})
+    _add_fields(outcome, dims, variables, coords)
+    _add_events(outcome, dims, variables)
+    add_maps(outcome, dims, variables, coords)
+    if outcome.indices:
+        more, places = index_variables(outcome.indices, [axis.key for axis in study.axes])
+        variables, coords = {**variables, **more}, {**coords, **places}
+    return xarray.Dataset(
+        variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
+    )
+
+
+def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any], coords: dict[str, Any]) -> None:
+    for below in (False, True):
+        of_point = [(point, point.subsurface if below else point.surface) for point in outcome.solved]
+        if not any(fields for _, fields in of_point):
+            continue
+        first = next(fields[0] for _, fields in of_point if fields)
+        owner = type(first).__name__
+        loads = max(len(fields) for _, fields in of_point)
+        outer = (*dims, *((ACROSS,) if loads > 1 else ()))
+        inner = _place_dims(outcome, owner, below, outer, of_point, coords)
+        names = [field.name for field in dataclasses.fields(first) if field.name not in ("r", "z")]
+        for name in [*names, *(EXTRA if below else ())]:
+            free = f"field_{name}" if name in outcome.answers else name
+            content = _stacked(outcome, of_point, name, loads)
+            variables[free] = ((*outer, *inner), content, netcdf_attributes(word(owner, name)))
+
+
+def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any]) -> None:
+    for name in EVENTS:
+        found = found_in(outcome, name)
+        count = max((len(events) for _, events in found), default=0)
+        for place, one in enumerate(columns_of(outcome, name)):
+            content = np.full((*outcome.shape, count), np.nan)
+            for point, events in found:
+                content[point.index][: len(events)] = [event[place].content for event in events]
+            variables[f"{name}_{one.name}"] = ((*dims, name), content, netcdf_attributes(one.word))
+
+
+def _place_dims(
+    outcome: Outcome, owner: str, below: bool, outer: tuple[str, ...], of_point: list[Any], coords: dict[str, Any]
+) -> tuple[str, ...]:
+    """Add the places of the fields to `coords`, and return their dimensions."""
+    dims = []
+    for number, name in enumerate(("r", "z") if below else ("r",)):
+        asked = getattr(outcome.study.fields, name)
+        told = word(owner, name)
+        free = f"field_{name}" if name in outcome.answers else name
+        if not asked.relative:
+            coords[free] = ((free,), asked.values, netcdf_attributes(told))
+            dims.append(free)
+            continue
+        relative = f"{free}_over_a"
+        meaning = Word(f"{told.symbol}/a", "", f"{told.meaning}, over the contact radius")
+        coords[relative] = ((relative,), asked.values, netcdf_attributes(meaning))
+        dims.append(relative)
+        loads = max(len(fields) for _, fields in of_point)
+        content = _stacked(outcome, of_point, name, loads)
+        if below:
+            content = content[..., :, 0] if number == 0 else content[..., 0, :]
+        coords[free] = ((*outer, relative), content, netcdf_attributes(told))
+    return tuple(dims)
+
+
+def _stacked(outcome: Outcome, of_point: list[tuple[Answered, Any]], name: str, loads: int) -> Array:
+    """Return one field of all points and loads, NaN where there is none; no axis of loads if each has one."""
+    shape = next(
+        np.broadcast_shapes(fields[0].r.shape, np.shape(getattr(fields[0], name))) for _, fields in of_point if fields
+    )
+    content = np.full((*outcome.shape, loads, *shape), np.nan)
+    for point, fields in of_point:
+        for load, one in enumerate(fields):
+            content[(*point.index, load)] = np.broadcast_to(getattr(one, name), shape)
+    return content if loads > 1 else content[(slice(None),) * len(outcome.shape) + (0,)]

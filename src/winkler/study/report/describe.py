@@ -1,0 +1,255 @@
+"""A study in words and as a table of inputs, read from the values and the glossary, whatever the problem is."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.path_steps import Kept
+from winkler.plot.series import scale_of, spoken, told
+from winkler.study.language import keys
+from winkler.study.language.catalogue import kind_of
+from winkler.study.language.explain import summary
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis, Range
+from winkler.vocabulary import OWNED, Word, word
+
+__all__ = ["Input", "content_label", "in_words", "inputs", "setting_told", "values_told"]
+
+ROLES = {
+    "profile": "The shape is {a}.",
+    "plane_profile": "The equivalent plane profile g(x) is given directly: {a}.",
+    "first": "The body below is {adjective}.",
+    "second": "The body above is {adjective}.",
+    "layers": "The coating, from the surface down: {plain}.",
+    "on": "What carries them is {adjective}.",
+    "grading": "The body below is graded: {plain}.",
+    "load": "Prescribed: {plain}.",
+    "path": "The path: {plain}.",
+    "law": "Law: {plain}.",
+}
+"""What a part of a problem is called; other parts are told by their name."""
+
+GROUPS = {"first": "body below (z > 0)", "second": "body above (z < 0)", "on": "what carries the layers"}
+
+PARTS = {"layers": "layer", "steps": "step"}
+"""What one of a list is called, where the name of the list is a plural."""
+
+LABELS = {"measured": "measured profile"}
+"""Kinds that need another word to be part of a sentence."""
+
+LISTED = 6
+"""Longer arrays are told by their ends."""
+
+
+class Input(NamedTuple):
+    """One row of the table of inputs.
+
+    Parameters
+    ----------
+    group
+        The part of the problem that it belongs to, such as ``profile: sphere``.
+    name, symbol
+        Of the glossary; the symbol in LaTeX.
+    told
+        What was given, with its unit.
+    meaning
+        One line.
+    """
+
+    group: str
+    name: str
+    symbol: str
+    told: str
+    meaning: str
+
+
+def inputs(study: Study) -> tuple[Input, ...]:
+    """Return everything that was given, part by part."""
+    swept = {axis.key: axis for axis in study.sweep}
+    return tuple(_rows(study.problem, "problem", _label(study.problem), swept))
+
+
+def _label(content: Any) -> str:
+    kind = kind_of(type(content)) or type(content).__name__
+    return LABELS.get(kind, kind).replace("_", " ")
+
+
+def _name(owner: str, field: str) -> str:
+    """Return the name of a field as it is spoken; a word that means something else for its owner keeps its own name."""
+    return field.replace("_", " ") if (owner, field) in OWNED else spoken(field)
+
+
+def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -> Iterator[Input]:
+    owner = type(content).__name__
+    below: list[tuple[Any, str, str]] = []
+    for field in dataclasses.fields(content):
+        inside = getattr(content, field.name)
+        if not field.init or isinstance(inside, Kept):  # what follows from the others, and what was not told
+            continue
+        entry = word(owner, field.name)
+        key = f"{path}.{field.name}"
+        name = _name(owner, field.name)
+        if key in swept:
+            yield Input(group, name, entry.symbol, f"varied: {_axis_told(swept[key], entry)}", entry.meaning)
+        elif dataclasses.is_dataclass(inside):
+            title = f"{GROUPS.get(field.name, name)}: {_label(inside)}"
+            if field.name == "solid":  # of a layer, whose number tells it from the others
+                title = f"{group}, {title}"
+            below.append((inside, key, title))
+            if not dataclasses.fields(inside):
+                yield Input(title, "", "", "nothing to give", entry.meaning)
+        elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
+            for number, item in enumerate(inside):
+                single = PARTS.get(field.name, name)
+                label = _label(item)
+                title = f"{single} {number + 1}" + (f": {label}" if label != single else "")
+                below.append((item, f"{key}.{number}", title))
+        elif not _is_left_out(inside, field):
+            yield Input(
+                group, name, entry.symbol, _content_told(content, field.name, inside, path, swept), entry.meaning
+            )
+    for inside, key, title in below:
+        yield from _rows(inside, key, title, swept)
+
+
+def _is_left_out(content: Any, field: dataclasses.Field[Any]) -> bool:
+    """Return whether a number stands for `not asked about`: infinite, as its default."""
+    return isinstance(content, float) and math.isinf(content) and field.default == content
+
+
+def _unit(owner: Any, field: str) -> str | None:
+    from winkler.study.language import quantities
+
+    cls = type(owner)
+    unit = word(cls.__name__, field).unit
+    if unit is not None and field in quantities.dependent(cls):
+        return quantities.settled(
+            unit, cls, {item.name: getattr(owner, item.name) for item in dataclasses.fields(owner)}
+        )
+    return unit
+
+
+def _content_told(owner: Any, field: str, content: Any, path: str, swept: dict[str, Axis | Range]) -> str:
+    from winkler.study.language import quantities
+
+    indexed = quantities.INDEXED.get((type(owner).__name__, field))
+    if indexed is not None:
+        return ", ".join(told(float(number), indexed(place), 6) for place, number in enumerate(content))
+    if isinstance(content, tuple) and all(isinstance(number, int) for number in content):
+        return " × ".join(map(str, content))
+    if isinstance(content, tuple):
+        parts = [
+            f"{name} = varied" if f"{path}.{field}.{name}" in swept else f"{name} = {told(float(number), '', 6)}"
+            for name, number in content
+        ]
+        return ", ".join(parts) or "none"
+    if isinstance(content, bool | str):
+        return {True: "yes", False: "no"}.get(content, str(content)) if isinstance(content, bool) else content
+    return values_told(content, _unit(owner, field))
+
+
+def values_told(content: Any, unit: str | None) -> str:
+    """Return a number or an array for reading, with its unit.
+
+    Examples
+    --------
+    >>> values_told(0.01, "m"), values_told(np.linspace(0.0, 5e-9, 200), "m")
+    ('10 mm', '200 values from 0 to 5 nm')
+    """
+    numbers = np.ravel(np.asarray(content, dtype=float))
+    if numbers.size <= LISTED:
+        return ", ".join(told(float(number), unit, 6) for number in numbers)
+    low, high = float(numbers.min()), float(numbers.max())
+    scale = scale_of(unit, numbers)
+    if low == 0.0 or abs(low) > 1e-3 * abs(high):
+        return f"{numbers.size} values from {told(low / scale.factor, '', 6)} to {told(high, unit, 6)}"
+    return f"{numbers.size} values from {told(low, unit, 6)} to {told(high, unit, 6)}"
+
+
+def _axis_told(axis: Axis | Range, entry: Word) -> str:
+    if isinstance(axis, Range):
+        ends = f"{told(axis.start, entry.unit, 6)} to {told(axis.stop, entry.unit, 6)}"
+        return ends if axis.scale == "linear" else f"{ends}, evenly in its logarithm"
+    if axis.numeric:
+        return values_told(np.array(axis.values, dtype=float), entry.unit)
+    return ", ".join(content_label(item) for item in axis.values)
+
+
+def content_label(content: Any) -> str:
+    """Return a short name for what a varied key takes: ``sphere (curvature radius = 10 mm)``."""
+    return _described(content, "", set()) if dataclasses.is_dataclass(content) else keys.label(content)
+
+
+def setting_told(study: Study, axis: Axis | Range, content: Any) -> str:
+    """Return one value of a varied key for reading: ``force = 10 N``."""
+    name = axis.key.rpartition(".")[2].replace("_", " ")
+    if isinstance(content, int | float):
+        return f"{name} = {told(float(content), keys.word_at(study, axis.key).unit, 6)}"
+    return f"{name}: {content_label(content)}"
+
+
+def in_words(study: Study) -> str:
+    """Return what was asked, in sentences."""
+    swept = {axis.key for axis in study.sweep}
+    sentences = [summary(type(study.problem))]
+    for path, role, content in _parts(study.problem, "problem"):
+        known = ROLES.get(role, f"{role.replace('_', ' ').capitalize()}: {{plain}}.")
+        told_by = _listed if isinstance(content, tuple) else _described
+        plain = "varied" if path in swept else told_by(content, path, swept)
+        article = "" if plain == "varied" else "an " if plain[:1] in "aeiou" else "a "
+        sentences.append(known.format(a=f"{article}{plain}", adjective=plain, plain=plain))
+    for axis in study.sweep:
+        entry = keys.word_at(study, axis.key)
+        sentences.append(f"Varied: {axis.key.removeprefix('problem.')} = {_axis_told(axis, entry)}.")
+    if len(study.sweep) > 1 or study.design.draws:
+        sentences.append(study.design.told)
+    return " ".join(sentences)
+
+
+def _parts(content: Any, path: str) -> Iterator[tuple[str, str, Any]]:
+    """Yield ``(key, role, value)`` of every value inside that is described on its own, in the order of their fields."""
+    for field in dataclasses.fields(content):
+        inside = getattr(content, field.name)
+        key = f"{path}.{field.name}"
+        if isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
+            yield key, field.name, inside
+        if not dataclasses.is_dataclass(inside):
+            continue
+        if field.name in ("bed", "medium"):
+            yield from _parts(inside, key)
+        else:
+            yield key, field.name, inside
+
+
+def _listed(content: tuple[Any, ...], path: str, swept: set[str]) -> str:
+    return " + ".join(_described(item, f"{path}.{number}", swept) for number, item in enumerate(content))
+
+
+def _described(content: Any, path: str, swept: set[str]) -> str:
+    """Return the name of a value with its numbers in brackets."""
+    parts = []
+    for field in dataclasses.fields(content):
+        inside = getattr(content, field.name)
+        key = f"{path}.{field.name}"
+        if not field.init or isinstance(inside, Kept):
+            continue
+        if key in swept:
+            parts.append(f"{_name(type(content).__name__, field.name)} varied")
+        elif dataclasses.is_dataclass(inside):
+            parts.append(_described(inside, key, swept))
+        elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
+            parts.append(_listed(inside, key, swept))
+        elif isinstance(inside, float | np.ndarray) and not _is_left_out(inside, field):
+            name = _name(type(content).__name__, field.name)
+            parts.append(f"{name} = {_content_told(content, field.name, inside, path, {})}")
+        elif isinstance(inside, str):
+            parts.append(inside)
+    label = _label(content)
+    if len(parts) == 1 and label == parts[0].partition(" ")[0]:
+        return parts[0]
+    return f"{label} ({', '.join(parts)})" if parts else label

@@ -1,0 +1,234 @@
+"""Answers for other programs: any solution, field or outcome of a study as an xarray dataset or a pandas table.
+
+Numbers stay in SI units.  Units, meanings and symbols of the glossary travel with them: in the attributes of every
+variable of a dataset, and in ``attrs["units"]``, ``attrs["meanings"]`` of a table.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity, WinklerError
+from winkler.study.batch.outcome import Outcome, answers_of
+from winkler.study.language.reading import study_text
+from winkler.study.language.study import Study
+from winkler.study.report.archive import ACROSS, dataset
+from winkler.study.report.netcdf import netcdf_attributes
+from winkler.vocabulary import Word, word
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["to_pandas", "to_xarray"]
+
+PLACES = ("r", "x", "y", "z")
+"""Words of a field that tell where."""
+PLANE = ("direction", ("x", "y"))
+"""Last axis of what has a direction along the surface: its name, and those of the parts."""
+PRINCIPAL = ("principal_axis", ("greatest", "middle", "least"))
+"""Last axis of the principal stresses."""
+
+
+def to_xarray(answer: Any) -> xarray.Dataset:
+    """Return an answer as an xarray dataset.
+
+    Parameters
+    ----------
+    answer : solution, fields or outcome of a study
+        What ``solve()``, ``restore(...)`` and its kin, or ``winkler.study.batch.run.run(study)`` returns.
+
+    Returns
+    -------
+    xarray.Dataset
+        Every answer that the glossary gives a unit, in SI units.  Dimensions: ``load`` where many loads or the points
+        of a path were asked for; the places of fields (``r``, ``z`` or ``x``, ``y``, ``z``); the keys of the sweep of
+        an outcome.  Each variable has the attributes ``units``, ``long_name`` and ``symbol``.  That of a solution
+        has its validity notes as the attribute ``validity``, and the study that asks for it again as ``study``, where
+        a study file can ask it.
+
+    Raises
+    ------
+    InvalidInput
+        If `answer` is no answer, or holds nothing that can be a variable.
+
+    Examples
+    --------
+    >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Force
+    >>> from winkler.materials.elastic import Elastic
+    >>> from winkler.media.halfspace import HalfSpace
+    >>> from winkler.problems.normal.indentation import Indentation
+    >>> from winkler.profiles.power import Paraboloid
+    >>> bed = Foundation(Paraboloid(10e-3), HalfSpace(Elastic(210e9, 0.3)))
+    >>> pressed = to_xarray(Indentation(bed, Force(np.array([1.0, 10.0, 100.0]))).solve())
+    >>> pressed.depth.attrs["units"], dict(pressed.sizes)
+    ('m', {'load': 3})
+    """
+    import xarray
+
+    if isinstance(answer, Outcome):
+        return dataset(answer)
+    _check("to_xarray", answer)
+    if _is_field(answer):
+        variables, coords = _of_field(answer)
+        return xarray.Dataset(variables, coords, {"title": type(answer).__name__, "program": "winkler"})
+    owner = type(answer).__name__
+    variables = {}
+    for name, content in answers_of(answer).items():
+        told = netcdf_attributes(_told(owner, name))
+        variables[name] = ((ACROSS,), content, told) if np.ndim(content) == 1 else _grid(name, content, told)
+    return xarray.Dataset(variables, attrs=_attributes(answer))
+
+
+def to_pandas(answer: Any) -> pandas.DataFrame:
+    """Return an answer as a pandas table.
+
+    Parameters
+    ----------
+    answer : solution, fields or outcome of a study
+        As for `to_xarray`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row per load, point of a path, or place of a field; of an outcome, one per point and load, as in its
+        results.csv.  Numbers are in SI units; ``attrs["units"]`` and ``attrs["meanings"]`` say which, column by column.
+
+    Raises
+    ------
+    InvalidInput
+        If `answer` is no answer, or holds nothing that can be a column.
+    """
+    import pandas
+
+    if isinstance(answer, Outcome):
+        columns = {column.name: (column.content, column.word) for column in answer.table()}
+    else:
+        _check("to_pandas", answer)
+        owner = type(answer).__name__
+        columns = {name: (content, _told(owner, name)) for name, content in _flat(answer).items()}
+    rows = max(np.size(content) for content, _ in columns.values())
+    table = pandas.DataFrame(
+        {name: np.broadcast_to(np.ravel(content), (rows,)).copy() for name, (content, _) in columns.items()}
+    )
+    table.attrs["units"] = {name: told.unit for name, (_, told) in columns.items() if told.unit is not None}
+    table.attrs["meanings"] = {name: told.meaning for name, (_, told) in columns.items()}
+    return table
+
+
+def _check(asker: str, answer: Any) -> None:
+    """Refuse what is no answer."""
+    solved = hasattr(answer, "problem") or hasattr(answer, "validity") or _is_field(answer)
+    if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or not solved:
+        made = "a class" if isinstance(answer, type) else f"a {type(answer).__name__}"
+        raise InvalidInput(
+            f"{asker}: this is {made}; give what solve(), restore() or run() returns (solve a problem first)."
+        )
+    if not _is_field(answer) and not answers_of(answer):
+        raise InvalidInput(f"{asker}: the {type(answer).__name__} holds no quantities of the glossary.")
+
+
+def _is_field(answer: Any) -> bool:
+    """Return whether a value holds quantities at places, and nothing of a problem."""
+    if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or hasattr(answer, "problem"):
+        return False
+    names = [field.name for field in dataclasses.fields(answer)]
+    return names[0] in PLACES and all(isinstance(getattr(answer, name), np.ndarray | float) for name in names)
+
+
+def _told(owner: str, name: str) -> Word:
+    """Return the word of an answer; that of a part (``shift_x``) is the word of the whole."""
+    whole, _, part = name.rpartition("_")
+    return word(owner, whole if whole and part in (*PLANE[1], *PRINCIPAL[1]) else name)
+
+
+def _parts(name: str) -> tuple[str, tuple[str, ...]]:
+    """Return the last axis of a field that has one more than its places."""
+    return PRINCIPAL if name == "principal" else PLANE
+
+
+def _grid(name: str, content: Any, told: dict[str, str]) -> tuple[tuple[str, ...], Any, dict[str, str]]:
+    dims = () if np.ndim(content) == 0 else tuple(f"{ACROSS}_{place}" for place in range(np.ndim(content)))
+    return dims, content, told
+
+
+def _attributes(answer: Any) -> dict[str, str]:
+    notes = getattr(answer, "validity", ())
+    found = {"title": type(answer).__name__, "program": "winkler"}
+    if notes:
+        found["validity"] = "\n".join(f"{note.standing.value}: {note.statement}" for note in notes)
+    if hasattr(answer, "problem"):
+        with contextlib.suppress(WinklerError):  # a law that is a function cannot stand in a study file
+            found["study"] = study_text(Study("", answer.problem))
+    return found
+
+
+def _flat(answer: Any) -> dict[str, Any]:
+    """Return name -> numbers, one for every row of a table."""
+    if not _is_field(answer):
+        return dict(answers_of(answer))
+    variables, _ = _of_field(answer)
+    shape = np.broadcast_shapes(*(np.shape(getattr(answer, name)) for name in _where(answer)))
+    rows = {name: np.broadcast_to(getattr(answer, name), shape) for name in _where(answer)}
+    for name, (_, content, _) in variables.items():
+        if np.shape(content) == shape:
+            rows[name] = content
+        else:
+            rows |= {f"{name}_{part}": content[..., place] for place, part in enumerate(_parts(name)[1])}
+    return rows
+
+
+def _where(field: Any) -> list[str]:
+    return [item.name for item in dataclasses.fields(field) if item.name in PLACES]
+
+
+def _of_field(field: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the variables and the coordinates of a field."""
+    owner = type(field).__name__
+    where = {name: np.asarray(getattr(field, name)) for name in _where(field)}
+    shape = np.broadcast_shapes(*(places.shape for places in where.values()))
+    dims, coords = _axes(owner, {name: np.broadcast_to(places, shape) for name, places in where.items()}, shape)
+    names = [item.name for item in dataclasses.fields(field) if item.name not in where]
+    names += [name for name, member in vars(type(field)).items() if isinstance(member, property) and name[0] != "_"]
+    variables: dict[str, Any] = {}
+    for name in names:
+        try:
+            content = np.asarray(getattr(field, name))
+        except OutsideValidity:
+            continue
+        last: tuple[str, ...] = ()
+        if content.shape != shape:
+            axis, parts = _parts(name)
+            coords[axis] = ((axis,), list(parts))
+            last = (axis,)
+        variables[name] = ((*dims, *last), content, netcdf_attributes(word(owner, name)))
+    return variables, coords
+
+
+def _axes(owner: str, where: dict[str, Any], shape: tuple[int, ...]) -> tuple[tuple[str, ...], dict[str, Any]]:
+    """Return a name for every axis, that of the place which alone changes along it, and the places as coordinates."""
+    along = {
+        name: [axis for axis, count in enumerate(shape) if count > 1 and np.any(np.diff(places, axis=axis) != 0.0)]
+        for name, places in where.items()
+    }
+    dims = []
+    for axis in range(len(shape)):
+        alone = [name for name, axes in along.items() if axes == [axis]]
+        others = [name for name, axes in along.items() if axis in axes]
+        dims.append(alone[0] if len(alone) == 1 and others == alone else f"place_{axis}")
+    coords: dict[str, Any] = {}
+    for name, places in where.items():
+        told = netcdf_attributes(word(owner, name))
+        if name in dims:
+            axis = dims.index(name)
+            coords[name] = ((name,), np.moveaxis(places, axis, 0).reshape(shape[axis], -1)[:, 0], told)
+        elif not along[name] and places.size:
+            coords[name] = ((), float(places.ravel()[0]), told)
+        else:
+            coords[name] = (tuple(dims), places, told)
+    return tuple(dims), coords

@@ -1,0 +1,56 @@
+"""One figure of a study: its name, what it says, and its picture."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING, NamedTuple
+
+from winkler.study.chapters.captions import CAPTIONS
+
+if TYPE_CHECKING:
+    from winkler.plot.picture import Picture
+
+__all__ = ["Shown", "capital", "drawn"]
+
+
+class Shown(NamedTuple):
+    """A figure of a study, or why there is none.
+
+    Parameters
+    ----------
+    name
+        The stem of its files: a picture of the method, or ``answer_`` and the name of an answer.
+    title, sentence
+        What it shows.
+    picture
+        The figure; None if it could not be drawn.
+    svg
+        The same as text; empty if it could not be drawn.
+    missing
+        Why there is none; empty if there is one.
+    """
+
+    name: str
+    title: str
+    sentence: str
+    picture: Picture | None
+    svg: str = ""
+    missing: str = ""
+
+    @property
+    def of_method(self) -> bool:
+        """Whether this is a picture of the method, not of the answers."""
+        return self.name in CAPTIONS
+
+
+def drawn(name: str, title: str, sentence: str, picture: Picture) -> Shown:
+    """Return a figure with its text, laid out once for all formats."""
+    store = io.BytesIO()
+    picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
+    picture.set_layout_engine("none")  # it is laid out now: what is saved afterwards need not do it again
+    return Shown(name, title, sentence, picture, store.getvalue().decode("utf-8"))
+
+
+def capital(text: str) -> str:
+    """Return a text with a capital letter at its beginning."""
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,232 @@
+"""The report of fits: figures as files, and one page with everything that produced the numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from winkler.fitting.outcome import Fit
+from winkler.plot import draw
+from winkler.plot.fitting.fits import Grid, map_picture, numbers_picture
+from winkler.plot.series import Series, spoken, told
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.study.batch.fit_outcome import FitOutcome
+from winkler.study.batch.fit_recording import seen_from
+from winkler.study.chapters.formulas import formulas_of
+from winkler.study.language.fit_study import FitStudy, Free
+from winkler.study.language.study import Study
+from winkler.study.report import figures
+from winkler.study.report.describe import inputs
+from winkler.study.report.figures import Shown, drawn
+from winkler.study.report.fit_tables import ROWS, answers, counts, doubts, failures
+from winkler.study.report.fit_writing import CSV, FEW, MAPS, NETCDF, map_grid
+from winkler.study.report.markup import safe, section, table
+from winkler.study.report.mathml import formula, symbol
+from winkler.study.report.report import REPORT, figure_element, framed, papers, trust
+
+__all__ = ["figures_of_curves", "figures_of_fits", "figures_of_many", "page", "steps", "write"]
+
+DRAWN = 12
+"""So many curves are drawn, spread evenly over all."""
+PLACEHOLDERS = ("load", "path", "normal", "lateral")
+"""Parts of a model that its curve replaces."""
+MANY = 3
+"""From so many curves on, their numbers are shown together."""
+
+
+def write(outcome: FitOutcome, folder: Path) -> None:
+    """Write the figures of fits into ``folder/figures``, and the report into ``report.html``, as the study asks."""
+    shown = tuple(figures_of_fits(outcome))
+    figures.save(shown, folder, outcome.study.output.figures)
+    if outcome.study.output.report:
+        (folder / REPORT).write_text(page(outcome, shown), encoding="utf-8")
+
+
+def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
+    return Series(free.label, study.word(free.key), content)
+
+
+def figures_of_fits(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield the figures: maps, the numbers of many curves, then single curves with their models."""
+    yield from figures_of_many(outcome)
+    yield from figures_of_curves(outcome)
+
+
+def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield maps and the numbers of many curves; nothing of few."""
+    study = outcome.study
+    grid = map_grid(outcome)
+    many = len(outcome.fitted) >= MANY
+    for free in study.free if many else ():
+        of = _series(study, free, outcome.numbers(free))
+        stem = _stem(free)
+        if isinstance(grid, Grid):
+            sentence = "Over the sample; grey where a curve has no answer."
+            yield drawn(f"map_{stem}", f"Map: {spoken(of.name)}", sentence, map_picture(grid, of))
+        sentence = "Every curve with its standard error, and how often each value occurs."
+        yield drawn(
+            f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_picture(of, outcome.errors(free))
+        )
+
+
+def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield single curves with their models, spread evenly over all."""
+    chosen = np.unique(np.linspace(0, len(outcome.fitted) - 1, min(DRAWN, len(outcome.fitted))).astype(int))
+    for place in chosen.tolist():
+        result = outcome.fitted[place]
+        sentence = "Above the curve and the fitted model, below what is left over; dashed: first touch."
+        if not isinstance(result.fit, Fit):
+            sentence = (
+                "Left the curve and the fitted model over time, below what is left over; right the force over the "
+                "depth, and the relaxation with its 95 % interval, grey where the curve cannot tell it."
+            )
+        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, draw(result.fit))
+
+
+def _stem(free: Free) -> str:
+    return free.key.removeprefix("problem.").replace(".", "_")
+
+
+def page(outcome: FitOutcome, shown: tuple[Shown, ...]) -> str:
+    """Return the report as one HTML page with its figures."""
+    study = outcome.study
+    title = safe(study.title or outcome.provenance.source or "Fits")
+    body = [
+        f"<header><h1>{title}</h1>{counts(outcome)}</header>",
+        answers(outcome),
+        doubts(outcome),
+        failures(outcome),
+        section("Figures", f'<div class="figures">{"".join(map(figure_element, shown))}</div>') if shown else "",
+        _asked(outcome),
+        steps(outcome),
+        _formulas(study),
+        trust(outcome.validity),
+        papers(study.problem),
+        _made(outcome),
+    ]
+    return framed(title, outcome.provenance.version, body)
+
+
+def _asked(outcome: FitOutcome) -> str:
+    study = outcome.study
+    rows = []
+    for free in study.free:
+        unit = study.word(free.key).unit
+        match free.given:
+            case (low, high):
+                limits = f"between {told(low, unit)} and {told(high, unit)}"
+            case (start,):
+                limits = f"starting at {told(start, unit)}"
+            case _:
+                limits = "without bounds"
+        rows.append(f"<tr><td>{safe(free.key)}</td><td>free</td><td>{safe(limits)}</td><td></td></tr>")
+    group, free_ones = None, {free.key for free in study.free}
+    relaxing = isinstance(study.problem, ViscoelasticIndentation)
+    for given in inputs(Study("", study.problem)):
+        if given.group.startswith(PLACEHOLDERS) or (relaxing and given.group == "viscoelastic indentation"):  # springs
+            continue
+        if given.group != group:
+            group = given.group
+            rows.append(f'<tr class="group"><td colspan="4">{safe(group)}</td></tr>')
+        rows.append(
+            f"<tr><td>{safe(given.name)}</td><td>{symbol(given.symbol) if given.name else ''}</td>"
+            f'<td class="wrap">{safe(given.told)}</td><td class="text small">{safe(given.meaning)}</td></tr>'
+        )
+    lead = (
+        f"<p>{safe(_in_words(study))} The table holds the model as it was given; of the {len(free_ones)} free numbers "
+        "these are the values before the fit.</p>"
+    )
+    return section("What was asked", lead, table(["what", "", "given", "meaning"], rows))
+
+
+def _in_words(study: FitStudy) -> str:
+    relaxing = isinstance(study.problem, ViscoelasticIndentation)
+    parts = {
+        "approach": "the way in",
+        "hold": "the way in with the hold",
+        "retract": "the way out",
+        "both": "the way in, the hold and the way out" if relaxing else "both ways, held points left out,",
+    }
+    many = f"{len(study.sources)} files" if len(study.sources) != 1 else Path(study.sources[0]).name
+    facts = [f"Of {many}, {parts[study.part]} was fitted."]
+    if study.fitted == "position":
+        facts.append("The measured forces drive the contact, and the positions were fitted.")
+    if study.spring_constant:
+        facts.append(f"The spring constant {told(study.spring_constant, 'N/m')} was given, not taken from the files.")
+    if study.sensitivity:
+        facts.append(f"The sensitivity {told(study.sensitivity, 'm/V')} was given.")
+    if study.noise:
+        facts.append(f"The noise {told(study.noise, study.spread.unit)} was given.")
+    return " ".join(facts)
+
+
+def steps(outcome: FitOutcome) -> str:
+    """Return what was done to the curves before they were fitted."""
+    study = outcome.study
+    if not any(result.steps for result in outcome.fitted):
+        return section("What was done to the curves", "<p>Nothing: they were fitted as they were measured.</p>")
+    first = outcome.fitted[0]
+    of_many = f"<p>In this order; the numbers are those of {safe(first.name)}.</p>" if len(outcome.fitted) > 1 else ""
+    items = "".join(f"<li>{safe(step)}</li>" for step in first.steps)
+    order = f"<p class='small'>correct = {safe(list(study.correct))}</p>"
+    return section("What was done to the curves", of_many, f"<ol>{items}</ol>", order)
+
+
+RELAXING = {
+    "force": (
+        r"d = D - D_0 - u\,t - \frac{F}{k_m}, \quad F = \int_0^{t_1} E^*(t-s)\,\mathrm{d}\Phi(d(s)), \quad "
+        r"F_i = F(t_i) + F_0 + t\,(D_i-D_0) + c_v\dot{D}_i + e_i",
+        "The measured motion drives, and the forces F are fitted; Φ(d) is the force of an elastic contact with E* = 1 "
+        "Pa. While the contact grows, t<sub>1</sub> = t; while it shrinks, nothing pressed since t<sub>1</sub> "
+        "bears: the integral of E*(t − s) dd(s) from t<sub>1</sub> to t vanishes (Ting).",
+    ),
+    "position": (
+        r"\Phi(d) = \int_0^{t} C(t-s)\,\mathrm{d}F(s), \quad D_i = D_0 + u\,t_i + d(t_i) + \frac{F_i}{k_m} + e_i",
+        "The measured forces F, less the baseline, drive a contact that grows, and the positions D are fitted; Φ(d) is "
+        "the force of an elastic contact with E* = 1 Pa, and C(t) the creep.",
+    ),
+}
+"""What is fitted where a body relaxes, in a formula and in words."""
+
+
+def _formulas(study: FitStudy) -> str:
+    if isinstance(study.problem, ViscoelasticIndentation):
+        latex, words = RELAXING[study.fitted]
+        tail = "Least squares make the residuals e small, and their own memory tells how sure the numbers are."
+        return section("The formulas", f"<p>{words} {tail}</p>", formula(latex))
+    found = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
+    items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in found)
+    lead = formula(r"d = D - D_0 - \frac{F}{k_m}, \quad F_i = F(d_i) + F_0 + t\,(D_i-D_0) + e_i")
+    text = (
+        "<p>The machine of the stiffness k<sub>m</sub> gives way; least squares make the residuals e small, and their "
+        "own memory tells how sure the numbers are.</p>"
+    )
+    return section("The formulas", text, lead, f'<ol class="formulas">{items}</ol>' if items else "")
+
+
+def _made(outcome: FitOutcome) -> str:
+    made = outcome.provenance
+    rows = [
+        ("winkler", made.version),
+        ("study file", made.source or "made in Python"),
+        ("hash of the question with its curves (SHA-256)", made.hash),
+        ("created (UTC)", made.created),
+        ("time taken", f"{made.seconds:.2f} s"),
+        *((name, number_) for name, number_ in made.packages if name != "winkler"),
+    ]
+    lines = [f'<tr><td>{safe(name)}</td><td class="wrap"><code>{safe(text)}</code></td></tr>' for name, text in rows]
+    sources = ", ".join(seen_from(outcome.study, path) for path in outcome.study.sources[:ROWS])
+    parts = [table([], lines), f"<p class='small'>Curves: {safe(sources)}</p>"]
+    if outcome.study.text:
+        parts.append(
+            f"<details><summary>The study file, word for word</summary><pre>{safe(outcome.study.text)}</pre></details>"
+        )
+    grid = f", {MAPS} (maps)" if isinstance(map_grid(outcome), Grid) else ""
+    parts.append(
+        f"<p class='small'>All numbers with all digits: {CSV}, {NETCDF} (with every curve, model and residual){grid}, "
+        f"and as text the first {FEW} curves in the folder curves, beside this page.</p>"
+    )
+    return section("What made these numbers", *parts)

@@ -1,0 +1,142 @@
+"""The tables in the report of fits: the numbers, what speaks against them, and what has no answer."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.plot.series import middle_scale, told
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.report.fit_writing import CSV
+from winkler.study.report.markup import number, safe, section, table
+from winkler.study.report.mathml import symbol
+
+__all__ = ["ROWS", "answers", "counts", "doubts", "failures"]
+
+ROWS = 40
+"""Longer tables are cut; the CSV file holds all rows."""
+
+
+def counts(outcome: FitOutcome) -> str:
+    """Return one line: how many curves were fitted."""
+    made = outcome.provenance
+    one = len(outcome.results) == 1
+    told_ = "One curve was fitted" if one else f"{len(outcome.fitted)} of {len(outcome.results)} curves were fitted"
+    if outcome.left:
+        told_ += f"; the run was stopped before {outcome.left} more files or curves"
+    return f'<p class="small">{told_}, with winkler {safe(made.version)}, {safe(made.created[:10])}.</p>'
+
+
+def answers(outcome: FitOutcome) -> str:
+    """Return the numbers: of one curve with all that is known of them, of many in one table."""
+    if len(outcome.fitted) == 1:
+        return section("What the curve tells", _single(outcome, outcome.fitted[0]))
+    cut = ""
+    if len(outcome.results) > ROWS:
+        cut = f"<p class='small'>The first {ROWS} of {len(outcome.results)} curves are shown; {CSV} holds all.</p>"
+    return section("What the curves tell", _together(outcome), _many(outcome), cut)
+
+
+def _single(outcome: FitOutcome, result: Fitted) -> str:
+    rows = []
+    fit = result.fit
+    for free in outcome.study.free:
+        word = outcome.study.word(free.key)
+        low, high = fit.interval(free.path)
+        rows.append(
+            f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>"
+            f"{number(safe(told(fit.value(free.path), word.unit, 5)))}"
+            f"{number(safe(told(fit.error(free.path), word.unit, 3)))}"
+            f"{number(safe(f'{told(low, word.unit, 5)} … {told(high, word.unit, 5)}'))}"
+            f'<td class="text small">{safe(word.meaning)}</td></tr>'
+        )
+    heads = ["what", "", "#fitted", "#standard error", "#95 % interval", "meaning"]
+    correlations = [
+        f"{outcome.study.free[i].key} and {outcome.study.free[j].key}: {fit.correlation[i, j]:.3f}"
+        for i in range(len(fit.names))
+        for j in range(i)
+    ]
+    facts = [
+        f"{fit.count} points were fitted, worth {fit.effective_count:.0f} independent ones: the noise of "
+        "neighbours may be alike.",
+        f"The noise is {told(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is {fit.chi_square:.3g}, "
+        f"in contact {fit.chi_square_in_contact:.3g}.",
+        f"The largest depth is {told(float(fit.depth.max()), 'm')}, with a contact radius of "
+        f"{told(float(fit.radius.max()), 'm')}.",
+    ]
+    if correlations:
+        facts.append(f"Correlations of the errors: {'; '.join(correlations)}.")
+    return table(heads, rows) + f"<ul>{''.join(f'<li>{safe(fact)}</li>' for fact in facts)}</ul>"
+
+
+def _together(outcome: FitOutcome) -> str:
+    """Return median and scatter over the curves."""
+    rows = []
+    for free in outcome.study.free:
+        word = outcome.study.word(free.key)
+        content = outcome.numbers(free)
+        content = content[np.isfinite(content)]
+        low, middle, high = np.quantile(content, (0.25, 0.5, 0.75))
+        typical = float(np.nanmedian(outcome.errors(free)))
+        rows.append(
+            f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>{number(safe(told(middle, word.unit, 5)))}"
+            f"{number(safe(f'{told(low, word.unit)} … {told(high, word.unit)}'))}"
+            f"{number(safe(told(typical, word.unit, 3)))}<td class='text small'>{safe(word.meaning)}</td></tr>"
+        )
+    heads = ["what", "", "#median of the curves", "#middle half", "#standard error of one", "meaning"]
+    return table(heads, rows)
+
+
+def _many(outcome: FitOutcome) -> str:
+    heads, bodies = ["curve"], [[f"<td>{safe(result.name)}</td>" for result in outcome.results]]
+    for free in outcome.study.free:
+        word = outcome.study.word(free.key)
+        numbers, errors = outcome.numbers(free), outcome.errors(free)
+        scale = middle_scale(word.unit, np.fmax(np.abs(numbers), errors))
+        heads.append(f"#{safe(free.label)} {symbol(word.symbol)}" + (f"<br>[{safe(scale.unit)}]" if scale.unit else ""))
+        bodies.append(
+            [
+                number(f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "—")
+                for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
+            ]
+        )
+    heads += ["#χ²", "#χ² in contact", "flags"]
+    for name in ("chi_square", "chi_square_in_contact"):
+        texts = (f"{getattr(one.fit, name):.3g}" if isinstance(one, Fitted) else "—" for one in outcome.results)
+        bodies.append([number(text) for text in texts])
+    flags = [
+        ", ".join(flag.name for flag in one.fit.flags) if isinstance(one, Fitted) else "no answer"
+        for one in outcome.results
+    ]
+    bodies.append([f"<td>{safe(one)}</td>" for one in flags])
+    rows = ["<tr>" + "".join(cells) + "</tr>" for cells in zip(*bodies, strict=True)]
+    return table(heads, rows[:ROWS])
+
+
+def doubts(outcome: FitOutcome) -> str:
+    """Return the flags: of one curve every sentence, of many how often each occurs with one sentence."""
+    found: dict[str, list[str]] = {}
+    for result in outcome.fitted:
+        for flag in result.fit.flags:
+            found.setdefault(flag.name, []).append(f"{result.name}: {flag.statement}")
+    if not found:
+        return ""
+    single = len(outcome.results) == 1
+    items = []
+    for name, sentences in found.items():
+        if single:
+            items += [f"<li><strong>{safe(name)}</strong>: {safe(one.partition(': ')[2])}</li>" for one in sentences]
+        else:
+            items.append(
+                f"<li><strong>{safe(name)}</strong>, {len(sentences)} times; the first: {safe(sentences[0])}</li>"
+            )
+    return section("What speaks against the numbers", f"<ul>{''.join(items)}</ul>")
+
+
+def failures(outcome: FitOutcome) -> str:
+    """Return the curves without an answer, each with its reason; nothing if there are none."""
+    if not outcome.refused:
+        return ""
+    items = "".join(f"<li>{safe(one.name)}: {safe(one.reason)}</li>" for one in outcome.refused[:ROWS])
+    more = len(outcome.refused) - ROWS
+    rest = f"<p class='small'>… and {more} more; {CSV} holds all.</p>" if more > 0 else ""
+    return section("Curves without an answer", f"<ul>{items}</ul>", rest)

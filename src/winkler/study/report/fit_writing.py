@@ -1,0 +1,186 @@
+"""The numbers of fits to keep.
+
+::
+
+    fit.csv            one row per curve: every free number with unit, error and interval, misfit, flags, failure
+    fit.nc             the same, with the correlations of the numbers, and every curve with its model and residuals
+    curves/NAME.csv    the first curves: what was fitted, the model, the residuals
+    maps.nc            of a force map: every free number over x and y
+
+All numbers are SI and have all their digits.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from winkler.fitting.outcome import Fit
+from winkler.fitting.viscoelastic.outcome import CreepFit
+from winkler.numerics.types import Array
+from winkler.plot.fitting.fits import Grid, grid_of
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.report.archive import heading
+from winkler.study.report.netcdf import netcdf_attributes
+from winkler.study.report.writing import write_provenance
+from winkler.vocabulary import Word
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_fits", "write_numbers"]
+
+CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
+FEW = 24
+"""So many curves are written as text; fit.nc holds all."""
+RELAXING = {
+    "time": Word("t", "s", "time, as measured"),
+    "weight": Word("", "", "what the residual counts; zero where a point only drives"),
+}
+POINTS = {
+    "position": Word("D", "m", "position as fitted, after the corrections"),
+    "force": Word("F_N", "N", "measured force, after the corrections"),
+    "fitted_force": Word("F_N", "N", "force of the model, with the baseline"),
+    "fitted_position": Word("D", "m", "position of the model, under the measured forces"),
+    "residual": Word("", "N", "measured less fitted force"),
+    "fitted_depth": Word("d", "m", "depth of the model"),
+    "fitted_radius": Word("a", "m", "contact radius of the model"),
+}
+
+
+def write_fits(outcome: FitOutcome, folder: Path) -> None:
+    """Write everything that fits came to into an existing, empty `folder`."""
+    from winkler.study.report.fit_report import write as write_report
+
+    write_numbers(outcome, folder)
+    if outcome.study.output.report or outcome.study.output.figures:
+        write_report(outcome, folder)
+    if outcome.study.text:
+        (folder / "study.toml").write_text(outcome.study.text, encoding="utf-8")
+    write_provenance(outcome.provenance, folder, missing=outcome.left)
+
+
+def write_numbers(outcome: FitOutcome, folder: Path) -> None:
+    """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
+    columns = outcome.table()
+    _write_rows(
+        folder / CSV,
+        [heading(column.name, column.word) for column in columns],
+        zip(*(column.content.tolist() for column in columns), strict=True),
+    )
+    data = dataset(outcome)
+    packed = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > 1000 and item.dtype == float}
+    data.to_netcdf(folder / NETCDF, engine="h5netcdf", encoding=packed)
+    grid = map_grid(outcome)
+    if isinstance(grid, Grid):
+        maps(outcome, grid).to_netcdf(folder / MAPS, engine="h5netcdf")
+    _write_curves(outcome, folder / "curves")
+
+
+def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:
+    """Return the grid of a force map; empty if the curves do not lie on one."""
+    return grid_of(*(np.array([getattr(result, axis) for result in outcome.results]) for axis in "xy"))
+
+
+def _write_rows(path: Path, headings: list[str], rows: Any) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(headings)
+        writer.writerows([_written(item) for item in row] for row in rows)
+
+
+def _written(item: Any) -> Any:
+    return ("" if item != item else repr(item)) if isinstance(item, float) else item
+
+
+def _points(result: Fitted) -> dict[str, Array]:
+    fit = result.fit
+    relaxing = {} if isinstance(fit, Fit) else {"time": fit.curve.time, "weight": fit.weights}
+    return {
+        **relaxing,
+        "position": fit.curve.position,
+        "force": fit.curve.force,
+        "fitted_position" if isinstance(fit, CreepFit) else "fitted_force": fit.predicted,
+        "residual": fit.residuals,
+        "fitted_depth": fit.depth,
+        "fitted_radius": fit.radius,
+    }
+
+
+def _point_words(result: Fitted) -> dict[str, Word]:
+    """Return symbol, unit and meaning of what `_points` gives."""
+    words = {name: (RELAXING | POINTS)[name] for name in _points(result)}
+    if isinstance(result.fit, CreepFit):
+        words["residual"] = Word("", "m", "measured less fitted position")
+    return words
+
+
+def _write_curves(outcome: FitOutcome, folder: Path) -> None:
+    folder.mkdir()
+    headings = [heading(name, word) for name, word in _point_words(outcome.fitted[0]).items()]
+    taken: set[str] = set()
+    for result in outcome.fitted[:FEW]:
+        stem = re.sub(r"[^\w.+-]+", "_", result.name.replace(".csv", "")).strip("._") or "curve"
+        name = next(name for name in (stem, *(f"{stem}_{count}" for count in range(2, FEW + 2))) if name not in taken)
+        taken.add(name)
+        _write_rows(
+            folder / f"{name}.csv", headings, zip(*(part.tolist() for part in _points(result).values()), strict=True)
+        )
+
+
+def dataset(outcome: FitOutcome) -> xarray.Dataset:
+    """Return everything that fits came to as an xarray dataset, with units and provenance.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimensions: ``curve``; ``point`` of a curve, NaN beyond its last; ``free`` and ``other_free`` of the
+        correlations.
+    """
+    import xarray
+
+    variables: dict[str, Any] = {}
+    coords: dict[str, Any] = {}
+    for column in outcome.table():
+        target = coords if column.name in ("curve", "x", "y") else variables
+        target[column.name] = ("curve", column.content, netcdf_attributes(column.word))
+    keys = np.array([free.key for free in outcome.study.free])
+    coords |= {"free": ("free", keys), "other_free": ("other_free", keys)}
+    order = [free.path for free in outcome.study.free]
+    correlation = np.full((len(outcome.results), len(keys), len(keys)), np.nan)
+    longest = max(result.fit.curve.count for result in outcome.fitted)
+    words = _point_words(outcome.fitted[0])
+    points = {name: np.full((len(outcome.results), longest), np.nan) for name in words}
+    for place, result in enumerate(outcome.results):
+        if isinstance(result, Fitted):
+            at = [result.fit.index(name) for name in order]
+            correlation[place] = result.fit.correlation[np.ix_(at, at)]
+            for name, content in _points(result).items():
+                points[name][place, : content.size] = content
+    variables["correlation"] = (
+        ("curve", "free", "other_free"),
+        correlation,
+        {"units": "1", "long_name": "correlation of the errors of two numbers"},
+    )
+    variables |= {name: (("curve", "point"), points[name], netcdf_attributes(word)) for name, word in words.items()}
+    return xarray.Dataset(variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text))
+
+
+def maps(outcome: FitOutcome, grid: Grid) -> xarray.Dataset:
+    """Return every free number over the places of a force map as an xarray dataset, dimensions ``y`` and ``x``."""
+    import xarray
+
+    variables: dict[str, Any] = {}
+    for column in outcome.table():
+        if column.word.unit is not None and column.name not in ("x", "y"):
+            variables[column.name] = (("y", "x"), grid.laid(column.content), netcdf_attributes(column.word))
+    place = {"units": "m", "long_name": "place on the sample"}
+    return xarray.Dataset(
+        variables,
+        {"x": ("x", grid.x, place), "y": ("y", grid.y, place)},
+        outcome.provenance.attributes(outcome.study.title, outcome.study.text),
+    )

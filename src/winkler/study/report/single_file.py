@@ -1,0 +1,58 @@
+"""One file that a command writes: it stands there whole, or what was there before.
+
+It is written under a hidden name beside it, ``.NAME.part``, which takes its name when it is complete.  What a killed
+command has left under the hidden name is overwritten by the next one, which holds the lock of the file meanwhile.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import shown
+from winkler.study.batch.locking import locked
+from winkler.study.batch.stopping import held
+
+__all__ = ["write_whole"]
+
+PART = ".part"
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file whole or not at all.
+
+    Parameters
+    ----------
+    path
+        The file; one that is there is replaced.
+    content
+        Its bytes.
+
+    Raises
+    ------
+    InvalidInput
+        If it cannot be written, or another command is writing it.
+    """
+    target = Path(os.path.realpath(path))  # where a link leads
+    part = target.with_name(f".{target.name}{PART}")
+    try:
+        with locked(target.with_name(f".{target.name}.lock")):
+            try:
+                with part.open("wb") as file:
+                    file.write(content)
+                    file.flush()
+                    os.fsync(file.fileno())
+                part.replace(target)
+            finally:
+                with held():
+                    part.unlink(missing_ok=True)
+    except BlockingIOError:
+        raise InvalidInput(
+            f"output: another command is writing '{shown(path)}'; wait for its end, or give another file with --output."
+        ) from None
+    except (OSError, ValueError) as error:
+        why = (getattr(error, "strerror", None) or str(error)).lower()
+        raise InvalidInput(
+            f"output: '{shown(path)}' cannot be written ({why}); give another file with --output."
+        ) from None

@@ -1,0 +1,72 @@
+"""The figures of sweeps with many points: maps of crossed ones, clouds of drawn ones, and what each key tells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from winkler.numerics.types import Array
+from winkler.plot.series import Series, spoken
+from winkler.plot.sweeps import Part, cloud_picture, map_picture, part_picture
+from winkler.study.batch.outcome import Outcome
+from winkler.study.language import keys
+from winkler.study.language.designs import Crossed
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
+from winkler.study.report.figure import Shown, capital, drawn
+
+__all__ = ["clouds", "mapped", "maps", "parts", "varied_series"]
+
+MANY = 12
+"""Two keys with so many values each are shown as a map."""
+
+
+def varied_series(study: Study, axis: Axis) -> Series:
+    """Return the numbers of a varied key with their word."""
+    entry = keys.word_at(study, axis.key)
+    if ".constants." in axis.key:
+        entry = entry._replace(symbol="")  # a name that the reader chose, not a symbol of the glossary
+    last = axis.key.rpartition(".")[2]
+    alike = [line.key for line in study.sweep if line.key.rpartition(".")[2] == last]
+    name = last if len(alike) == 1 else axis.key.removeprefix("problem.")
+    return Series(name, entry, np.array(axis.values, dtype=float))
+
+
+def mapped(study: Study) -> bool:
+    """Return whether answers are shown as maps: two keys with many numbers each, crossed."""
+    fine = all(axis.numeric and len(set(axis.values)) >= MANY for axis in study.axes)
+    return isinstance(study.design, Crossed) and len(study.axes) == 2 and fine
+
+
+def maps(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
+    """Yield a map of every one of the answers over two varied keys."""
+    along, up = (varied_series(outcome.study, axis) for axis in outcome.study.axes)
+    for name, content in answers.items():
+        title = capital(f"{spoken(name)} over {spoken(along.name)} and {spoken(up.name)}")
+        picture = map_picture(along, up, Series(name, outcome.word(name), content))
+        yield drawn(f"answer_{name}", title, "Lines join points of equal answers.", picture)
+
+
+def clouds(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
+    """Yield every one of the answers over each varied number: one dot for each point of the design."""
+    along = [varied_series(outcome.study, axis) for axis in outcome.study.axes if axis.numeric]
+    for name, content in answers.items():
+        picture = cloud_picture(along, Series(name, outcome.word(name), content))
+        title = capital(f"{spoken(name)} over what was varied")
+        yield drawn(f"answer_{name}", title, "One dot for each point; everything else varies as well.", picture)
+
+
+def parts(outcome: Outcome) -> Iterator[Shown]:
+    """Yield how much of the scatter of each answer every key makes; none if the design does not tell."""
+    names = [axis.key.removeprefix("problem.") for axis in outcome.study.axes]
+    for one in outcome.indices:
+        bars = [
+            Part("alone", one.first_order, one.first_order_low, one.first_order_high),
+            Part("with the others", one.total_order, one.total_order_low, one.total_order_high),
+        ]
+        title = capital(f"what makes {spoken(one.answer)} scatter")
+        sentence = (
+            f"Indices of Sobol of first and total order, from {one.pairs} pairs of points, with intervals of 95 %."
+        )
+        yield drawn(f"sensitivity_{one.answer}", title, sentence, part_picture(names, bars))

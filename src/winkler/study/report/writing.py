@@ -1,0 +1,224 @@
+"""The folder of results: written whole or not at all.
+
+Everything is written into a hidden folder beside the wanted one, which takes its name when it is complete.  Two runs
+into one folder never mix, and a run that is stopped leaves what was there before.  What a run leaves that was killed
+without warning, the next one puts right: see `winkler.study.report.reserving`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from winkler.errors import InvalidInput
+from winkler.io.foreign import shown
+from winkler.study.batch.outcome import Outcome, Provenance
+from winkler.study.batch.stopping import held, keeping, look
+from winkler.study.language.reading import study_text
+
+__all__ = [
+    "OLD",
+    "PARTIAL",
+    "PROVENANCE",
+    "holds_results",
+    "missing",
+    "placed",
+    "unwritable",
+    "write_outcome",
+    "write_provenance",
+]
+
+PROVENANCE = "provenance.json"
+"""Marks a folder of results, and lists its files."""
+LONGEST = 220
+"""Bytes of the name of a folder; names of hidden files beside it are longer, and file systems allow 255."""
+PARTIAL, OLD = ".partial", ".old"
+"""How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
+
+
+def write_outcome(outcome: Outcome, folder: Path) -> None:
+    """Write everything that a study came to into an existing, empty `folder`.
+
+    Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
+    numbers), and provenance.json.
+    """
+    from winkler.study.report.archive import write as write_numbers
+    from winkler.study.report.report import write as write_report
+
+    write_numbers(outcome, folder)
+    if outcome.study.output.report or outcome.study.output.figures:
+        write_report(outcome, folder)
+    (folder / "study.toml").write_text(study_text(outcome.study), encoding="utf-8")
+    write_provenance(outcome.provenance, folder)
+
+
+def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
+    """Write provenance.json, with a list of everything that already lies in `folder`.
+
+    Parameters
+    ----------
+    made
+        What made the numbers.
+    folder
+        Where they lie.
+    missing
+        How many curves of a batch that was interrupted were not reached.
+    """
+    content = {
+        "program": "winkler",
+        "version": made.version,
+        "study": made.source,
+        "hash": made.hash,
+        "created": made.created,
+        "seconds": made.seconds,
+        "packages": dict(made.packages),
+        **({"missing": missing} if missing else {}),
+        "files": [*_files(folder), PROVENANCE],
+    }
+    (folder / PROVENANCE).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+
+
+def _files(folder: Path) -> list[str]:
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
+
+
+def holds_results(folder: Path) -> bool:
+    """Return whether `folder` holds results that a new run would replace; False if it is free.
+
+    Raises
+    ------
+    InvalidInput
+        If the folder cannot be used: it is a file, or holds anything that winkler did not write.
+    """
+    if "\0" in str(folder) or len(os.fsencode(folder.name)) > LONGEST:
+        raise InvalidInput(
+            f"output: '{shown(folder)}' has a name that cannot be used; give a folder whose name has at most {LONGEST} "
+            "bytes, with --output."
+        )
+    if _is_here(folder):
+        raise InvalidInput(f"output: '{folder}' is the working directory or contains it; give a folder inside it.")
+    try:
+        for above in folder.parents:
+            if above.is_file():
+                raise InvalidInput(f"output: '{folder}' lies in '{above}', which is a file; give another folder.")
+        if not folder.exists():
+            return False
+        if not folder.is_dir():
+            raise InvalidInput(f"output: '{folder}' is a file; give a folder.")
+        present = _files(folder)
+    except OSError as error:
+        raise unwritable(folder, error) from None
+    if not present and not any(folder.iterdir()):
+        return False
+    foreign = [name for name in present if name not in _listed(folder)]
+    if foreign or not present:
+        names = ", ".join(foreign[:3]) or "other folders"
+        raise InvalidInput(
+            f"output: '{folder}' holds what winkler did not write ({names}); give another folder, or move that away."
+        )
+    return True
+
+
+def missing(folder: Path) -> int:
+    """Return how many curves are missing in results of a batch that was interrupted; zero if it was not."""
+    count = _provenance(folder).get("missing", 0)
+    return count if isinstance(count, int) else 0
+
+
+def _listed(folder: Path) -> set[str]:
+    try:
+        return set(_provenance(folder)["files"])
+    except (KeyError, TypeError):
+        return set()
+
+
+def _provenance(folder: Path) -> dict[str, Any]:
+    """Return what provenance.json tells; nothing if winkler did not write it."""
+    try:
+        content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) and content.get("program") == "winkler" else {}
+
+
+def _is_here(folder: Path) -> bool:
+    here, there = Path.cwd().resolve(), folder.resolve()
+    return there == here or there in here.parents
+
+
+def unwritable(folder: Path, error: OSError) -> InvalidInput:
+    """Return the error of a folder that the system does not let us write."""
+    why = (
+        os.strerror(error.errno) if error.errno else type(error).__name__
+    ).lower()  # libraries say more in `strerror`
+    return InvalidInput(f"output: '{shown(folder)}' cannot be written ({why}); give another folder with --output.")
+
+
+@contextlib.contextmanager
+def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
+    """Give an empty folder to write into; at the end it becomes `folder`, unless an error or a stop came between.
+
+    Parameters
+    ----------
+    folder
+        Where the results go; the folder that holds it is there, as `winkler.study.report.reserving.reserved` sees to.
+    overwrite
+        Whether results of an earlier run may be replaced.
+
+    Raises
+    ------
+    InvalidInput
+        If the folder cannot be used or written.
+    """
+    if holds_results(folder) and not overwrite:
+        raise _occupied(folder)
+    mark = f".{folder.name}.{uuid.uuid4().hex[:12]}"
+    partial = folder.parent / f"{mark}{PARTIAL}"
+    done = False
+    try:
+        try:
+            partial.mkdir()
+            yield partial
+            look()
+            with held():  # a stop between the two names, or before the old results are gone, would leave both
+                _put(partial, folder, folder.parent / f"{mark}{OLD}", overwrite)
+                done = True
+                keeping(f"the results in {folder} are complete")
+        except OSError as error:
+            raise unwritable(folder, error) from None
+    finally:
+        if not done:
+            with held():
+                shutil.rmtree(partial, ignore_errors=True)
+
+
+def _occupied(folder: Path) -> InvalidInput:
+    return InvalidInput(
+        f"output: '{folder}' already holds results; add --overwrite to replace them, or give another folder "
+        "with --output."
+    )
+
+
+def _put(partial: Path, folder: Path, aside: Path, overwrite: bool) -> None:
+    """Give `partial` the name `folder`; what was there goes `aside` and is removed only afterwards."""
+    moved = False
+    try:
+        if holds_results(folder):
+            if not overwrite:
+                raise _occupied(folder)
+            os.rename(folder, aside)
+            moved = True
+        elif folder.exists():
+            folder.rmdir()
+        os.rename(partial, folder)
+    finally:
+        if moved and not folder.exists():
+            os.rename(aside, folder)
+        elif moved:
+            shutil.rmtree(aside, ignore_errors=True)

@@ -1,0 +1,1 @@
+"""The form of the app as plain data: studies, fits and sweeps; no browser in it."""

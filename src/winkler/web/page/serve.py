@@ -1,0 +1,84 @@
+"""The server of the app: on this machine alone, one port, until Ctrl-C."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Sequence
+
+from winkler.errors import InvalidInput
+from winkler.web.session.security import origin_of
+from winkler.web.session.uploads import uploads
+
+__all__ = ["HOST", "serve"]
+
+HOST = "127.0.0.1"
+"""Only programs of this machine can reach it."""
+
+
+def serve(*, port: int, limit: float, browser: bool, pages: int, addresses: Sequence[str]) -> None:
+    """Serve the app until it is interrupted.
+
+    Parameters
+    ----------
+    port
+        Where; a page of the browser opens ``http://127.0.0.1:PORT``.
+    limit
+        The longest that a study may take [s].
+    browser
+        Whether a page is opened.
+    pages
+        How many pages may be open at once.
+    addresses
+        Other addresses at which the app is opened, through a tunnel or a proxy.
+
+    Raises
+    ------
+    InvalidInput
+        If the extra ``app`` is not installed, the port is taken, or an address is none.
+    """
+    try:
+        from nicegui import ui
+    except ImportError:
+        told = 'the app needs NiceGUI, which is not installed; install it with: pip install "winkler[app]"'
+        raise InvalidInput(told) from None
+    if not limit > 0.0:
+        raise InvalidInput(f"the time limit is {limit:g} s; give a positive number of seconds.")
+    origins = [origin_of(f"http://{name}:{port}") for name in (HOST, "localhost")]
+    origins += [origin_of(address) for address in addresses]
+    _free(port)
+    from winkler.web.page.assembly import assemble
+    from winkler.web.page.visitors import Visitors
+
+    with uploads() as folder:
+        visitors = Visitors(limit, pages, folder)
+        assemble(visitors, tuple(origins))
+        print(f"The app runs at http://{HOST}:{port}; stop it with Ctrl-C.", flush=True)
+        try:
+            ui.run(
+                host=HOST,
+                port=port,
+                title="winkler",
+                favicon="◒",
+                reload=False,
+                show=browser,
+                show_welcome_message=False,
+                tailwind=False,
+                reconnect_timeout=30.0,
+                server_header=False,
+                timeout_graceful_shutdown=2,
+            )
+        finally:
+            visitors.close()
+
+
+def _free(port: int) -> None:
+    """Refuse a port that cannot be listened to."""
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((HOST, port))
+        except (OSError, OverflowError) as error:
+            why = getattr(error, "strerror", None) or str(error)
+            raise InvalidInput(
+                f"port {port} cannot be used ({why.lower()}); give another one with --port, or stop what runs there."
+            ) from None

@@ -1,0 +1,1 @@
+"""Interactive pictures as plain dictionaries for the browser."""

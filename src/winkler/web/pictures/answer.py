@@ -1,0 +1,268 @@
+"""What a page shows of an outcome: pictures as plain data, tables and notes as escaped HTML."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+import orjson
+
+from winkler.errors import WinklerError
+from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.wear.states import WearState
+from winkler.study.batch.outcome import Outcome
+from winkler.study.chapters.captions import CAPTIONS, STUCK
+from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
+from winkler.study.report.markup import safe
+from winkler.study.report.report import OF_MANY, papers, trust
+from winkler.study.report.tables import answered, expected, failures
+from winkler.validity import worst
+from winkler.web.pictures import histories, method
+from winkler.web.pictures.chart import Chart
+from winkler.web.pictures.moments import Moments, contact_at
+from winkler.web.pictures.solid import draw_solid
+from winkler.web.pictures.springs import draw_row, row_of
+from winkler.web.pictures.view import NOTHING, View, fitting
+from winkler.web.pictures.worn import draw_worn_depth, draw_worn_pressure, draw_worn_profile
+
+__all__ = [
+    "Frame",
+    "Picture",
+    "Scene",
+    "Shown",
+    "Told",
+    "method_pictures",
+    "packed",
+    "pictures",
+    "scene",
+    "sheets",
+    "told",
+]
+
+
+class Told(NamedTuple):
+    """The answer in words and numbers.
+
+    Parameters
+    ----------
+    standing
+        The worst of all notes.
+    answers, notes, papers
+        Sections of a page.
+    text
+        The study as a file.
+    moments, moment
+        How many moments the answer has, zero where it is no history; and which of them is shown first.
+    points
+        Of a sweep.
+    """
+
+    standing: str
+    answers: str
+    notes: str
+    papers: str
+    text: str
+    moments: int
+    moment: int
+    points: int = 1
+
+
+class Picture(NamedTuple):
+    """One interactive picture, or why there is none.
+
+    Parameters
+    ----------
+    name, title, sentence
+        What is seen.
+    chart
+        The figure for plotly.js as JSON; empty where there is none.
+    missing
+        Why there is none.
+    """
+
+    name: str
+    title: str
+    sentence: str
+    chart: str
+    missing: str = ""
+
+
+class Frame(NamedTuple):
+    """Says that all interactive pictures of one moment have been sent.
+
+    Parameters
+    ----------
+    total
+        How many they were.
+    remark
+        What must be said about them all.
+    """
+
+    total: int
+    remark: str
+
+
+class Scene(NamedTuple):
+    """What the pictures of one moment show.
+
+    Parameters
+    ----------
+    outcome, point
+        What a study came to, and the point of it that is shown.
+    contact
+        At that moment; None where none is shown.
+    view
+        The frame that the pictures share.
+    states
+        Of all moments, where the answer has them.
+    moment
+        Which of the moments is shown, -1 without a history.
+    remark
+        What must be said about them all.
+    """
+
+    outcome: Outcome
+    point: Any
+    contact: Any
+    view: View
+    states: tuple[Any, ...]
+    moment: int
+    remark: str
+
+
+class Shown(NamedTuple):
+    """One sheet that was drawn as SVG, or why there is none."""
+
+    title: str
+    sentence: str
+    svg: str
+    missing: str = ""
+
+
+def told(outcome: Outcome, text: str, moments: int, moment: int) -> Told:
+    """Return the answer in words and numbers."""
+    answers = "\n".join(part for part in (answered(outcome), failures(outcome), expected(outcome)) if part)
+    return Told(
+        worst(outcome.validity).value,
+        answers,
+        trust(outcome.validity),
+        papers(outcome.study),
+        text,
+        moments,
+        moment,
+        len(outcome.points),
+    )
+
+
+def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still: bool) -> Scene:
+    """Return what the pictures of a moment show.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+    moments, moment
+        Those of its answer, and which of them is shown.
+    held
+        The frame of the pictures before.
+    still
+        Whether that frame is kept, because another moment of the same history is looked at.
+    """
+    point = shown_point(outcome)
+    contact, here = contact_at(point, moments, moment)
+    view, remark = NOTHING, ""
+    if contact is not None and hasattr(contact, "recess"):
+        view = held if still and held != NOTHING else _recovering(contact)
+    elif contact is not None:
+        view = held if still and held != NOTHING else fitting(contact.pressed, held)
+        if not here and type(point.solution) in OF_MANY:
+            remark = f"The pictures of the method show {OF_MANY[type(point.solution)]}."
+        elif here and not moments.states:
+            remark = (
+                "The pictures of the method show the contact at this depth, its springs along the surface left out."
+            )
+    if outcome.study.sweep and contact is not None:
+        shown = f"The pictures below are of {settings_of(outcome, point)}, the last point of the sweep."
+        remark = f"{shown} {remark}".rstrip()
+    return Scene(outcome, point, contact, view, moments.states, moment if moments.total else -1, remark)
+
+
+def pictures(seen: Scene) -> Iterator[Picture]:
+    """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
+    contact, view = seen.contact, seen.view
+    if contact is not None and hasattr(contact, "recess"):
+        row = row_of(contact, view.extent)
+        yield _made("springs", lambda: draw_row(seen.point.problem.bed, row, float(contact.depth), view))
+    elif contact is not None:
+        yield from method_pictures(contact, view)
+    if seen.states and isinstance(seen.states[seen.moment], WearState):
+        yield from _worn(seen.states, seen.moment)
+    for pair in histories.curves_of(seen.outcome, seen.point):
+        drawn = histories.draw_curves(seen.outcome, seen.point, pair, seen.moment)
+        yield Picture("_over_".join(reversed(pair)), histories.title_of(pair), "", packed(drawn))
+
+
+def _worn(states: tuple[Any, ...], moment: int) -> Iterator[Picture]:
+    told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
+    yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
+    told = "What both bodies have lost by this moment, and in the end."
+    yield Picture("worn_depth", "Worn depth", told, packed(draw_worn_depth(states, moment)))
+    told = "p(r) at this moment, at first and in the end."
+    yield Picture("worn_pressure", "Pressure", told, packed(draw_worn_pressure(states, moment)))
+
+
+def _recovering(state: Any) -> View:
+    wide = 1.6 * (float(state.radius) if state.radius > 0.0 else float(state.position[-1]))
+    return View(wide, 1.2 * max(float(np.max(state.recess)), float(state.depth), 1e-3 * wide))
+
+
+def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
+    """Yield the pictures of the method for one contact."""
+    pressed = contact.pressed
+    sticks = isinstance(contact, AdhesiveSolution)
+    makers: dict[str, Callable[[], Chart]] = {
+        "shape": lambda: draw_solid(contact, view),
+        "springs": lambda: draw_row(pressed.bed, row_of(contact, view.extent), float(pressed.depth), view),
+        "line_load": lambda: method.draw_line_load(contact, view),
+        "pressure": lambda: method.draw_pressure(contact, view),
+        "force": lambda: method.draw_force(contact),
+        "stress": lambda: method.draw_stress(contact, view),
+    }
+    for name, make in makers.items():
+        yield _made(name, make, STUCK if sticks else {})
+
+
+def _made(name: str, make: Callable[[], Chart], other: dict[str, tuple[str, str]] | None = None) -> Picture:
+    title, sentence = (CAPTIONS | (other or {}))[name]
+    try:
+        return Picture(name, title, sentence, packed(make()))
+    except WinklerError as error:
+        return Picture(name, title, sentence, "", re.sub(r"^\w+: ", "", str(error)))
+
+
+def packed(chart: Chart) -> str:
+    """Return a figure as JSON, its numbers in single precision."""
+    return orjson.dumps(_single(chart), option=orjson.OPT_SERIALIZE_NUMPY).decode()
+
+
+def _single(content: Any) -> Any:
+    if isinstance(content, dict):
+        return {name: _single(item) for name, item in content.items()}
+    if isinstance(content, list | tuple):
+        return [_single(item) for item in content]
+    if isinstance(content, np.ndarray) and content.dtype.kind == "i":
+        return np.ascontiguousarray(content)
+    if isinstance(content, np.ndarray):
+        return np.ascontiguousarray(content, dtype=np.float32)
+    return content.item() if isinstance(content, np.generic) else content
+
+
+def sheets(outcome: Outcome) -> Iterator[Shown]:
+    """Yield the sheets of an answer, drawn one after the other."""
+    for one in answers_over(outcome):
+        if one.picture is None:
+            yield Shown(one.title, one.sentence, "", one.missing)
+        else:
+            yield Shown(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))

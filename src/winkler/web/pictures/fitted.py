@@ -1,0 +1,101 @@
+"""What a page shows of fits: the numbers with their errors, what speaks against them, and pictures of one curve."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from winkler.errors import WinklerError
+from winkler.fitting.outcome import Fit
+from winkler.plot.series import told as spoken_number
+from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.report import fit_tables
+from winkler.study.report.figures import svg_element
+from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
+from winkler.study.report.markup import kept, safe
+from winkler.study.report.mathml import symbol
+from winkler.study.report.report import papers, trust
+from winkler.validity import worst
+from winkler.web.form.fit_form import spoken_key
+from winkler.web.pictures.answer import Picture, Shown, Told, method_pictures, packed
+from winkler.web.pictures.fit_chart import MOST, draw_fit, draw_loop
+from winkler.web.pictures.view import fitting
+
+__all__ = ["fit_pictures", "fit_sheets", "told_fits"]
+
+CURVE = "Dots are measured, the line is the fitted law; below, what is left over. It should scatter without a course."
+METHOD = "The pictures of the method show the fitted contact at the largest depth of the curve."
+
+
+def told_fits(outcome: FitOutcome, text: str) -> Told:
+    """Return the fitted numbers in words."""
+    count = len(outcome.fitted)
+    answers = [_cards(outcome) if count == 1 else "", fit_tables.doubts(outcome)]
+    body = [fit_tables.answers(outcome), steps(outcome), fit_tables.failures(outcome)]
+    return Told(
+        worst(outcome.validity).value,
+        f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
+        trust(outcome.validity),
+        papers(outcome.study.problem),
+        text,
+        count if count > 1 else 0,
+        0,
+    )
+
+
+def _cards(outcome: FitOutcome) -> str:
+    """Return every fitted number with its interval, in large letters."""
+    fit, cards = outcome.fitted[0].fit, []
+    for free in outcome.study.free:
+        word = outcome.study.word(free.key)
+        low, high = (spoken_number(end, word.unit) for end in fit.interval(free.path))
+        name = spoken_key(free.key).rpartition("› ")[2]
+        cards.append(
+            f'<div class="card"><div class="value">{safe(spoken_number(fit.value(free.path), word.unit))}</div>'
+            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>95 %: {kept(f"{low} … {high}")}</div></div>'
+        )
+    return f'<div class="cards">{"".join(cards)}</div>'
+
+
+def fit_pictures(outcome: FitOutcome, moment: int) -> tuple[Iterator[Picture], str]:
+    """Return the interactive pictures of one of the curves, and what must be said about them all.
+
+    Parameters
+    ----------
+    outcome
+        What the fits came to.
+    moment
+        Which of the fitted curves.
+    """
+    result = outcome.fitted[moment]
+    if not isinstance(result.fit, Fit):
+        return _relaxing(result), ""
+    try:
+        contact = result.fit.model.solve()
+    except WinklerError as error:
+        return iter((_curve(result),)), f"There are no pictures of the method: {error}"
+    return _elastic(result, contact), METHOD
+
+
+def _curve(result: Fitted) -> Picture:
+    count = result.fit.curve.count
+    some = f" Of {count} points {MOST} are drawn." if count > MOST else ""
+    return Picture("fit", f"Curve and fit: {result.name}", f"{CURVE}{some}", packed(draw_fit(result.fit)))
+
+
+def _elastic(result: Fitted, contact: Any) -> Iterator[Picture]:
+    yield _curve(result)
+    yield from method_pictures(contact, fitting(contact.pressed))
+
+
+def _relaxing(result: Fitted) -> Iterator[Picture]:
+    yield _curve(result)
+    told = "As the body answered; in and out differ because it relaxes."
+    yield Picture("loop", "Force over depth", told, packed(draw_loop(result.fit)))
+
+
+def fit_sheets(outcome: FitOutcome) -> Iterator[Shown]:
+    """Yield the sheets of fits: maps and numbers of many curves, and of a body that relaxes its relaxation."""
+    relaxing = not isinstance(outcome.fitted[0].fit, Fit)
+    for one in (*figures_of_many(outcome), *(figures_of_curves(outcome) if relaxing else ())):
+        yield Shown(one.title, one.sentence, svg_element(one, safe(f"{one.title}. {one.sentence}")))

@@ -1,0 +1,78 @@
+"""The moments of a history: how many there are, and the contact at each of them."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.loading import Depth
+from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
+from winkler.problems.normal.indentation import Indentation
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.problems.wear.states import WearState
+from winkler.study.batch.points import Answered
+from winkler.study.chapters.answer_curves import STICKING, WITHOUT_CONTACT
+from winkler.study.report.figures import shown_contact
+
+__all__ = ["Moments", "contact_at", "moments_of", "telling"]
+
+
+class Moments(NamedTuple):
+    """The moments of an answer.
+
+    Parameters
+    ----------
+    total
+        How many; zero for an answer without a history.
+    states
+        The state at each, where the answer has them.
+    """
+
+    total: int = 0
+    states: tuple[Any, ...] = ()
+
+
+def moments_of(point: Answered) -> Moments:
+    """Return the moments of an answer along a path or over time, or its loads one by one."""
+    if len(point.each) > 1:
+        return Moments(len(point.each), point.each)
+    if isinstance(point.problem, ViscoelasticIndentation):
+        states = tuple(point.problem.steps())
+        return Moments(len(states), states)
+    rows = max((len(content) for content in point.answers.values()), default=1)
+    history = "time" in point.answers or hasattr(point.problem, "steps")
+    return Moments(rows if history and rows > 1 else 0)
+
+
+def telling(point: Answered, moments: Moments) -> int:
+    """Return the moment that tells most: that of the greatest load along the surface, depth or force; else the last.
+
+    Of wear it is the last.
+    """
+    if moments.states and isinstance(moments.states[-1], WearState):
+        return moments.total - 1
+    for name in ("shear_force", "torque", "depth", "force"):
+        content = np.abs(np.nan_to_num(point.answers.get(name, np.zeros(0))))
+        if moments.total and content.size == moments.total and np.max(content) > 0.0:
+            return int(np.argmax(content))
+    return moments.total - 1
+
+
+def contact_at(point: Answered, moments: Moments, moment: int) -> tuple[Any, bool]:
+    """Return the contact that the pictures show at a moment, and whether it is that of the moment; None if none is.
+
+    A contact that only knows its depth is shown with its springs along the surface left out.
+    """
+    if moments.states and (hasattr(moments.states[moment], "pressed") or hasattr(moments.states[moment], "recess")):
+        return moments.states[moment], True
+    solution, answers, bed = point.solution, point.answers, getattr(point.problem, "bed", None)
+    if moments.total and bed is not None and not isinstance(solution, WITHOUT_CONTACT):
+        now = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
+        if isinstance(solution, STICKING) and len(now) == 3 and now["radius"] > 0.0:
+            asked = AdhesiveIndentation(bed, point.problem.law, Depth(now["depth"]))
+            return AdhesiveSolution(asked, now["depth"], now["force"], now["radius"], True), True
+        if "depth" in now and np.isfinite(now["depth"]):
+            depth = 0.0 if isinstance(solution, STICKING) else max(now["depth"], 0.0)
+            return Indentation(bed, Depth(depth)).solve(), True
+    return shown_contact(point), False

@@ -1,0 +1,75 @@
+"""An answer as one file: its numbers, its figures, or its report; the same writers as on the command line."""
+
+from __future__ import annotations
+
+import io
+import tempfile
+import zipfile
+from pathlib import Path
+from typing import NamedTuple
+
+from winkler.study.batch.fit_outcome import FitOutcome
+from winkler.study.batch.outcome import Outcome
+from winkler.study.report import archive, figures, fit_report, fit_writing, report
+
+__all__ = ["File", "exported"]
+
+
+class File(NamedTuple):
+    """A file to be taken along."""
+
+    name: str
+    content: bytes
+
+
+def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
+    """Return an answer as a file.
+
+    Parameters
+    ----------
+    outcome
+        What a study came to.
+    what
+        ``csv``, ``netcdf``, ``png`` or ``report``.
+    page
+        The folder of the page: files are written there first, and go with it if the worker is killed.
+    """
+    if what == "report":
+        return File(report.REPORT, _page(outcome).encode("utf-8"))
+    with tempfile.TemporaryDirectory(dir=page) as place:
+        folder = Path(place)
+        if what == "png":
+            figures.save(_figures(outcome), folder, ("png",))
+            return _packed(folder)
+        name = _numbers(outcome, folder)[0 if what == "csv" else 1]
+        return File(name, (folder / name).read_bytes())
+
+
+def _figures(outcome: Outcome | FitOutcome) -> tuple[figures.Shown, ...]:
+    if isinstance(outcome, FitOutcome):
+        return tuple(fit_report.figures_of_fits(outcome))
+    return figures.figures_of(outcome)
+
+
+def _page(outcome: Outcome | FitOutcome) -> str:
+    if isinstance(outcome, FitOutcome):
+        return fit_report.page(outcome, tuple(fit_report.figures_of_fits(outcome)))
+    return report.page(outcome)
+
+
+def _numbers(outcome: Outcome | FitOutcome, folder: Path) -> tuple[str, str]:
+    """Write all numbers, and return which files are the table and the archive."""
+    if isinstance(outcome, FitOutcome):
+        fit_writing.write_numbers(outcome, folder)
+        return fit_writing.CSV, fit_writing.NETCDF
+    archive.write(outcome, folder)
+    return archive.CSV, archive.NETCDF
+
+
+def _packed(folder: Path) -> File:
+    """Return the pictures of a folder in one file."""
+    store = io.BytesIO()
+    with zipfile.ZipFile(store, "w") as pack:
+        for path in sorted(folder.rglob("*.png")):
+            pack.write(path, path.name)
+    return File("figures.zip", store.getvalue())

@@ -1,0 +1,109 @@
+"""Whatever has steps is watched and keeps what it has reached; whatever is answered has a picture."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import typing
+
+import numpy as np
+import pytest
+
+from winkler.plot import draw
+from winkler.study.batch.marching import is_march, marched
+from winkler.study.batch.outcome import answers_of
+from winkler.study.batch.stopping import INTERRUPTED
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import CATALOGUE, kinds
+from winkler.study.language.explain import example_study
+
+PROBLEMS = CATALOGUE["problem"]
+MARCHES = [name for name, line in PROBLEMS.items() if hasattr(line.cls, "steps")]
+FEW = {"elastic_plastic_particle": 2, "fretting_wear": 3, "sliding_wear": 3, "surface_contact": 3, "reduction": 12}
+"""States after which a march is interrupted, where it has hardly more, or its answer needs more than five."""
+
+
+def stopping(count):
+    """Return what watches a march and interrupts it, and what it was told."""
+    totals = []
+
+    def watch(states, total):
+        totals.append(total)
+        for place, state in enumerate(states):
+            if place == count:
+                raise KeyboardInterrupt
+            yield state
+
+    return watch, totals
+
+
+def rows(solution):
+    """Return name -> column of what an answer says along its path."""
+    found = answers_of(solution)
+    most = max(content.size for content in found.values() if isinstance(content, np.ndarray))
+    return {name: content for name, content in found.items() if np.shape(content)[:1] == (most,)}
+
+
+def test_there_are_marches():
+    assert len(MARCHES) >= 15
+    assert {name for name, line in kinds().items() if hasattr(line.cls, "steps")} == set(MARCHES)
+
+
+@pytest.mark.parametrize("name", MARCHES)
+def test_every_march_tells_how_far_it_is_and_keeps_what_it_has_reached(name):
+    problem = build(example_study(name)["problem"])
+    assert is_march(problem)
+    count = FEW.get(name, 5)
+    watch, totals = stopping(count)
+    early, whole = marched(problem, watch), marched(problem)
+    (total,) = totals
+    assert whole.stopped == ""
+    assert early.code == INTERRUPTED
+    assert early.stopped.startswith(f"After {count} ")
+    assert early.stopped.endswith("which are kept, the march ended: it was interrupted.")
+    reached, columns = rows(early.solution), rows(whole.solution)
+    assert reached
+    assert total is None or all(len(column) == total for column in columns.values())
+    for word, column in reached.items():
+        assert len(column) == count
+        if total is not None:  # of a reduction the deepest contact comes first
+            assert np.array_equal(column, columns[word][:count], equal_nan=True), word
+    assert early.solution.validity
+    for word, content in answers_of(problem.solve()).items():
+        assert np.array_equal(getattr(whole.solution, word), content, equal_nan=True), word
+
+
+@pytest.mark.parametrize("name", MARCHES)
+def test_a_march_that_is_interrupted_before_its_first_state_has_no_answer(name):
+    with pytest.raises(KeyboardInterrupt):
+        marched(build(example_study(name)["problem"]), stopping(0)[0])
+
+
+@pytest.mark.parametrize("name", ["impact", "adhesive_impact"])
+def test_half_an_impact_has_no_restitution(name):
+    problem = build(example_study(name)["problem"])
+    half, whole = marched(problem, stopping(20)[0]).solution, problem.solve()
+    assert np.isnan(half.restitution)
+    assert half.duration == whole.duration == whole.time[-1]
+    assert whole.restitution > 0.0
+
+
+def test_stages_of_half_an_impact_end_where_it_was_stopped():
+    problem = build(example_study("impact")["problem"])
+    whole = problem.solve()
+    assert len(whole.stages) > 1
+    for count in (2, 60, 150, problem.count - 1):
+        half = marched(problem, stopping(count)[0]).solution
+        assert half.stages[0].start == 0.0
+        assert half.stages[-1].end == half.time[-1]
+        for part, full in zip(half.stages[:-1], whole.stages, strict=False):
+            assert part == full
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_every_answer_has_a_picture(name):
+    answer = typing.get_type_hints(inspect.unwrap(PROBLEMS[name].cls.solve))["return"]
+    assert dataclasses.is_dataclass(answer)
+    assert draw.dispatch(answer) is not draw.dispatch(object), (
+        f"register a picture of {answer.__name__} in winkler.plot"
+    )

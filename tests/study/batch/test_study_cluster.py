@@ -1,0 +1,183 @@
+"""A sweep on a cluster: the same numbers as here, and a sentence for everything that may be missing."""
+
+from __future__ import annotations
+
+import builtins
+import contextlib
+import math
+import types
+import typing
+import warnings
+from concurrent.futures import CancelledError
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import winkler as wk
+from winkler.cli import main
+from winkler.cli.run import run as cli_run
+from winkler.errors import InvalidInput, NotConverged
+from winkler.study.batch import cluster
+from winkler.study.batch.cluster import Cluster
+from winkler.study.batch.journal import Journal
+from winkler.study.batch.outcome import Recalled
+from winkler.study.batch.run import run
+from winkler.study.batch.sweep import journaled
+from winkler.study.language.designs import Sobol
+from winkler.study.language.study import Axis, Study
+from winkler.study.language.varied import Range
+
+BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
+STUDY = Study(
+    "x",
+    wk.Indentation(BED, wk.Force(1.0)),
+    sweep=(
+        Range("problem.load.force", -0.1, 3.0),
+        Axis("problem.bed.profile", (wk.Paraboloid(1e-3), wk.Cone(1.5))),
+    ),
+    design=Sobol(64, 1),
+)
+
+
+@pytest.fixture(scope="module")
+def address():
+    """Return the address of a cluster of two processes on this machine."""
+    distributed = pytest.importorskip("distributed")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as local:
+            yield local.scheduler_address
+
+
+@pytest.mark.slow
+def test_the_numbers_are_those_of_this_process_and_of_a_pool(address, tmp_path):
+    here = run(STUDY)
+    assert here.failed
+    assert run(STUDY, workers=Cluster(address)).points == here.points
+    assert run(STUDY, workers=2).points == here.points
+    assert run(STUDY, workers=Cluster(address), journal=tmp_path / "x.journal").points == here.points
+
+
+@pytest.mark.slow
+def test_the_command_line(address, tmp_path, monkeypatch, capsys):
+    from winkler.study.language.reading import study_text
+
+    monkeypatch.chdir(tmp_path)
+    text = study_text(STUDY) + "\n[output]\nfigures = []\nreport = false\n"
+    (tmp_path / "x.toml").write_text(text, encoding="utf-8")
+    assert main(["run", "x.toml", "--quiet", "--output", "here"]) == 4
+    assert main(["run", "x.toml", "--quiet", "--output", "there", "--cluster", address]) == 4
+    assert (tmp_path / "here/results.csv").read_bytes() == (tmp_path / "there/results.csv").read_bytes()
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.slow
+def test_a_worker_of_another_version_is_refused(address, monkeypatch):
+    monkeypatch.setattr(cluster, "version", lambda _: "99.0")
+    with pytest.raises(InvalidInput, match=r"has winkler .*, here is 99\.0; install this version there"):
+        run(STUDY, workers=Cluster(address))
+
+
+FORCES = Axis("problem.load.force", tuple(np.linspace(1.0, 2.0, 100).tolist()))
+ONE_BY_ONE = Study("x", wk.Indentation(BED, wk.Force(1.0)), sweep=(FORCES,))
+
+
+@contextlib.contextmanager
+def inside(**how):
+    """Give a cluster that lives in threads of this process."""
+    distributed = pytest.importorskip("distributed")
+    few = {"n_workers": 1, "threads_per_worker": 1, "processes": False, "dashboard_address": None, "silence_logs": 50}
+    with distributed.LocalCluster(**(few | how)) as local:
+        yield local
+
+
+@pytest.mark.slow
+def test_a_cluster_whose_last_worker_died_is_given_up_and_goes_on_with_another(tmp_path):
+    path = tmp_path / "x.journal"
+    with inside() as local:
+        cluster = Cluster(local.scheduler_address, patience=0.2)
+        with Journal(path, ONE_BY_ONE) as journal:
+            points = journaled(ONE_BY_ONE, journal, workers=cluster)
+            next(points)
+            local.sync(local.workers[0].close)
+            with pytest.raises(NotConverged) as told:
+                list(points)
+        kept = journal.count
+        assert 0 < kept < 100
+        assert str(told.value) == (
+            f"cluster: '{cluster.address}' has had no worker for 0.2 s; start some with "
+            f"`dask worker {cluster.address}` and run again. {kept} of 100 points are kept in '{path}', "
+            "and the same run goes on from there."
+        )
+        local.scale(2)
+        local.sync(local._correct_state)
+        outcome = run(ONE_BY_ONE, workers=cluster, journal=path)
+    assert sum(isinstance(point, Recalled) for point in outcome.points) == kept
+    assert [point.found for point in outcome.points] == [point.found for point in run(ONE_BY_ONE).points]
+
+
+@pytest.mark.slow
+def test_what_dask_raises_becomes_a_sentence(monkeypatch):
+    distributed = pytest.importorskip("distributed")
+    deadly = distributed.KilledWorker("_answered-1", types.SimpleNamespace(address="tcp://host:9"), 3)
+    raised = iter((deadly, CancelledError(), OSError("in <TCP>: Stream is closed")))
+    said = ("died whenever they solved certain points", *2 * ("is gone; start it and its workers, and run again",))
+
+    def broken(*_, **__):
+        raise next(raised)
+
+    with inside() as local:
+        monkeypatch.setattr("distributed.wait", broken)
+        for sentence in said:
+            with pytest.raises(NotConverged, match=sentence):
+                run(ONE_BY_ONE, workers=Cluster(local.scheduler_address))
+
+
+def test_how_long_a_cluster_may_be_without_a_worker_is_told():
+    assert Cluster("tcp://host:8786").patience == 60.0
+    option = typing.get_type_hints(cli_run, include_extras=True)["cluster"].__metadata__[0]
+    assert "given up after 60 s without a worker" in option.help
+    for page in ("sweeps.md", "command-line.md"):
+        text = (Path(__file__).parents[2] / "docs" / page).read_text(encoding="utf-8")
+        assert "60 s without" in " ".join(text.split())
+    for wrong in (0.0, -1.0, math.inf, math.nan):
+        with pytest.raises(InvalidInput, match="it must be a positive time in s"):
+            Cluster("tcp://host:8786", patience=wrong)
+
+
+@pytest.mark.slow
+def test_a_cluster_without_workers_is_refused():
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=0, dashboard_address=":0") as local,
+        pytest.raises(InvalidInput, match="has no workers; start some with `dask worker"),
+    ):
+        run(STUDY, workers=Cluster(local.scheduler_address))
+
+
+def test_without_the_extra_there_is_a_sentence(monkeypatch):
+    known = builtins.__import__
+
+    def missing(name, *rest):
+        if name.startswith("distributed"):
+            raise ImportError(name)
+        return known(name, *rest)
+
+    monkeypatch.setattr(builtins, "__import__", missing)
+    with pytest.raises(InvalidInput, match=r"install it with `pip install winkler\[cluster\]`"):
+        run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))
+
+
+@pytest.mark.parametrize("address", ["", " ", 3])
+def test_an_address_is_text(address):
+    with pytest.raises(InvalidInput, match="give that of a scheduler, such as 'tcp://host:8786'"):
+        Cluster(address)
+
+
+@pytest.mark.slow
+def test_nobody_answers(monkeypatch):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    with pytest.raises(InvalidInput, match=r"nobody answers at 'tcp://127\.0\.0\.1:9'"):
+        run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))
