@@ -1,6 +1,6 @@
 """What a unit is: a factor to SI and a dimension, read by a small grammar of names, ``* / ^`` and brackets.
 
-pint is asked about single names only.  Factors are exact fractions.
+Single names stand in the table of `winkler.si_units`; pint is asked about the others.  Factors are exact fractions.
 """
 
 from __future__ import annotations
@@ -8,10 +8,11 @@ from __future__ import annotations
 import functools
 import re
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any
 
 from winkler.errors import InvalidInput, suggest
 from winkler.limits import UNIT_LETTERS
+from winkler.si_units import Unit, si_unit
 
 __all__ = ["COMMON", "POWERS", "Unit", "Unreadable", "unit_of"]
 
@@ -54,14 +55,6 @@ COMMON = (
 """What a misspelt unit may have meant."""
 
 
-class Unit(NamedTuple):
-    """A factor to the SI unit, powers of the base units, and where the zero lies."""
-
-    factor: Fraction
-    dimension: tuple[tuple[str, Fraction], ...]
-    offset: Fraction = Fraction(0)
-
-
 class Unreadable(InvalidInput):
     """Why a unit cannot be read; the callers add which quantity."""
 
@@ -75,7 +68,13 @@ def _registry() -> Any:
 
 @functools.lru_cache(maxsize=512)
 def _named(name: str) -> Unit:
-    """Return the unit of one plain name, e.g. ``mm``: the only question that pint is asked."""
+    """Return the unit of one plain name, e.g. ``mm``."""
+    known = si_unit(name)
+    return _named_by_pint(name) if known is None else known
+
+
+def _named_by_pint(name: str) -> Unit:
+    """Return the unit of a name that is not in the table, e.g. ``inch``: the only question that pint is asked."""
     import pint
 
     try:

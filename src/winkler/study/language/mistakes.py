@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NoReturn
 
 from pydantic import ValidationError
 
@@ -13,10 +13,7 @@ from winkler.study.language.catalogue import REFUSED, kinds, slot_of
 from winkler.study.language.quantities import WHERE, sample, unit_of, wrong
 from winkler.vocabulary import word
 
-__all__ = ["MANY", "chosen", "sentences", "worded"]
-
-KINDLY = ("problem", "content")
-"""Parts of what is checked that are of kinds; pydantic names the kind behind the key of each."""
+__all__ = ["MANY", "refuse", "sentences", "worded"]
 
 MANY = 10
 """So many sentences are shown at most."""
@@ -59,19 +56,13 @@ def _joined(path: list[Any]) -> str:
 
 
 def _place(loc: tuple[Any, ...], raw: Any) -> tuple[list[Any], Any]:
-    """Return the path in the file, without pydantic's own marks, and the innermost table or list on it."""
-    path: list[Any] = []
+    """Return the path in the file, and the innermost table or list on it."""
     table = content = raw
-    fresh = False  # the study itself is of no kind, and a key may have the name of one
     for part in loc:
-        if fresh and isinstance(content, Mapping) and content.get("kind") == part and part in kinds():
-            fresh = False
-            continue
-        path.append(part)
-        table, fresh = content, path[0] in KINDLY
+        table = content
         inside = part in content if isinstance(content, Mapping) else isinstance(content, list) and part < len(content)
         content = content[part] if inside else None
-    return path, table
+    return list(loc), table
 
 
 def _shown(given: Any) -> str:
@@ -86,16 +77,14 @@ def _shown(given: Any) -> str:
     return repr(given) if len(repr(given)) <= 60 else repr(given)[:57] + "..."
 
 
-def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
-    """Refuse what is not a table of one of the `allowed` kinds."""
+def refuse(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
+    """Say why `raw` is not a table of one of the `allowed` kinds."""
     if not isinstance(raw, Mapping):
         wrong(f'{WHERE} is {_shown(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
     if "kind" not in raw:
         add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
         wrong(f"{WHERE} has no kind; add kind, {add}.")
     tag = raw["kind"]
-    if tag in allowed:
-        return raw
     if not isinstance(tag, str):
         wrong(f"{WHERE}.kind is {_shown(tag)}, not text; allowed are {', '.join(allowed)}.")
     if tag in REFUSED:
@@ -106,7 +95,7 @@ def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
     if tag in kinds():
         here = f"allowed here are {', '.join(allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
         wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; {here}.")
-    return wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
+    wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
 
 
 def _parent(key: str) -> str:
