@@ -99,7 +99,7 @@ def _item(answer: Solved, part: str, load: int) -> Any:
     from winkler.footprint import Round
     from winkler.foundation.measured import MeasuredBed
     from winkler.stairs import staircase
-    from winkler.study.chapters.figures_of_roughness import beside
+    from winkler.study.report.beside import beside
 
     bed = getattr(answer.problem, "bed", None)
     outlined = bed is not None and not isinstance(bed.footprint, Round)  # its springs stand for another body

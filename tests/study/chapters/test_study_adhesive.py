@@ -14,7 +14,7 @@ from winkler.cli import main
 from winkler.plot.adhesion.cycles import contact_of
 from winkler.study.batch.events import EVENTS, events_of
 from winkler.study.batch.run import run
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.keys import replaced
 from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Output, Study

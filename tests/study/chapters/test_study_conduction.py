@@ -6,8 +6,8 @@ import pytest
 
 import winkler as wk
 from winkler.study.batch.run import run
-from winkler.study.chapters.formulas import formulas_of
-from winkler.study.chapters.kinds_of_conduction import CONDUCTION
+from winkler.study.chapters.conduction import CONDUCTION
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.explain import example_study
 from winkler.study.language.study import Axis, Study
@@ -22,7 +22,7 @@ METAL = wk.ElectricalConductor(15.9e-9, 3.8e-3)
 FILMED = wk.ElectricalConductors(wk.Rod(METAL, 1e-3, 1e-2), METAL, wk.SurfaceFilm(1e-12))
 
 
-@pytest.mark.parametrize("name", [name for slot in CONDUCTION.values() for name in slot])
+@pytest.mark.parametrize("name", [*CONDUCTION.answers, *(name for slot in CONDUCTION.kinds.values() for name in slot)])
 def test_every_kind_makes_a_study_that_has_an_answer(name):
     problem = build(example_study(name)["problem"], slot="problem")
     assert build(unbuild(problem), slot="problem") == problem

@@ -19,7 +19,7 @@ from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.batch.sweep import solve_points
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study

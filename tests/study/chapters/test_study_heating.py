@@ -6,7 +6,7 @@ import pytest
 from winkler.errors import InvalidInput
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study

@@ -9,7 +9,7 @@ import pytest
 
 import winkler as wk
 from winkler.study.batch.run import run
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.reading import parse_study, read_study, study_text
 from winkler.study.language.study import Fields, Output, Study

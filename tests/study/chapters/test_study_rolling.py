@@ -10,7 +10,7 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.study.batch.run import run
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.reading import parse_study, study_text

@@ -12,8 +12,8 @@ import xarray
 import winkler as wk
 from winkler.cli import main
 from winkler.study.batch.run import run
-from winkler.study.chapters.formulas import formulas_of
-from winkler.study.chapters.kinds_of_roughness import ROUGHNESS
+from winkler.study.chapters.contents import formulas_of
+from winkler.study.chapters.rough import ROUGH
 from winkler.study.chapters.surfaces import read_surface
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.canonical import canonical, digest
@@ -162,11 +162,17 @@ def test_maps_of_a_sweep_stand_beside_one_another():
     assert data["force"].values == pytest.approx([5.0, 5.0], rel=1e-5)
 
 
-QUICK = ("elliptic_indentation", "nearly_round_indentation", "elastomer_friction")
+NOT_ROUND = ("elliptic_indentation", "nearly_round_indentation")
+QUICK = (*NOT_ROUND, "elastomer_friction")
+PROBLEMS = (*ROUGH.answers, *NOT_ROUND)
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[] if name in QUICK else pytest.mark.slow) for name in ROUGHNESS["problem"]]
+    "name",
+    [
+        pytest.param(name, marks=[] if name in QUICK else pytest.mark.slow)
+        for name in (*ROUGH.answers, "elliptic_indentation", "nearly_round_indentation")
+    ],
 )
 def test_every_problem_has_its_picture_and_formulas(name):
     problem = build(example_study(name)["problem"])

@@ -17,8 +17,10 @@ from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.batch.sweep import solve_points
-from winkler.study.chapters.formulas import formulas_of
-from winkler.study.chapters.kinds_of_viscoelasticity import VISCOELASTICITY
+from winkler.study.chapters.contents import formulas_of
+from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
+from winkler.study.chapters.viscoelastic import VISCOELASTIC
+from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study, study_text
@@ -35,8 +37,8 @@ TIME = np.linspace(0.0, 0.4, 9)
 PRESSED = wk.ViscoelasticIndentation(
     BED, wk.Path(TIME, wk.Depth(1e-4 * np.interp(TIME, [0.0, 0.1, 0.3, 0.4], [0.0, 1.0, 1.0, 0.0]))), count=40
 )
-SOLIDS = list(VISCOELASTICITY["solid"])
-PROBLEMS = list(VISCOELASTICITY["problem"])
+SOLIDS = list(RELAXING_BODIES["solid"])
+PROBLEMS = [*VISCOELASTIC.answers, *VISCOELASTIC_SURFACES.answers]
 
 TEXT = """title = "Creep of a gel"
 

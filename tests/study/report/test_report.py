@@ -14,10 +14,10 @@ from study_samples import SAMPLES, pressed
 
 import winkler as wk
 from winkler.study.batch.run import run
+from winkler.study.chapters.method_captions import CAPTIONS
 from winkler.study.language.study import Axis, Expectation, Output, Study
 from winkler.study.report import figures, report
 from winkler.study.report.citing import cite
-from winkler.study.report.figures import CAPTIONS
 from winkler.validity import Standing
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}

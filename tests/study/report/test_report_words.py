@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib
+import pkgutil
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -10,8 +12,9 @@ from study_samples import SAMPLES, pressed
 
 import winkler as wk
 from winkler.errors import InvalidInput
+from winkler.study import chapters
 from winkler.study.batch.run import run
-from winkler.study.chapters import formulas
+from winkler.study.chapters.answer import Formula
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, in_words, inputs, values_told
 from winkler.study.report.figures import answers_over, svg_element
@@ -19,10 +22,15 @@ from winkler.study.report.markup import kept, safe, table
 from winkler.study.report.mathml import formula, inline, symbol
 from winkler.vocabulary import GLOSSARY, OWNED
 
-FORMULAS = [item for item in vars(formulas).values() if isinstance(item, formulas.Formula)]
+FORMULAS = [
+    item
+    for module in pkgutil.iter_modules(chapters.__path__)
+    for item in vars(importlib.import_module(f"{chapters.__name__}.{module.name}")).values()
+    if isinstance(item, Formula)
+]
 
 
-@pytest.mark.parametrize("item", FORMULAS, ids=lambda item: item.says[:40])
+@pytest.mark.parametrize("item", dict.fromkeys(FORMULAS), ids=lambda item: item.says[:40])
 def test_every_formula_of_the_report_is_well_formed(item):
     root = ElementTree.fromstring(formula(item.latex))
     assert root.tag == "math"

@@ -11,7 +11,7 @@ import importlib
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-__all__ = ["Kind", "kind", "path_of"]
+__all__ = ["Kind", "is_a", "kind", "path_of"]
 
 
 class Kind(NamedTuple):
@@ -50,6 +50,11 @@ def _loaded(path: str) -> Any:
 def path_of(cls: type) -> str:
     """Return the path that a line of the catalogue names a class by."""
     return f"{cls.__module__}:{cls.__qualname__}"
+
+
+def is_a(content: Any, *paths: str) -> bool:
+    """Return whether a value is of one of the classes, named by their paths; none of them is loaded for it."""
+    return any(path_of(base) in paths for base in type(content).__mro__)
 
 
 def kind(

@@ -1,6 +1,6 @@
 """The catalogue: every kind that a study file may name, and the class behind it.
 
-One line in a table of kinds makes a class known to study files, ``winkler show``, ``winkler new``, ``winkler cite`` and
+One line in a chapter makes a class known to study files, ``winkler show``, ``winkler new``, ``winkler cite`` and
 the tests: its keys, units and meanings are read from the class and the glossary.  The line also carries an example
 (values as a study file writes them; for a part that is left out, the first kind of its slot is taken) and the BibTeX
 keys of the papers that the class stands on.
@@ -20,16 +20,10 @@ from winkler.problems.friction.spring_states import OwnLaw
 from winkler.profiles.flat import Cylinder
 from winkler.profiles.profile import Profile
 from winkler.profiles.rough.spectrum import Spectrum
+from winkler.study.chapters.bodies import BODIES
+from winkler.study.chapters.contents import CHAPTERS
 from winkler.study.chapters.kind import Kind, path_of
-from winkler.study.chapters.kinds_of_bodies import BODIES
-from winkler.study.chapters.kinds_of_conduction import CONDUCTION
-from winkler.study.chapters.kinds_of_contacts import CONTACTS
-from winkler.study.chapters.kinds_of_friction import FRICTION
-from winkler.study.chapters.kinds_of_heating import HEATING
-from winkler.study.chapters.kinds_of_rolling import ROLLING
-from winkler.study.chapters.kinds_of_roughness import ROUGHNESS
-from winkler.study.chapters.kinds_of_viscoelasticity import VISCOELASTICITY
-from winkler.study.chapters.kinds_of_wear import WEAR
+from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
 
 __all__ = ["CATALOGUE", "REFUSED", "SLOTS", "UNWRITTEN", "Kind", "kind_of", "kinds", "slot_of"]
 
@@ -44,7 +38,10 @@ def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
 
 
 CATALOGUE: dict[str, dict[str, Kind]] = _merged(
-    BODIES, CONTACTS, FRICTION, VISCOELASTICITY, CONDUCTION, ROLLING, HEATING, WEAR, ROUGHNESS
+    BODIES,
+    *(chapter.kinds for chapter in CHAPTERS),
+    RELAXING_BODIES,
+    {"problem": {kind: answer.kind for chapter in CHAPTERS for kind, answer in chapter.answers.items()}},
 )
 """Slot -> kind -> class; kinds are unique over all slots."""
 

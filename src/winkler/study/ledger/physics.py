@@ -1,6 +1,6 @@
 """Which physics a study belongs to: the chapters of the validation ledger.
 
-A problem belongs to the table of kinds that it stands in; a normal contact to the medium under it, or to the fields
+A problem belongs to the chapter that it stands in; a normal contact to the medium under it, or to the fields
 that are asked of it.
 """
 
@@ -11,56 +11,29 @@ from typing import Any
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.study.chapters.kind import Kind
-from winkler.study.chapters.kinds_of_conduction import CONDUCTION
-from winkler.study.chapters.kinds_of_contacts import CONTACTS
-from winkler.study.chapters.kinds_of_friction import FRICTION
-from winkler.study.chapters.kinds_of_heating import HEATING
-from winkler.study.chapters.kinds_of_rolling import ROLLING
-from winkler.study.chapters.kinds_of_roughness import ROUGHNESS
-from winkler.study.chapters.kinds_of_viscoelasticity import VISCOELASTICITY
-from winkler.study.chapters.kinds_of_wear import WEAR
+from winkler.study.chapters import contents
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.study import Study
 
 __all__ = ["CHAPTERS", "FITS", "physics_of"]
 
-NORMAL, FIELDS, COATINGS, GRADED, ADHESION, FITS = (
-    "normal contact",
-    "fields",
-    "coatings",
-    "graded bodies",
-    "adhesion",
-    "fits",
-)
+NORMAL, FIELDS, COATINGS, GRADED, FITS = "normal contact", "fields", "coatings", "graded bodies", "fits"
 OTHER = "other contacts"
-PLAIN = ("indentation", "yield_onset")
-"""Normal contacts without adhesion."""
+NOT_ROUND = dict.fromkeys(("elliptic_indentation", "nearly_round_indentation"), "measured and rough surfaces")
+"""Normal contacts that stand with the surfaces of any shape."""
+PHYSICS = {kind: chapter.physics for chapter in contents.CHAPTERS for kind in chapter.answers} | NOT_ROUND
+"""Kind of problem -> its physics."""
 
-TABLES: dict[str, dict[str, dict[str, Kind]]] = {
-    "friction and impacts": FRICTION,
-    "bodies that relax": VISCOELASTICITY,
-    "current and heat": CONDUCTION,
-    "frictional heat": HEATING,
-    "rolling": ROLLING,
-    "wear": WEAR,
-    "measured and rough surfaces": ROUGHNESS,
-}
-"""Physics -> the table of its kinds."""
-
-CHAPTERS = (NORMAL, FIELDS, COATINGS, GRADED, ADHESION, *TABLES, FITS, OTHER)
+CHAPTERS = tuple(
+    dict.fromkeys((NORMAL, FIELDS, COATINGS, GRADED, *(chapter.physics for chapter in contents.CHAPTERS), FITS, OTHER))
+)
 """The physics, in the order of the ledger."""
 
 
 def physics_of(study: Study) -> str:
     """Return the chapter that a study belongs to, one of `CHAPTERS`."""
-    name = kind_of(type(study.problem))
-    for physics, table in TABLES.items():
-        if name in table.get("problem", {}):
-            return physics
-    if name not in CONTACTS["problem"]:
-        return OTHER
-    return _normal(study) if name in PLAIN else ADHESION
+    physics = PHYSICS.get(kind_of(type(study.problem)), OTHER)
+    return _normal(study) if physics == NORMAL else physics
 
 
 def _normal(study: Study) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING, NamedTuple
 
-from winkler.study.chapters.captions import CAPTIONS
+from winkler.study.chapters.method_captions import CAPTIONS
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture

@@ -17,23 +17,21 @@ from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_picture, family_picture
 from winkler.plot.method import PICTURES, Contact, pictures_of
 from winkler.plot.series import Series, spoken
-from winkler.plot.sheets import SHEETS
-from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
-from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.study.batch.outcome import Answered, Outcome
-from winkler.study.chapters.answer_curves import ALONG, LOOPS, MARCHED, STICKING, WITHOUT_CONTACT
-from winkler.study.chapters.captions import CAPTIONS, SHOWN_WHOLE, STUCK
-from winkler.study.chapters.figures_of_roughness import Beside, beside
+from winkler.study.chapters.answer import ALONG, Answer
+from winkler.study.chapters.answer import Contact as Shows
+from winkler.study.chapters.contents import answer_of
+from winkler.study.chapters.method_captions import captions_of
 from winkler.study.language.designs import POINT
 from winkler.study.language.study import Axis, Study
+from winkler.study.report.beside import Beside, beside
 from winkler.study.report.describe import content_label, setting_told
 from winkler.study.report.figure import Shown, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
 __all__ = [
-    "CAPTIONS",
     "Shown",
     "answers_over",
     "drawn",
@@ -57,14 +55,13 @@ def shown_point(outcome: Outcome) -> Answered:
 
 def shown_contact(point: Answered) -> Contact | None:
     """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
-    solution = point.each[-1]
-    if isinstance(solution, MARCHED):
-        solution = point.solution  # the whole path
-    if isinstance(solution, WITHOUT_CONTACT):
+    shows = answer_of(point.problem).contact
+    if shows is Shows.NONE:
         return None
+    solution = point.solution if shows is Shows.PATH else point.each[-1]
     if isinstance(solution, IndentationSolution):
         return solution
-    if isinstance(solution, STICKING):
+    if shows is Shows.EDGE:
         return contact_of(solution)
     inside = getattr(solution, "contact", None)
     if isinstance(inside, IndentationSolution):
@@ -80,9 +77,10 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
     wanted = pictures_of(contact) if contact is not None else ()
-    if shown_point(outcome).answer_type in SHEETS:  # its own picture has F(d), as the edge came here
+    answer = answer_of(shown_point(outcome).problem)
+    if answer.contact is Shows.EDGE and answer.picture is not None:  # which has F(d), as the edge came here
         wanted = tuple(name for name in wanted if name != "force")
-    captions = CAPTIONS | (STUCK if isinstance(contact, AdhesiveSolution) else {})
+    captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
     for name, make in ((name, make) for name, make in PICTURES.items() if name in wanted):
         try:
             found.append(drawn(name, *captions[name], make(contact)))
@@ -98,12 +96,12 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
     """Yield a figure for every answer over what was varied; none if nothing was."""
     columns = {column.name: column.content for column in outcome.table()}
     yield from _sheets(outcome)
-    if any(issubclass(point.answer_type, EquilibriumCurve | AdhesiveCycleSolution) for point in outcome.solved):
-        yield from _side_by_side(outcome)
+    answer = answer_of(shown_point(outcome).problem)
+    if answer.compared:
+        yield from _side_by_side(outcome, answer.compared)
         return
-    loops = next((LOOPS[point.answer_type] for point in outcome.solved if point.answer_type in LOOPS), ())
-    if loops and len(next(iter(columns.values()))) > len(outcome.points):
-        yield from _loops(outcome, loops)
+    if answer.curves and len(next(iter(columns.values()))) > len(outcome.points):
+        yield from _loops(outcome, answer)
         if len(outcome.points) > 1:
             yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _single(outcome)})
         return
@@ -181,11 +179,11 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
 def _sheets(outcome: Outcome) -> Iterator[Shown]:
     """Yield the picture of an answer that is a curve by itself: of the last point."""
     point = shown_point(outcome)
-    wanted = [*beside(point.solution)]
-    if point.answer_type in SHOWN_WHOLE:
-        wanted.append(Beside(*SHOWN_WHOLE[point.answer_type], point.solution))
+    wanted, caption = [*beside(point.solution)], answer_of(point.problem).picture
+    if caption is not None:
+        wanted.append(Beside(caption, point.solution))
     where = settings_of(outcome, point)
-    for name, title, told_by, item in wanted:
+    for (name, title, told_by), item in wanted:
         sentence = f"{told_by} Shown is {where}." if where else told_by
         try:
             yield drawn(f"answer_{name}", title, sentence, draw(item))
@@ -199,7 +197,7 @@ def settings_of(outcome: Outcome, point: Answered) -> str:
     return ", ".join(setting_told(outcome.study, axis, item) for axis, item in pairs)
 
 
-def _side_by_side(outcome: Outcome) -> Iterator[Shown]:
+def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[Shown]:
     """Yield force and radius of cycles or curves of equilibria, one for every point of the sweep, in their order."""
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2:
@@ -207,21 +205,21 @@ def _side_by_side(outcome: Outcome) -> Iterator[Shown]:
     answered, labels = [point.answers for point in points], [settings_of(outcome, point) for point in points]
     name = "position" if "position" in outcome.answers else "depth"
     along = [Series(name, outcome.word(name), answers[name]) for answers in answered]
-    for what in ("force", "radius"):
+    for what in compared:
         of = [Series(what, outcome.word(what), answers[what]) for answers in answered]
         picture = family_picture(along, of, labels, ordered=False)
         title = capital(f"{spoken(what)} over {spoken(name)}")
         yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
-def _loops(outcome: Outcome, loops: tuple[tuple[str, str], ...]) -> Iterator[Shown]:
+def _loops(outcome: Outcome, answer: Answer) -> Iterator[Shown]:
     """Yield answers along paths over each other, one curve for every point of the sweep, in its order."""
     points = outcome.solved[:MOST_CURVES]
-    if len(points) < 2 and points[0].answer_type in SHOWN_WHOLE:
+    if len(points) < 2 and answer.picture is not None:
         return  # the picture of the answer itself has them
     labels = [settings_of(outcome, point) for point in points]
     worth, known = _answers_worth(outcome), set[str]()
-    for over, what in loops:
+    for over, what in answer.curves:
         if over in outcome.answers and what in worth:
             along, of = (
                 [Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what)

@@ -15,7 +15,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.fit_recording import seen_from
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
 from winkler.study.report import figures

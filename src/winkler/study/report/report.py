@@ -11,23 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from winkler.plot.series import told
-from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
-from winkler.problems.adhesion.equilibrium import EquilibriumCurve
-from winkler.problems.adhesion.pull_off import PullOffSolution
-from winkler.problems.adhesion.shear import AdhesiveShearSolution
-from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
-from winkler.problems.friction.damping import FrictionDampingSolution
-from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
-from winkler.problems.friction.tangential import TangentialSolution
-from winkler.problems.friction.torsion import TorsionSolution
-from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
-from winkler.problems.impact.impact import ImpactSolution
-from winkler.problems.rolling.oscillating import OscillatingRollingSolution
-from winkler.problems.rolling.start import RollingStartSolution
-from winkler.problems.rolling.steady import RollingSolution
 from winkler.study.batch.outcome import Outcome
-from winkler.study.chapters.answer_curves import WITHOUT_CONTACT
-from winkler.study.chapters.formulas import formulas_of
+from winkler.study.chapters.answer import Contact
+from winkler.study.chapters.contents import answer_of, formulas_of
 from winkler.study.language.reading import study_text
 from winkler.study.report import figures
 from winkler.study.report.archive import CSV, NETCDF
@@ -50,24 +36,6 @@ MEANINGS = {
     Standing.APPROXIMATE: "the error is stated",
     Standing.OUTSIDE: "not to be trusted",
 }
-
-OF_MANY: dict[type, str] = {
-    AdhesiveCycleSolution: "the widest contact of the cycle",
-    EquilibriumCurve: "the widest stable contact of the curve",
-    PullOffSolution: "the contact just before it comes apart",
-    AdhesiveShearSolution: "the contact under the last load, its springs along the surface left out",
-    FrictionDampingSolution: "the contact under its normal load, its springs along the surface left out",
-    BimodalDampingSolution: "the contact at its greatest depth, its springs along the surface left out",
-    RelaxationDamperSolution: "the contact at its greatest depth, its springs along the surface left out",
-    TangentialSolution: "the contact at its greatest depth, its springs along the surface left out",
-    TorsionSolution: "the contact at its greatest depth, its twist left out",
-    ImpactSolution: "the contact at its greatest depth, its springs along the surface left out",
-    AdhesiveImpactSolution: "the contact at its greatest depth, without the attraction",
-    RollingSolution: "the contact under its normal load, its springs along the surface left out",
-    RollingStartSolution: "the contact under its normal load, its springs along the surface left out",
-    OscillatingRollingSolution: "the contact under its normal load, its springs along the surface left out",
-}
-"""Which contact is shown of an answer that holds many."""
 
 
 def write(outcome: Outcome, folder: Path) -> None:
@@ -156,7 +124,7 @@ def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
         figures_ = "".join(map(figure_element, method))
         parts.append(section("The method in pictures", _which(outcome), f'<div class="figures">{figures_}</div>'))
     point = shown_point(outcome)
-    if shown_contact(point) is None and not isinstance(point.solution, WITHOUT_CONTACT):
+    if shown_contact(point) is None and answer_of(point.problem).contact is not Contact.NONE:
         kind = type(point.problem).__name__
         sentence = (
             f"There are no pictures of the method for {kind}: its answer does not tell how the springs are pressed."
@@ -169,7 +137,7 @@ def _which(outcome: Outcome) -> str:
     point = shown_point(outcome)
     contact = shown_contact(point)
     where = [settings_told(outcome, point.settings)] if outcome.study.sweep else []
-    which = OF_MANY.get(point.answer_type)
+    which = answer_of(point.problem).contact_shown
     if which and contact is not None:
         where.append(f"{which}, at a depth of {told(float(contact.depth), 'm')}")
     if len(point.each) > 1 and contact is not None and not which:

@@ -13,10 +13,11 @@ from winkler.errors import WinklerError
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.wear.states import WearState
 from winkler.study.batch.outcome import Outcome
-from winkler.study.chapters.captions import CAPTIONS, STUCK
+from winkler.study.chapters.contents import answer_of
+from winkler.study.chapters.method_captions import captions_of
 from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.report.markup import safe
-from winkler.study.report.report import OF_MANY, papers, trust
+from winkler.study.report.report import papers, trust
 from winkler.study.report.tables import answered, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories, method
@@ -177,8 +178,9 @@ def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still:
         view = held if still and held != NOTHING else _recovering(contact)
     elif contact is not None:
         view = held if still and held != NOTHING else fitting(contact.pressed, held)
-        if not here and type(point.solution) in OF_MANY:
-            remark = f"The pictures of the method show {OF_MANY[type(point.solution)]}."
+        which = answer_of(point.problem).contact_shown
+        if not here and which:
+            remark = f"The pictures of the method show {which}."
         elif here and not moments.states:
             remark = (
                 "The pictures of the method show the contact at this depth, its springs along the surface left out."
@@ -231,11 +233,11 @@ def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
         "stress": lambda: method.draw_stress(contact, view),
     }
     for name, make in makers.items():
-        yield _made(name, make, STUCK if sticks else {})
+        yield _made(name, make, sticks=sticks)
 
 
-def _made(name: str, make: Callable[[], Chart], other: dict[str, tuple[str, str]] | None = None) -> Picture:
-    title, sentence = (CAPTIONS | (other or {}))[name]
+def _made(name: str, make: Callable[[], Chart], *, sticks: bool = False) -> Picture:
+    title, sentence = captions_of(sticks=sticks)[name]
     try:
         return Picture(name, title, sentence, packed(make()))
     except WinklerError as error:

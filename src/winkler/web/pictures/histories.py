@@ -10,7 +10,8 @@ from winkler.plot import style
 from winkler.plot.series import Series, scale_of, spoken
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import Answered
-from winkler.study.chapters.answer_curves import ALONG, LOOPS
+from winkler.study.chapters.answer import ALONG
+from winkler.study.chapters.contents import answer_of
 from winkler.web.pictures.chart import Chart, axis, chart, label, line
 
 __all__ = ["curves_of", "draw_curves", "title_of"]
@@ -23,7 +24,7 @@ FLAT = 1e-9
 def curves_of(outcome: Outcome, point: Answered) -> tuple[tuple[str, str], ...]:
     """Return what is drawn over what: ``(along, of)``; nothing where the answer is one number for each word."""
     answers = point.answers
-    known = tuple(pair for pair in LOOPS.get(type(point.solution), ()) if all(name in answers for name in pair))
+    known = tuple(pair for pair in answer_of(point.problem).curves if all(name in answers for name in pair))
     if not known and len(next(iter(answers.values()), ())) > 1:
         over = next((name for name in ("time", *ALONG, "distance", "cycle") if name in answers), next(iter(answers)))
         known = tuple((over, name) for name in answers if name not in (over, "stable"))

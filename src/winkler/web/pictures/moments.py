@@ -12,7 +12,8 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.wear.states import WearState
 from winkler.study.batch.points import Answered
-from winkler.study.chapters.answer_curves import STICKING, WITHOUT_CONTACT
+from winkler.study.chapters.answer import Contact
+from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figures import shown_contact
 
 __all__ = ["Moments", "contact_at", "moments_of", "telling"]
@@ -66,13 +67,13 @@ def contact_at(point: Answered, moments: Moments, moment: int) -> tuple[Any, boo
     """
     if moments.states and (hasattr(moments.states[moment], "pressed") or hasattr(moments.states[moment], "recess")):
         return moments.states[moment], True
-    solution, answers, bed = point.solution, point.answers, getattr(point.problem, "bed", None)
-    if moments.total and bed is not None and not isinstance(solution, WITHOUT_CONTACT):
+    shows, answers, bed = answer_of(point.problem).contact, point.answers, getattr(point.problem, "bed", None)
+    if moments.total and bed is not None and shows is not Contact.NONE:
         now = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
-        if isinstance(solution, STICKING) and len(now) == 3 and now["radius"] > 0.0:
+        if shows is Contact.EDGE and len(now) == 3 and now["radius"] > 0.0:
             asked = AdhesiveIndentation(bed, point.problem.law, Depth(now["depth"]))
             return AdhesiveSolution(asked, now["depth"], now["force"], now["radius"], True), True
         if "depth" in now and np.isfinite(now["depth"]):
-            depth = 0.0 if isinstance(solution, STICKING) else max(now["depth"], 0.0)
+            depth = 0.0 if shows is Contact.EDGE else max(now["depth"], 0.0)
             return Indentation(bed, Depth(depth)).solve(), True
     return shown_contact(point), False

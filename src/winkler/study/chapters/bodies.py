@@ -1,8 +1,9 @@
-"""Kinds of bodies and beds: profiles, solids, layers, media, foundations."""
+"""Kinds of elastic bodies, media and beds: profiles, solids, layers, gradings, foundations."""
 
 from __future__ import annotations
 
-from winkler.study.chapters.kind import Kind, kind
+from winkler.study.chapters.answer import Kinds
+from winkler.study.chapters.kind import kind
 
 __all__ = ["BODIES"]
 
@@ -15,7 +16,7 @@ WAVY_BALL = {
 }
 """A wave alone touches again at its next trough; on a ball it does not."""
 
-BODIES: dict[str, dict[str, Kind]] = {
+BODIES: Kinds = {
     "profile": {
         "sphere": kind("winkler.profiles.sphere:Sphere", "hertz_1882", "popov_hess_2015", curvature_radius="10 mm"),
         "paraboloid": kind("winkler.profiles.power:Paraboloid", "hertz_1882", curvature_radius="10 mm"),
@@ -188,4 +189,3 @@ BODIES: dict[str, dict[str, Kind]] = {
         ),
     },
 }
-"""Slot -> kind -> class."""

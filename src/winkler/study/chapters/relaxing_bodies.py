@@ -1,28 +1,16 @@
-"""Kinds of viscoelastic contacts: solids that relax, how temperature changes them, and what is asked of them."""
+"""Kinds of bodies that relax: solids, laws of their temperature, media."""
 
 from __future__ import annotations
 
-from winkler.study.chapters.kind import Kind, kind
+from winkler.study.chapters.answer import Kinds
+from winkler.study.chapters.kind import kind
 
-__all__ = ["VISCOELASTICITY"]
+__all__ = ["RELAXING_BODIES"]
 
 RUBBER = {"kind": "standard_solid", "relaxed_shear": "1 MPa", "shear": "3 MPa", "relaxation_time": "0.1 s"}
 FILM = {"kind": "elastic", "young": "2.98 MPa", "poisson": 0.49}
-BED = {"kind": "foundation", "medium": {"kind": "viscoelastic_half_space"}}
-DECADES = {"from": "1 ms", "to": "10 s", "count": 33, "spacing": "log"}
-IN_AND_OUT = [
-    {"kind": "start", "normal": {"kind": "depth", "depth": "0 um"}},
-    {"kind": "ramp", "normal": {"kind": "depth", "depth": "100 um"}, "duration": "0.1 s", "count": 20},
-    {"kind": "hold", "duration": "0.2 s", "count": 10},
-    {"kind": "ramp", "normal": {"kind": "depth", "depth": "0 um"}, "duration": "0.1 s", "count": 20},
-]
-DRAGGED = [
-    *IN_AND_OUT[:2],
-    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "50 um"}, "frequency": "5 Hz", "count": 16},
-    *IN_AND_OUT[2:],
-]
 
-VISCOELASTICITY: dict[str, dict[str, Kind]] = {
+RELAXING_BODIES: Kinds = {
     "solid": {
         "standard_solid": kind(
             "winkler.materials.spring_and_dashpot:StandardSolid",
@@ -98,20 +86,6 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
             first_constant=8.86,
             second_constant="101.6 K",
         ),
-        "rate_dependent_work": kind(
-            "winkler.laws.crack:RateDependentWork",
-            "maugis_barquins_1978",
-            work="50 mJ/m^2",
-            reference_speed="1 um/s",
-            exponent=0.6,
-        ),
-        "saturating_work": kind(
-            "winkler.laws.crack:SaturatingWork",
-            work="50 mJ/m^2",
-            fast_work="1 J/m^2",
-            reference_speed="1 mm/s",
-            exponent=0.5,
-        ),
         "arrhenius": kind(
             "winkler.materials.temperature:Arrhenius",
             problem="viscoelastic_indentation",
@@ -139,56 +113,4 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
             shear="1 MPa",
         ),
     },
-    "problem": {
-        "viscoelastic_indentation": kind(
-            "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
-            bed=BED,
-            path={"kind": "program", "steps": IN_AND_OUT},
-            count=200,
-        ),
-        "creep_test": kind(
-            "winkler.problems.viscoelastic.material_tests:CreepTest", bed=BED, force="1 N", time=DECADES
-        ),
-        "relaxation_test": kind(
-            "winkler.problems.viscoelastic.material_tests:RelaxationTest", bed=BED, depth="100 um", time=DECADES
-        ),
-        "harmonic_indentation": kind(
-            "winkler.problems.viscoelastic.material_tests:HarmonicIndentation",
-            bed=BED,
-            normal={"kind": "depth", "depth": "100 um"},
-            angular_frequency={"from": "0.1 rad/s", "to": "1000 rad/s", "count": 33, "spacing": "log"},
-        ),
-        "viscoelastic_tangential": kind(
-            "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
-            bed=BED,
-            path={"kind": "program", "steps": DRAGGED},
-            count=100,
-        ),
-        "sliding_resistance": kind(
-            "winkler.problems.viscoelastic.sliding:SlidingResistance",
-            bed=BED,
-            normal={"kind": "force", "force": "1 N"},
-            speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},
-        ),
-        "viscoelastic_adhesion": kind(
-            "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
-            bed=BED,
-            path={
-                "kind": "program",
-                "steps": [
-                    {"kind": "start", "normal": {"kind": "depth", "depth": "5 um"}},
-                    {"kind": "ramp", "normal": {"kind": "depth", "depth": "-25 um"}, "duration": "30 s", "count": 60},
-                ],
-            },
-        ),
-        "viscoelastic_impact": kind(
-            "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
-            bed=BED,
-            mass="30 g",
-            velocity="1 m/s",
-            count=100,
-            tolerance=1e-3,
-        ),
-    },
 }
-"""Slot -> kind -> class."""

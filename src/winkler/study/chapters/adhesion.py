@@ -1,0 +1,167 @@
+"""Bodies that stick: laws of adhesion, what is computed, and its formulas."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula
+from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.normal import on_bed
+
+__all__ = ["ADHESION", "stuck"]
+
+THERE_AND_BACK = [
+    {"from": "-5 nm", "to": "5 nm", "count": 41},
+    {"from": "5 nm", "to": "-5 nm", "count": 41},
+]
+
+STRETCHED = Formula(
+    "Springs of the stiffness c_N per length follow the profile also where they are stretched, up to the edge",
+    r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad s = g(a) - d > 0",
+)
+GRIFFITH = Formula(
+    "The edge is in balance where the energy that it sets free as it recedes pays for the surfaces that open",
+    r"\frac{c_N(a)\,s^2}{2\pi a} = w, \quad s(a) = \sqrt{\frac{2\pi a w}{c_N(a)}}, \quad d(a) = g(a)-s(a)",
+)
+STUCK_FORCE = Formula(
+    "Their sum is the force; so depth and force are known for every contact radius",
+    r"F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k(a) = 2\int_0^a c_N\,\mathrm{d}x",
+)
+RING = Formula(
+    "Around the contact, up to c, the surfaces attract each other with the stress of the law, which pulls the springs "
+    "there by (written for a homogeneous solid)",
+    r"u(x) = -\frac{2\sigma_0}{E^*}\sqrt{c^2-x^2}, \quad a < x < c, \quad "
+    r"d = g(a) - \frac{2\sigma_0}{E^*}\sqrt{c^2-a^2}",
+)
+RING_END = Formula(
+    "The ring ends where the surfaces stand apart as far as the attraction reaches", r"h(c) = \frac{w}{\sigma_0}"
+)
+RINGED_FORCE = STUCK_FORCE._replace(latex=r"F_N = 2\int_0^c c_N\,u\,\mathrm{d}x, \quad u(x) = d-g(x) \;\; (x < a)")
+FAR = Formula(
+    "Attraction from afar deforms nothing and adds to the pull; R is the radius of curvature at the apex",
+    r"d = g(a), \quad F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x - 2\pi R w",
+)
+STABLE = Formula(
+    "A state is stable on a machine of the stiffness k_m if it moves on as the contact grows; a dead load has k_m = 0, "
+    "fixed grips an infinite one",
+    r"\frac{\mathrm{d}}{\mathrm{d}a}\left(d + \frac{F_N}{k_m}\right) > 0",
+)
+LOST = Formula(
+    "Between jumps the machine's work is stored, but for what opening costs more than closing gained; in a jump all "
+    "that the potential falls by is lost",
+    r"\mathrm{d}W = F_N\,\mathrm{d}D, \quad D = d + \frac{F_N}{k_m}",
+)
+SHEARED = Formula(
+    "Normal and tangential springs pay for the surface together; the contact shrinks as it is sheared",
+    r"c_N(a)\,s^2 + c_T(a)\,u_x^2 = 2\pi a w, \quad F_x = 2u_x\int_0^a c_T\,\mathrm{d}x",
+)
+
+DUGDALE = "winkler.laws.adhesion:Dugdale"
+LONG_RANGE = "winkler.laws.adhesion:DerjaguinMullerToporov"
+
+
+def stuck(problem: Any, *more: Formula) -> tuple[Formula, ...]:
+    """Return how springs, edge and force go together under the law of a problem."""
+    if is_a(problem.law, DUGDALE):  # under a ring of attraction the fields take other steps
+        return on_bed(problem.bed, (RING, RING_END, RINGED_FORCE, STABLE, *more), ())
+    springs = (FAR,) if is_a(problem.law, LONG_RANGE) else (STRETCHED, GRIFFITH, STUCK_FORCE)
+    return on_bed(problem.bed, (*springs, STABLE, *more))
+
+
+def cycled(problem: Any) -> tuple[Formula, ...]:
+    """Return the same of a cycle, in which energy is lost."""
+    return stuck(problem, LOST)
+
+
+def sheared(problem: Any) -> tuple[Formula, ...]:
+    """Return the same of a contact that is sheared."""
+    if is_a(problem.law, DUGDALE, LONG_RANGE):
+        return stuck(problem)
+    return on_bed(problem.bed, (STRETCHED, SHEARED, STUCK_FORCE))
+
+
+ADHESION = Chapter(
+    "adhesion",
+    kinds={
+        "law": {
+            "short_range": kind("winkler.laws.adhesion:ShortRange", "johnson_kendall_roberts_1971", work="50 mJ/m^2"),
+            "dugdale": kind("winkler.laws.adhesion:Dugdale", "maugis_1992", work="50 mJ/m^2", strength="1 MPa"),
+            "derjaguin_muller_toporov": kind(
+                "winkler.laws.adhesion:DerjaguinMullerToporov", "derjaguin_1975", work="50 mJ/m^2"
+            ),
+        },
+    },
+    answers={
+        "adhesive_indentation": Answer(
+            kind(
+                "winkler.problems.adhesion.indentation:AdhesiveIndentation",
+                "popov_hess_2015",
+                "johnson_kendall_roberts_1971",
+                "maugis_1992",
+            ),
+            contact=Contact.EDGE,
+            formulas=stuck,
+        ),
+        "pull_off": Answer(
+            kind("winkler.problems.adhesion.pull_off:PullOff", "popov_hess_2015", "johnson_kendall_roberts_1971"),
+            picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
+            contact=Contact.EDGE,
+            contact_shown="the contact just before it comes apart",
+            formulas=stuck,
+        ),
+        "equilibrium": Answer(
+            kind(
+                "winkler.problems.adhesion.equilibrium:Equilibrium",
+                "popov_hess_2015",
+                "johnson_kendall_roberts_1971",
+                "guduru_2007",
+                reach="10 um",
+                count=200,
+            ),
+            picture=Caption(
+                "equilibria",
+                "All states of equilibrium",
+                "Solid where they are stable; the arrows are jumps from the ends of the stable branches.",
+            ),
+            contact=Contact.EDGE,
+            contact_shown="the widest stable contact of the curve",
+            compared=("force", "radius"),
+            formulas=stuck,
+        ),
+        "adhesive_cycle": Answer(
+            kind(
+                "winkler.problems.adhesion.cycle:AdhesiveCycle",
+                "popov_hess_2015",
+                "johnson_kendall_roberts_1971",
+                "guduru_2007",
+                path={"kind": "depth", "depth": THERE_AND_BACK},
+            ),
+            picture=Caption(
+                "cycle",
+                "Approach and retraction",
+                "The contact follows the states of equilibrium and jumps, along the arrows, where it loses its hold.",
+            ),
+            contact=Contact.EDGE,
+            contact_shown="the widest contact of the cycle",
+            compared=("force", "radius"),
+            formulas=cycled,
+        ),
+        "adhesive_shear": Answer(
+            kind(
+                "winkler.problems.adhesion.shear:AdhesiveShear",
+                "popov_hess_2015",
+                "savkoor_briggs_1977",
+                normal={"kind": "force", "force": "100 N"},
+                lateral={"kind": "shear_force", "shear_force": "1 mN"},
+            ),
+            picture=Caption(
+                "shear",
+                "The contact gives way as it is sheared",
+                "Up to the shift at which no contact radius holds any more.",
+            ),
+            contact=Contact.EDGE,
+            contact_shown="the contact under the last load, its springs along the surface left out",
+            formulas=sheared,
+        ),
+    },
+)

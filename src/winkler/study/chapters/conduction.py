@@ -1,0 +1,200 @@
+"""Contacts that conduct: conductors, films, what drives a current, what is computed, and its formulas."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Formula, always, then
+from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.normal import HOMOGENEOUS, pressed
+
+__all__ = ["CONDUCTION"]
+
+SILVER = {"kind": "electrical_conductor", "resistivity": "15.9 nohm m"}
+STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
+COPPER = {"kind": "electrical_conductor", "resistivity": "16.8 nohm m"}
+SILVERS: dict[str, Any] = {"first": SILVER, "second": SILVER}
+STEELS: dict[str, Any] = {"first": STEEL, "second": STEEL}
+
+ANALOGY = Formula(
+    "Every spring in contact conducts alike, so conductance and stiffness are in proportion (after Barber)",
+    r"\frac{1}{R_c} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm{d}F_N}{\mathrm{d}d} = \frac{4a}{\rho_1+\rho_2}",
+)
+DISC = Formula(
+    "Current squeezes through the disc of the contact (after Holm), whatever the elastic medium",
+    r"R_c = \frac{\rho_1+\rho_2}{4a}",
+)
+HEAT = Formula(
+    "Heat flows like a current, with temperature for voltage and λ for 1/ρ",
+    r"Q = \frac{\Delta T}{R}, \quad R_c = \frac{1}{4a}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)",
+)
+FILM = Formula(
+    "A film lies in series, and spreads the current: the factor H goes from 1 to 32/(3π²) as it resists more",
+    r"R = R_c\,H(\beta) + \frac{\sigma_f}{\pi a^2}, \quad \beta = \frac{2\sigma_f}{(\rho_1+\rho_2)\,a}",
+)
+ROD = Formula(
+    "In a rod of the radius b current has less far to spread, and a length to go",
+    r"R_1 = \frac{\rho_1}{4a}\,\psi\left(\frac{a}{b}\right) + \frac{\rho_1 l}{\pi b^2}, \quad "
+    r"\psi = 1 - 1.40925\,\frac{a}{b} + \dots",
+)
+PLATING = Formula(
+    "A plating of the thickness h answers every wave of current like a layer",
+    r"1+M(\xi) = \frac{1+\kappa e^{-2\xi h}}{1-\kappa e^{-2\xi h}}, \quad "
+    r"\kappa = \frac{\rho_{on}-\rho}{\rho_{on}+\rho}",
+)
+KOHLRAUSCH = Formula(
+    "Temperature and voltage go together along every line of current, if λρ = LT (after Kohlrausch)",
+    r"T_{max}^2 = T_0^2 + \frac{V^2}{4L} \quad (V_f = 0, \; V_1 = V_2)",
+)
+UNLIKE = Formula(
+    "With a film, or where the voltages over both bodies differ, the contact itself has",
+    r"T_c^2 = T_0^2 + \frac{2V_1V_2}{L}\left(\frac{1}{2}+\frac{V_f}{V_1+V_2}\right)",
+)
+HOT = Formula(
+    "and the resistance grows along the line",
+    r"I\,\frac{R_1}{\rho_1(T_0)} = \int_0^{V_1}\frac{\mathrm{d}\phi}{\rho_1(T(\phi))}",
+)
+CROWDED = Formula(
+    "All spots have one voltage, and each adds to those of the others",
+    r"V = \frac{\rho_1+\rho_2}{2\pi}\sum_j\int_{A_j}\frac{J(s)}{|r-s|}\,\mathrm{d}A",
+)
+GREENWOOD = Formula(
+    "Greenwood's estimate takes currents in proportion to the radii",
+    r"R_G = \frac{\rho_1+\rho_2}{4\sum a_i} + "
+    r"\frac{\rho_1+\rho_2}{2\pi}\,\frac{\sum_{i\ne j}a_ia_j/s_{ij}}{(\sum a_i)^2}",
+)
+TANGENTS = Formula(
+    "The force curve lies between that of the smooth body and the same moved by s; it is convex, so that its slope is "
+    "bound by tangents (after Barber)",
+    r"\max_{D<d_0}\frac{F-F_s(D)}{d_0+s-D} \le k \le \min_{D>d_0+s}\frac{F_s(D)-F}{D-d_0-s}",
+)
+PROPORTION = Formula("Conductance and stiffness are in proportion", r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}")
+
+
+def conducted(problem: Any, *more: Formula) -> tuple[Formula, ...]:
+    """Return how a pressed contact conducts a current."""
+    return then(pressed, *_flow(problem, problem.conductors.film), *more)(problem)
+
+
+def heated(problem: Any) -> tuple[Formula, ...]:
+    """Return how a pressed contact conducts heat."""
+    return then(pressed, *_flow(problem, problem.conductors.interface, HEAT))(problem)
+
+
+def warmed(problem: Any) -> tuple[Formula, ...]:
+    """Return how a current makes a contact hot."""
+    return conducted(problem, KOHLRAUSCH, UNLIKE, HOT)
+
+
+def _flow(problem: Any, film: Any, *more: Formula) -> tuple[Formula, ...]:
+    bodies, bed = (problem.conductors.first, problem.conductors.second), problem.bed
+    alike = not is_a(bed.footprint, "winkler.footprint:Round") or is_a(bed.medium, HOMOGENEOUS)
+    return (
+        ANALOGY if alike else DISC,
+        *more,
+        *((FILM,) if film.area_resistance > 0.0 else ()),
+        *((ROD,) if any(is_a(body, "winkler.materials.conducting_body:Rod") for body in bodies) else ()),
+        *((PLATING,) if any(is_a(body, "winkler.materials.conducting_body:Plated") for body in bodies) else ()),
+    )
+
+
+CONDUCTION = Chapter(
+    "current and heat",
+    kinds={
+        "conductor": {
+            "electrical_conductor": kind(
+                "winkler.materials.conductor:ElectricalConductor",
+                resistivity="15.9 nohm m",
+                temperature_coefficient="3.8e-3 1/K",
+            ),
+            "thermal_conductor": kind(
+                "winkler.materials.conductor:ThermalConductor",
+                problem="thermal_constriction",
+                conductivity="45 W/(m K)",
+                diffusivity="12 mm^2/s",
+            ),
+            "named_electrical_conductor": kind("winkler.materials.named:NamedElectricalConductor", name="copper"),
+            "named_thermal_conductor": kind(
+                "winkler.materials.named:NamedThermalConductor", problem="thermal_constriction", name="copper"
+            ),
+            "plated": kind("winkler.materials.conducting_body:Plated", plating=SILVER, thickness="5 um", on=COPPER),
+            "rod": kind("winkler.materials.conducting_body:Rod", conductor=SILVER, radius="1 mm", length="10 mm"),
+        },
+        "pair": {
+            "electrical_conductors": kind("winkler.media.conduction.conductors:ElectricalConductors", **SILVERS),
+            "heat_conductors": kind("winkler.media.conduction.conductors:HeatConductors", **STEELS),
+        },
+        "film": {
+            "surface_film": kind("winkler.laws.film:SurfaceFilm", area_resistance="1e-12 ohm m^2"),
+            "thermal_interface": kind("winkler.laws.film:ThermalInterface", interface_conductance="1e7 W/(m^2 K)"),
+        },
+        "drive": {
+            "voltage": kind("winkler.laws.current:Voltage", voltage="20 mV"),
+            "current": kind("winkler.laws.current:Current", current="5 A"),
+        },
+        "law": {
+            "wiedemann_franz": kind(
+                "winkler.laws.current:WiedemannFranz", "kohlrausch_1900", lorenz_number="2.44e-8 V^2/K^2"
+            ),
+        },
+    },
+    answers={
+        "constriction": Answer(
+            kind("winkler.problems.conduction.constriction:Constriction", load={"kind": "force", "force": "1 N"}),
+            picture=Caption(
+                "contact_resistance",
+                "The contact resistance",
+                "Over the force, and what makes it: the narrow contact, a film, the length of rods.",
+            ),
+            formulas=conducted,
+        ),
+        "thermal_constriction": Answer(
+            kind(
+                "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
+                conductors={"kind": "heat_conductors", **STEELS},
+                temperature_drop="10 K",
+            ),
+            picture=Caption(
+                "heat",
+                "Heat through the contact",
+                "Temperature around the contact, heat flux over the surface, and the resistance over the force.",
+            ),
+            formulas=heated,
+        ),
+        "joule_heating": Answer(
+            kind("winkler.problems.conduction.joule_heating:JouleHeating", load={"kind": "force", "force": "1 N"}),
+            picture=Caption(
+                "joule",
+                "How hot a current makes the contact",
+                "Temperature around the contact, current density over the surface, and what other voltages would heat.",
+            ),
+            formulas=warmed,
+        ),
+        "spot_cluster": Answer(
+            kind(
+                "winkler.problems.conduction.spots:SpotCluster",
+                x=["0 um", "10 um", "5 um"],
+                y=["0 um", "0 um", "8 um"],
+                radii=["2 um", "3 um", "1 um"],
+                first=SILVER,
+                second=SILVER,
+            ),
+            picture=Caption(
+                "spots",
+                "The spots",
+                "Which spots carry more current than others of their size, and what stands in the way of all.",
+            ),
+            formulas=always(CROWDED, GREENWOOD),
+        ),
+        "conductance_bounds": Answer(
+            kind("winkler.problems.conduction.bounds:ConductanceBounds", roughness="0.1 um", force="10 N"),
+            picture=Caption(
+                "bounds",
+                "Between two smooth bodies",
+                "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than "
+                "the lines.",
+            ),
+            formulas=always(TANGENTS, PROPORTION),
+        ),
+    },
+)

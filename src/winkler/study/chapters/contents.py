@@ -1,0 +1,63 @@
+"""The chapters in their order, and what is known of the answer to a problem."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+from winkler.study.chapters.adhesion import ADHESION
+from winkler.study.chapters.answer import Answer, Chapter, Formula
+from winkler.study.chapters.conduction import CONDUCTION
+from winkler.study.chapters.friction import FRICTION
+from winkler.study.chapters.heating import HEATING
+from winkler.study.chapters.impact import IMPACT
+from winkler.study.chapters.kind import Kind, path_of
+from winkler.study.chapters.normal import NORMAL, pressed
+from winkler.study.chapters.particles import PARTICLES
+from winkler.study.chapters.rolling import ROLLING
+from winkler.study.chapters.rough import ROUGH
+from winkler.study.chapters.viscoelastic import VISCOELASTIC
+from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
+from winkler.study.chapters.wear import WEAR
+
+__all__ = ["CHAPTERS", "answer_of", "answers", "formulas_of"]
+
+CHAPTERS: tuple[Chapter, ...] = (
+    NORMAL,
+    ADHESION,
+    FRICTION,
+    IMPACT,
+    PARTICLES,
+    VISCOELASTIC,
+    VISCOELASTIC_SURFACES,
+    CONDUCTION,
+    HEATING,
+    ROLLING,
+    WEAR,
+    ROUGH,
+)
+"""In the order of the catalogue."""
+
+UNKNOWN = Answer(Kind("", {}), pressed)
+"""What is known of the answer to a problem that no chapter has: one of a user's own."""
+
+
+@functools.cache
+def answers() -> dict[str, Answer]:
+    """Return what is known of every answer, by the kind of its problem."""
+    return {kind: answer for chapter in CHAPTERS for kind, answer in chapter.answers.items()}
+
+
+@functools.cache
+def _by_path() -> dict[str, Answer]:
+    return {answer.kind.path: answer for answer in answers().values()}
+
+
+def answer_of(problem: Any) -> Answer:
+    """Return what is known of the answer to a problem."""
+    return _by_path().get(path_of(type(problem)), UNKNOWN)
+
+
+def formulas_of(problem: Any) -> tuple[Formula, ...]:
+    """Return the formulas behind the answer to a problem; none if its bed is not among those that are known here."""
+    return answer_of(problem).formulas(problem)

@@ -1,0 +1,161 @@
+"""Contacts that are moved along the surface: friction, lateral loads, paths, what is computed, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
+from winkler.study.chapters.kind import kind
+from winkler.study.chapters.normal import pressed
+
+__all__ = ["FRICTION", "HELD", "SHIFTED", "moved"]
+
+PRESSED = {"kind": "start", "normal": {"kind": "force", "force": "100 N"}}
+TO_AND_FRO = [
+    PRESSED,
+    {"kind": "ramp", "normal": {"kind": "force", "force": "200 N"}, "duration": "1 s"},
+    {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "0.5 um"}, "cycles": 2.0},
+    {"kind": "hold", "duration": "1 s"},
+]
+TWIST = [
+    {**PRESSED, "lateral": {"kind": "angle", "angle": "0 rad"}},
+    {"kind": "oscillate", "lateral": {"kind": "angle", "angle": "2 mrad"}, "cycles": 1.25},
+]
+
+HELD = Formula(
+    "Along the surface every spring follows the body until it slides; it slides where its load reaches μ times that "
+    "across the surface",
+    r"q_x(x) = c_T(x)\,u_t(x), \quad |c_T\,u_t| \le \mu\,c_N\left(d-g(x)\right)",
+)
+TWISTED = Formula(
+    "A spring at x is turned by φ x, as long as it does not slide",
+    r"q(x) = 8G_t\,\phi\,x, \quad \frac{1}{G_t} = \frac{1}{G_1} + \frac{1}{G_2}",
+)
+TWIST_BOUND = Formula(
+    "It slides where its load reaches what the pressure of all rings farther out lets it bear",
+    r"|q(x)| \le 4\mu\,x\int_x^a \frac{p(r)}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
+)
+TORQUE = Formula("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
+SHIFTED = Formula("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
+LOSS = Formula("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
+SWUNG = Formula(
+    "Depth and shift swing together",
+    r"d = d_0 + A_z\cos(n\theta), \quad u_x = A_x\cos(m\theta+\varphi)",
+)
+RELAXED = Formula(
+    "A spring that parts in every cycle lets go of what the slow motion has put into it, once in a cycle of the "
+    "duration T; the others are a spring along the surface",
+    r"F_x = k_x\,u_x + c\,\dot{u}_x, \quad k_x = 2\int_0^{a_{min}} c_T\,\mathrm{d}x",
+)
+
+moved = then(pressed, HELD, SHIFTED)
+"""The formulas of a contact that is moved along its surface."""
+
+
+FRICTION = Chapter(
+    "friction and impacts",
+    kinds={
+        "law": {
+            "coulomb": kind("winkler.laws.friction:Coulomb", coefficient=0.3),
+            "static_kinetic": kind(
+                "winkler.laws.friction:StaticKinetic",
+                problem="tangential",
+                static_coefficient=0.4,
+                kinetic_coefficient=0.3,
+            ),
+        },
+        "lateral": {
+            "shift": kind("winkler.loading:Shift", problem="adhesive_shear", shift="1 nm"),
+            "shear_force": kind("winkler.loading:ShearForce", problem="adhesive_shear", shear_force="1 mN"),
+            "angle": kind("winkler.loading:Angle", problem="torsion", angle="1 mrad"),
+            "torque": kind("winkler.loading:Torque", problem="torsion", torque="1 mN m"),
+        },
+        "path": {
+            "path": kind(
+                "winkler.path:Path",
+                reader="winkler.io.tables.path_table:read_path",
+                time=["0 s", "1 s", "2 s"],
+                normal={"kind": "force", "force": "100 N"},
+                lateral={"kind": "shift", "shift": ["0 um", "0.5 um", "-0.5 um"]},
+            ),
+            "program": kind("winkler.program:Program", steps=TO_AND_FRO),
+        },
+        "step": {
+            "start": kind("winkler.path_steps:Start", normal={"kind": "force", "force": "100 N"}),
+            "ramp": kind("winkler.path_steps:Ramp", normal={"kind": "force", "force": "200 N"}),
+            "hold": kind("winkler.path_steps:Hold"),
+            "oscillate": kind("winkler.path_steps:Oscillate", lateral={"kind": "shift", "shift": "0.5 um"}),
+            "circle": kind(
+                "winkler.path_steps:Circle",
+                within=[PRESSED, {"kind": "circle", "lateral": {"kind": "shift", "shift": "0.5 um"}}],
+                lateral={"kind": "shift", "shift": "0.5 um"},
+            ),
+            "follow": kind(
+                "winkler.path_steps:Follow", within=[PRESSED, {"kind": "follow", "path": {"kind": "path"}, "cycles": 2}]
+            ),
+        },
+    },
+    answers={
+        "tangential": Answer(
+            kind("winkler.problems.friction.tangential:Tangential", path={"kind": "program", "steps": TO_AND_FRO}),
+            picture=Caption(
+                "tangential",
+                "The contact along its path",
+                "The loop of the shear force, forces and energies over time, and how the last contact sticks and "
+                "slips.",
+            ),
+            curves=(
+                ("shift", "shear_force"),
+                ("shift_x", "shear_force_x"),
+                ("shift_y", "shear_force_y"),
+                ("time", "dissipation"),
+            ),
+            contact=Contact.PATH,
+            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            formulas=moved,
+        ),
+        "torsion": Answer(
+            kind("winkler.problems.friction.torsion:Torsion", path={"kind": "program", "steps": TWIST}),
+            picture=Caption(
+                "torsion",
+                "The contact along its path",
+                "The loop of the torque, forces and energies over time, and how the last contact sticks and slips.",
+            ),
+            curves=(("angle", "torque"), ("time", "dissipation")),
+            contact=Contact.PATH,
+            contact_shown="the contact at its greatest depth, its twist left out",
+            formulas=then(pressed, TWISTED, TWIST_BOUND, TORQUE),
+        ),
+        "friction_damping": Answer(
+            kind(
+                "winkler.problems.friction.damping:FrictionDamping",
+                normal={"kind": "force", "force": "100 N"},
+                amplitude={"kind": "shift", "shift": "0.5 um"},
+            ),
+            picture=Caption("damping", "What friction damps", "Loss, stiffness and loss factor over the amplitude."),
+            contact_shown="the contact under its normal load, its springs along the surface left out",
+            formulas=then(moved, LOSS),
+        ),
+        "bimodal_damping": Answer(
+            kind(
+                "winkler.problems.friction.bimodal_damping:BimodalDamping",
+                depth="3 um",
+                depth_amplitude="1 um",
+                shift_amplitude="0.5 um",
+                phase="90 deg",
+            ),
+            picture=Caption("damping", "What friction damps", "Loss in every closed cycle of depth and shift."),
+            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            formulas=then(pressed, HELD, SWUNG, LOSS),
+        ),
+        "relaxation_damper": Answer(
+            kind(
+                "winkler.problems.friction.relaxation_damping:RelaxationDamper",
+                depth="3 um",
+                depth_amplitude="1 um",
+                frequency="100 Hz",
+            ),
+            picture=Caption("damping", "What relaxation damps", "Damper and spring, as the depth oscillates."),
+            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            formulas=then(pressed, RELAXED),
+        ),
+    },
+)

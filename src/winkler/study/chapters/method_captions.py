@@ -1,0 +1,60 @@
+"""What the pictures of the method are called, and what they show in one sentence."""
+
+from __future__ import annotations
+
+__all__ = ["CAPTIONS", "captions_of"]
+
+CAPTIONS = {
+    "shape": (
+        "The body in three dimensions",
+        "Cut open, in the dent it makes; the contact is ringed in red, and the darker, the higher the pressure.",
+    ),
+    "medium": (
+        "The medium",
+        "How the solid changes with the depth, or what was measured, and how stiff that makes the springs.",
+    ),
+    "springs": (
+        "The equivalent plane profile over its springs",
+        "Every spring under g(x) − d is compressed on its own; nothing else has to be solved.",
+    ),
+    "line_load": (
+        "The load of the springs",
+        "q(x), the compression times the stiffness of the springs; the area below it is the force.",
+    ),
+    "pressure": ("The pressure", "p(r) of the three-dimensional contact, brought back from the springs."),
+    "displacement": (
+        "The surface",
+        "Displacement of the surface inside and outside the contact, and the distance of the surfaces.",
+    ),
+    "stress": (
+        "The stress below the surface",
+        "Equivalent stress after von Mises; where it is greatest, yielding begins.",
+    ),
+    "force": ("Force over depth", "F(d) from first touch to this load, the point."),
+}
+"""Picture of the method -> its title, and one sentence."""
+
+STUCK = {
+    "springs": (
+        CAPTIONS["springs"][0],
+        "Springs are compressed in the middle and stretched towards the edge, until they let go.",
+    ),
+    "line_load": (
+        CAPTIONS["line_load"][0],
+        "q(x), the compression times the stiffness of the springs; where they pull, the area counts negative.",
+    ),
+    "pressure": (
+        CAPTIONS["pressure"][0],
+        "p(r) of the three-dimensional contact, brought back from the springs; below zero the surfaces pull.",
+    ),
+    "force": (
+        CAPTIONS["force"][0],
+        "All states of equilibrium around this one, the point; on the solid part they are stable.",
+    ),
+}
+"""The same for bodies that stick, where it differs."""
+
+
+def captions_of(*, sticks: bool) -> dict[str, tuple[str, str]]:
+    """Return picture of the method -> its title and one sentence, for bodies that stick or do not."""
+    return CAPTIONS | (STUCK if sticks else {})

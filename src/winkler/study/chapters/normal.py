@@ -1,0 +1,254 @@
+"""Normal contact without adhesion: loads, what is computed, and its formulas."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, always, then
+from winkler.study.chapters.kind import is_a, kind
+
+__all__ = [
+    "BACK",
+    "HOMOGENEOUS",
+    "NORMAL",
+    "PLANE",
+    "PLANE_FOUNDATION",
+    "PRESSURE",
+    "SURFACE",
+    "on_bed",
+    "plane_profile",
+    "pressed",
+]
+
+STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
+OVAL = [{"kind": "paraboloid", "curvature_radius": radius} for radius in ("10 mm", "12 mm", "10 mm", "12 mm")]
+
+MODULUS = Formula(
+    "The two bodies act like one with the effective modulus",
+    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
+)
+TRANSVERSE = Formula(
+    "A transversely isotropic body contributes the effective modulus (after Elliott)",
+    r"E^*_{TI} = \frac{2\sqrt{C_{44}}\,(C_{11}C_{33}-C_{13}^2)}"
+    r"{\sqrt{C_{11}}\,\sqrt{(\sqrt{C_{11}C_{33}}-C_{13})(C_{13}+2C_{44}+\sqrt{C_{11}C_{33}})}}",
+)
+PLANE = Formula(
+    "The shape f(r) becomes the equivalent plane profile",
+    r"g(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
+)
+BACK = Formula(
+    "The plane profile g(x) was given; the body that belongs to it is",
+    r"f(r) = \frac{2}{\pi}\int_0^r \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
+)
+SPRINGS = Formula(
+    "Springs of the stiffness E* per length are compressed by d − g(x); the outermost just touches",
+    r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
+)
+PINNED = Formula(
+    "Springs of the stiffness E* per length are compressed by d − g(x), up to the rim where the contact is pinned",
+    r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
+)
+FORCE = Formula(
+    "Their sum is the force; stiffness and energy follow",
+    r"F_N = 2E^*\int_0^a \left(d-g(x)\right)\,\mathrm{d}x, \quad k = 2E^*a, \quad "
+    r"U = E^*\int_0^a \left(d-g(x)\right)^2\,\mathrm{d}x",
+)
+PRESSURE = Formula(
+    "The springs' load gives back the pressure of the three-dimensional contact",
+    r"p(r) = \frac{E^*}{\pi}\left[\int_r^a \frac{g'(x)}{\sqrt{x^2-r^2}}\,\mathrm{d}x + "
+    r"\frac{d-g(a)}{\sqrt{a^2-r^2}}\right]",
+)
+SURFACE = Formula(
+    "and the displacement of the surface, inside the contact and outside",
+    r"u_z(r) = \frac{2}{\pi}\int_0^{\min(r,a)} \frac{d-g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
+)
+MISES = Formula(
+    "Below the surface the stresses of flat punches of all radii add up; the equivalent stress after von Mises is",
+    r"\sigma_{vM} = \sqrt{\frac{1}{2}\left[(\sigma_r-\sigma_\theta)^2+(\sigma_\theta-\sigma_z)^2+"
+    r"(\sigma_z-\sigma_r)^2\right]+3\tau_{rz}^2}",
+)
+ONSET = Formula("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
+TOP = Formula(
+    "The uppermost solid and the other body alone would act with the effective modulus",
+    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
+)
+COMPLIANCE = Formula(
+    "What lies below is felt by long waves of pressure: they move the surface by C per pressure",
+    r"C(\xi) = \frac{2}{E^*\xi}\left(1+M(\xi)\right)",
+)
+PUNCHES = Formula(
+    "From it follow the flat punches of every radius a",
+    r"\phi(x) + \int_0^a K(x,t)\,\phi(t)\,\mathrm{d}t = 1, \quad "
+    r"K(x,t) = \frac{2}{\pi}\int_0^\infty M\,\cos(\xi x)\,\cos(\xi t)\,\mathrm{d}\xi",
+)
+LAYERED_SPRINGS = Formula(
+    "and from these the springs, whose stiffness changes with x",
+    r"c_N(x) = E^*\,\phi(x;x)^2, \quad k(a) = 2E^*\int_0^a \phi\,\mathrm{d}x",
+)
+LAYERED_PROFILE = Formula(
+    "The shape f(r) becomes the equivalent plane profile g; h is that of a homogeneous half-space, and ϱ solves the "
+    "same equation with K(x, a) on the right",
+    r"g(a)\,\phi(a;a) = h(a) - \int_0^a \rho(x;a)\,h(x)\,\mathrm{d}x, \quad "
+    r"h(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
+)
+GRADED_SPRINGS = Formula(
+    "The modulus follows a power of the depth, and so does the stiffness of the springs",
+    r"E(z) = E_0\left(\frac{z}{c_0}\right)^k, \quad c_N(x) = E^*\left(\frac{x}{c_0}\right)^k, \quad "
+    r"\frac{1}{E^*} = \frac{1-\nu_1^2}{h_1E_{0,1}} + \frac{1-\nu_2^2}{h_2E_{0,2}}",
+)
+GRADED_PROFILE = Formula(
+    "The shape f(r) becomes the equivalent plane profile (here k is the exponent)",
+    r"g(x) = x^{1-k}\int_0^x \frac{f'(r)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}r",
+)
+GRADED_PRESSURE = Formula(
+    "Flat punches of all radii add up to the pressure of the three-dimensional contact",
+    r"p(r) = \frac{E^*}{\pi c_0^k}\left[\int_r^a \frac{g'(x)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}x + "
+    r"\frac{d-g(a)}{(a^2-r^2)^{(1-k)/2}}\right]",
+)
+MEASURED = Formula(
+    "Stiffness and depth were measured at many contact radii; the springs follow from both",
+    r"k(a) = \frac{\mathrm{d}F}{\mathrm{d}d}, \quad c_N(x) = \frac{k'(x)}{2}, \quad g(a) = d",
+)
+VARIED = Formula(
+    "Every spring is compressed by d − g(x); the outermost just touches",
+    r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
+)
+VARIED_PINNED = Formula(
+    "Every spring is compressed by d − g(x), up to the rim where the contact is pinned",
+    r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
+)
+VARIED_FORCE = Formula(
+    "Their sum is the force; stiffness and energy follow",
+    r"F_N = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k = 2\int_0^a c_N\,\mathrm{d}x, \quad "
+    r"U = \int_0^a c_N\left(d-g\right)^2\,\mathrm{d}x",
+)
+SUPERPOSED = Formula(
+    "Flat punches of all radii x, with the pressure p₁ at unit depth, add up to that of the three-dimensional contact; "
+    "the load of the springs alone does not tell it",
+    r"p(r) = \int_r^a p_1(r;x)\,g'(x)\,\mathrm{d}x + p_1(r;a)\left(d-g(a)\right)",
+)
+STRESSES = MISES._replace(
+    says="Below the surface every layer carries its part of every wave; the equivalent stress after von Mises is"
+)
+ELLIPSE = Formula(
+    "The contact is an ellipse, the pressure a half-ellipsoid above it (after Hertz)",
+    r"p = \frac{3F_N}{2\pi ab}\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
+)
+BALL = Formula(
+    "Force and depth are those of a ball of the radius",
+    r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}",
+)
+BETTI = Formula(
+    "Every direction has its own g, and the force is the mean",
+    r"F_N = 2E^*\frac{\langle aI\rangle}{\langle a\rangle}, \quad I = \int_0^a(d-g)\,\mathrm{d}x",
+)
+GREATEST = Formula(
+    "The contour is the one with the greatest force (after Barber)", r"I + a\,(d-g(a)) = \frac{F_N}{2E^*}"
+)
+
+HOMOGENEOUS = "winkler.media.halfspace:HomogeneousMedium"
+HALF_SPACE = "winkler.media.halfspace:HalfSpace"
+TRANSVERSE_HALF_SPACE = "winkler.media.transverse:TransverselyIsotropicHalfSpace"
+GRADED_HALF_SPACE = "winkler.media.graded.power_law:GradedHalfSpace"
+LAYERED = "winkler.media.layered.coated:LayeredMedium"
+MEASURED_BED = "winkler.foundation.measured:MeasuredBed"
+PLANE_FOUNDATION = "winkler.foundation.plane:PlaneFoundation"
+
+
+def on_bed(
+    bed: Any, springs: tuple[Formula, ...] = (), restored: tuple[Formula, ...] = (PRESSURE, SURFACE)
+) -> tuple[Formula, ...]:
+    """Return how bodies and shape become springs and fields, for the beds that are known here; none for others.
+
+    Parameters
+    ----------
+    bed
+        Of a problem.
+    springs
+        How the springs are pressed and what they bear, where it is not by d - g(x) up to an edge that just touches.
+    restored
+        How the fields on the surface of a homogeneous medium follow.
+    """
+    medium, pinned = getattr(bed, "medium", None), math.isfinite(bed.rim)
+    if is_a(medium, HOMOGENEOUS):
+        found = (
+            MODULUS,
+            *((TRANSVERSE,) if is_a(medium, TRANSVERSE_HALF_SPACE) else ()),
+            BACK if is_a(bed, PLANE_FOUNDATION) else PLANE,
+        )
+        if springs:
+            return (*found, *springs, *restored)
+        stress = (MISES,) if is_a(medium, HALF_SPACE) else ()
+        return (*found, PINNED if pinned else SPRINGS, FORCE, *restored, *stress)
+    varied = springs or (VARIED_PINNED if pinned else VARIED, VARIED_FORCE)
+    if is_a(bed, MEASURED_BED):
+        return (MEASURED, *varied)
+    if is_a(medium, GRADED_HALF_SPACE):
+        return (GRADED_SPRINGS, GRADED_PROFILE, *varied, GRADED_PRESSURE)
+    if is_a(medium, LAYERED):
+        found = (TOP, COMPLIANCE, PUNCHES, LAYERED_SPRINGS, LAYERED_PROFILE)
+        return (*found, *varied, SUPERPOSED, STRESSES)
+    return ()
+
+
+def pressed(problem: Any) -> tuple[Formula, ...]:
+    """Return the formulas of a normal contact without adhesion; none for a problem without a bed that is known here."""
+    bed = getattr(problem, "bed", None)
+    return () if bed is None else on_bed(bed)
+
+
+def plane_profile(problem: Any) -> Formula:
+    """Return how shape and plane profile go together."""
+    return BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE
+
+
+NORMAL = Chapter(
+    "normal contact",
+    kinds={
+        "load": {
+            "force": kind("winkler.loading:Force", force="100 N"),
+            "depth": kind("winkler.loading:Depth", depth="5 um"),
+            "radius": kind("winkler.loading:Radius", radius="0.1 mm"),
+        },
+    },
+    answers={
+        "indentation": Answer(
+            kind(
+                "winkler.problems.normal.indentation:Indentation",
+                "popov_hess_2015",
+                "galin_1946",
+                "sneddon_1965",
+                "jaeger_1995",
+            ),
+            formulas=pressed,
+        ),
+        "yield_onset": Answer(
+            kind(
+                "winkler.problems.normal.yielding:YieldOnset",
+                "johnson_1985",
+                "popov_hess_2015",
+                bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
+            ),
+            formulas=then(pressed, ONSET),
+        ),
+        "elliptic_indentation": Answer(
+            kind("winkler.problems.normal.elliptic:EllipticIndentation"),
+            picture=Caption("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
+            curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
+            contact=Contact.NONE,
+            formulas=always(ELLIPSE, BALL),
+        ),
+        "nearly_round_indentation": Answer(
+            kind(
+                "winkler.problems.normal.near_round:NearlyRoundIndentation",
+                profiles=OVAL,
+                load={"kind": "depth", "depth": "1 um"},
+            ),
+            picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
+            curves=(("depth", "force"),),
+            contact=Contact.NONE,
+            formulas=always(BETTI, GREATEST),
+        ),
+    },
+)

@@ -1,0 +1,47 @@
+"""Particles: what is computed, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Formula, always
+from winkler.study.chapters.kind import kind
+
+__all__ = ["PARTICLES"]
+
+HALF_ELLIPSE = Formula(
+    "Springs of the stiffness E_c per length stand under half an ellipse (after Zunker and Kamrin)",
+    r"g(x) = \frac{A}{2}\left(1-\sqrt{1-\frac{x^2}{b^2}}\right), \quad E_c = \frac{E}{1-\nu^2}",
+)
+YIELD = Formula(
+    "While the particle is elastic it is that of a ball; it yields where its mean pressure reaches",
+    r"A = 4R, \quad b = R, \quad p_Y(d) = Y\left(1.75\,e^{-4.4\,d/R}+1\right)",
+)
+SHAPED = Formula(
+    "then the greatest depth D so far shapes it; yielding began at the depth d_Y",
+    r"b^2 = 2DR-D^2+d_Y^2-d_YR, \quad A = \frac{4\,p_Y(D)\,b}{E_c}",
+)
+HELD = Formula(
+    "The sum of the springs is the force; attraction holds the edge at the depth that the springs feel",
+    r"F_N = E_c\int_{-a}^{a}\left(d_e-g(x)\right)\,\mathrm{d}x, \quad g(a)-d_e = \sqrt{\frac{2\pi a w}{E_c}}",
+)
+
+PARTICLES = Chapter(
+    "friction and impacts",
+    kinds={},
+    answers={
+        "elastic_plastic_particle": Answer(
+            kind(
+                "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
+                curvature_radius="1 mm",
+                solid={"kind": "elastic", "young": "1 GPa", "poisson": 0.3, "strength": "20 MPa"},
+                path={"kind": "depth", "depth": ["20 um", "40 um", "0 um"]},
+            ),
+            picture=Caption(
+                "particle",
+                "The particle along its path",
+                "Force and contact radius over the depth, pressed in and let go; dotted where yield begins.",
+            ),
+            curves=(("depth", "force"),),
+            formulas=always(HALF_ELLIPSE, YIELD, SHAPED, HELD),
+        ),
+    },
+)

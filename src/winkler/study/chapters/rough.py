@@ -1,0 +1,193 @@
+"""Measured and rough surfaces: height maps, spectra, what is computed, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, always
+from winkler.study.chapters.kind import kind
+
+__all__ = ["ROUGH"]
+
+BLASTED = {
+    "kind": "self_affine",
+    "hurst": 0.8,
+    "rms_height": "1 um",
+    "longest": "1 mm",
+    "shortest": "60 um",
+}
+STAMP = {"kind": "random_topography", "spectrum": BLASTED, "shape": [64, 64], "periodic": False}
+PYRAMID = [
+    ["0 um", "0 um", "0 um", "0 um", "0 um", "0 um"],
+    ["0 um", "2 um", "2 um", "2 um", "2 um", "0 um"],
+    ["0 um", "2 um", "5 um", "4 um", "2 um", "0 um"],
+    ["0 um", "2 um", "4 um", "4 um", "2 um", "0 um"],
+    ["0 um", "2 um", "2 um", "2 um", "2 um", "0 um"],
+    ["0 um", "0 um", "0 um", "0 um", "0 um", "0 um"],
+]
+LOADS = {"kind": "force", "force": {"from": "1 N", "to": "100 N", "count": 5, "spacing": "log"}}
+
+ELEMENTS = Formula(
+    "Pressures and gaps are never negative, and one of the two is zero in every pixel",
+    r"w = h(x,y)-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
+    r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
+)
+SAME_AREA = Formula(
+    "The stiffness is that of a flat punch of the shape of the contact (after Barber)",
+    r"k = \frac{\mathrm{d}F_N}{\mathrm{d}d}",
+)
+PROPORTION = Formula(
+    "Conductance and stiffness are in proportion, whatever the contact looks like (after Barber)",
+    r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}",
+)
+BOUNDS = Formula(
+    "The map lies between a flat and the same flat raised by its height s; k with the index ∞ is the stiffness of the "
+    "flat",
+    r"\frac{F_N}{F_N/k_\infty+s} \le k \le k_\infty",
+)
+DISC = Formula(
+    "A disc as stiff as the contact has the radius a, and what stands above it is g",
+    r"a = \frac{k}{2E^*}, \quad g(a) = d",
+)
+SPECTRUM = Formula("The line takes the spectrum of the surface to its own", r"C_1(q) = \pi\,q\,C(q)")
+LINE = Formula(
+    "Its springs, sorted by their gaps, tell every load at once",
+    r"F_N = E^*\Delta x\sum_{\gamma_i<d}(d-\gamma_i), \quad k = E^*\Delta x\,n(d)",
+)
+PERSSON = Formula(
+    "The part of the square that touches is Persson's",
+    r"\frac{A}{A_0} = \mathrm{erf}\left(\frac{\sqrt{2}\,p}{E^* h'}\right)",
+)
+ON_BODY = Formula("The heights stand on the profile of the body", r"z(x) = h(x) - g(|x|)")
+SHEARED_WAVES = Formula(
+    "Every wave of the roughness shears the elastomer at the frequency q v",
+    r"\mu = h'\,\frac{\int q^3C\,\frac{G''(qv)}{|G(qv)|}\,\mathrm{d}q}{\int q^3C\,\mathrm{d}q}",
+)
+
+
+ROUGH = Chapter(
+    "measured and rough surfaces",
+    kinds={
+        "topography": {
+            "random_topography": kind(
+                "winkler.profiles.rough.random_surface:RandomTopography",
+                problem="surface_contact",
+                lengths=["1 mm", "1 mm"],
+                spectrum=BLASTED,
+                shape=[64, 64],
+            ),
+            "height_map": kind(
+                "winkler.profiles.rough.topography:Topography",
+                reader="winkler.study.chapters.surfaces:read_surface",
+                problem="surface_contact",
+                heights=PYRAMID,
+                lengths=["1 mm", "1 mm"],
+            ),
+        },
+        "spectrum": {
+            "self_affine": kind(
+                "winkler.profiles.rough.spectrum:SelfAffine",
+                problem="rough_contact",
+                hurst=0.8,
+                rms_height="1 um",
+                longest="1 mm",
+                shortest="60 um",
+            ),
+            "power_spectrum": kind(
+                "winkler.profiles.rough.spectrum:PowerSpectrum",
+                reader="winkler.io.tables.spectrum_table:read_spectrum",
+                problem="rough_contact",
+                wave_numbers=["1e4 1/m", "1e5 1/m", "1e6 1/m"],
+                densities=["1e-21 m^4", "4e-25 m^4", "1e-28 m^4"],
+            ),
+        },
+        "bed": {
+            "reduced_bed": kind(
+                "winkler.problems.rough.reduced_bed:ReducedBed", topography={**STAMP, "seed": 1}, depth="3 um"
+            ),
+        },
+    },
+    answers={
+        "surface_contact": Answer(
+            kind("winkler.problems.rough.surface_contact:SurfaceContact", load=LOADS),
+            picture=Caption(
+                "contact",
+                "Where the surfaces touch",
+                "Contact, pressure and distance under the last load, by boundary elements; of many loads also "
+                "force, stiffness and contact area.",
+            ),
+            curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
+            contact=Contact.NONE,
+            formulas=always(ELEMENTS, SAME_AREA),
+        ),
+        "surface_conduction": Answer(
+            kind(
+                "winkler.problems.rough.surface_conduction:SurfaceConduction",
+                contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
+            ),
+            picture=Caption(
+                "conductance",
+                "Stiffness, conductance and contact area over the load",
+                "By boundary elements and by lines of springs with the same power spectrum; shaded grey between "
+                "Barber's bounds, which no surface of this height can leave.",
+            ),
+            curves=(("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
+            contact=Contact.NONE,
+            formulas=always(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
+        ),
+        "reduction": Answer(
+            kind("winkler.problems.rough.reduce:Reduction", topography={**STAMP, "seed": 1}, depth="3 um"),
+            picture=Caption(
+                "reduction",
+                "Springs in place of the surface",
+                "The points were computed by boundary elements; the springs bear the same forces.",
+            ),
+            curves=(("depth", "force"), ("depth", "stiffness")),
+            contact=Contact.NONE,
+            formulas=always(ELEMENTS, SAME_AREA, DISC),
+        ),
+        "rough_contact": Answer(
+            kind(
+                "winkler.problems.rough.line_contact:RoughContact", side="1 mm", load=LOADS, realisations=20, count=1024
+            ),
+            picture=Caption(
+                "lines",
+                "Rough lines of springs",
+                "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+            ),
+            curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
+            contact=Contact.NONE,
+            formulas=always(SPECTRUM, LINE, PERSSON),
+        ),
+        "rough_indentation": Answer(
+            kind(
+                "winkler.problems.rough.line_indentation:RoughIndentation",
+                length="4 mm",
+                load=LOADS,
+                realisations=20,
+                count=2048,
+                spectrum=BLASTED,
+            ),
+            picture=Caption(
+                "lines",
+                "Rough lines of springs under the body",
+                "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+            ),
+            curves=(("depth", "force"), ("force", "stiffness"), ("force", "area")),
+            contact=Contact.NONE,
+            formulas=always(SPECTRUM, ON_BODY, LINE, PERSSON),
+        ),
+        "elastomer_friction": Answer(
+            kind(
+                "winkler.problems.rough.elastomer_friction:ElastomerFriction",
+                velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
+            ),
+            picture=Caption(
+                "friction",
+                "Friction of the rough surface on the elastomer",
+                "A trend with the velocity, no prediction; beside it the spectrum whose waves are felt.",
+            ),
+            curves=(("velocity", "coefficient"),),
+            contact=Contact.NONE,
+            formulas=always(SHEARED_WAVES),
+        ),
+    },
+)

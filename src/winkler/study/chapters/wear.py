@@ -1,0 +1,106 @@
+"""Contacts that wear: laws of wear, what is computed, and its formulas."""
+
+from __future__ import annotations
+
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
+from winkler.study.chapters.kind import kind
+from winkler.study.chapters.normal import pressed
+
+__all__ = ["WEAR"]
+
+STEEL = {"kind": "archard", "rate": "1e-5 mm^3/(N m)"}
+GROWING = [0.0, 100.0, 1000.0, 3000.0, 10000.0]
+
+SWUNG = Formula(
+    "Pushed to and fro by the amplitude U, every spring goes along until friction holds it no longer",
+    r"u_t(x) = \min\left(U, \mu\,\frac{E^*}{G^*}\,(d-g(x))\right)",
+)
+SLIP = Formula(
+    "What they fall short is the slip of the surfaces, restored around the axis",
+    r"s(r) = \frac{2}{\pi}\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
+)
+FRETTED = Formula(
+    "In a cycle every point slips four times that far, and its worn depth grows with the pressure (for Archard's law)",
+    r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(r)\,s(r)",
+)
+SLID = Formula(
+    "Where a surface slides, its worn depth grows with pressure and distance (for Archard's law)",
+    r"\frac{\mathrm{d}f}{\mathrm{d}s} = \kappa\,p(r)",
+)
+ANEW = Formula(
+    "The worn profile is turned into springs anew, and so on; what was worn off changes the springs by",
+    r"\Delta g(x) = \Delta f(0) + x\int_0^x \frac{\Delta f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
+)
+CORE = Formula("The core that sticks for ever ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
+LIMIT = Formula(
+    "and in the end nothing else bears: the worn surface is that which the core's pressure leaves the other one",
+    r"f_\infty(r) = d-u(r) = \frac{2}{\pi}\left(\int_0^c \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x "
+    r"+ d\,\arccos\frac{c}{r}\right)",
+)
+
+
+WEAR = Chapter(
+    "wear",
+    kinds={
+        "wear": {
+            "archard": kind("winkler.laws.wear:Archard", "archard_1953", rate="1e-5 mm^3/(N m)"),
+            "pair_wear": kind(
+                "winkler.laws.wear:PairWear",
+                problem="fretting_wear",
+                first=STEEL,
+                second={"kind": "archard", "rate": "2e-5 mm^3/(N m)"},
+            ),
+        },
+    },
+    answers={
+        "fretting_wear": Answer(
+            kind(
+                "winkler.problems.wear.fretting:FrettingWear",
+                normal={"kind": "force", "force": "100 N"},
+                amplitude={"kind": "shift", "shift": "0.5 um"},
+                cycles=GROWING,
+                count=100,
+                tolerance=1e-3,
+            ),
+            picture=Caption(
+                "fretting",
+                "Worn by fretting",
+                "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and load over them.",
+            ),
+            curves=(("cycles", "worn_volume"), ("cycles", "stick_radius"), ("cycles", "force"), ("cycles", "depth")),
+            contact=Contact.NONE,
+            formulas=then(pressed, SWUNG, SLIP, FRETTED, ANEW),
+        ),
+        "sliding_wear": Answer(
+            kind(
+                "winkler.problems.wear.sliding:SlidingWear",
+                normal={"kind": "force", "force": "100 N"},
+                distance=["0 m", "0.1 m", "0.3 m", "1 m"],
+                count=100,
+                tolerance=1e-3,
+            ),
+            picture=Caption(
+                "sliding",
+                "Worn by sliding",
+                "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
+            ),
+            curves=(("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
+            contact=Contact.NONE,
+            formulas=then(pressed, SLID, ANEW),
+        ),
+        "limiting_profile": Answer(
+            kind(
+                "winkler.problems.wear.limiting_profile:LimitingProfile",
+                normal={"kind": "depth", "depth": "1 um"},
+                amplitude={"kind": "shift", "shift": "0.2 um"},
+            ),
+            picture=Caption(
+                "limit",
+                "Where wear ends",
+                "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
+            ),
+            contact=Contact.NONE,
+            formulas=then(pressed, CORE, LIMIT),
+        ),
+    },
+)
