@@ -86,7 +86,7 @@ BODIES: Kinds = {
         "wavy": kind(
             "winkler.profiles.wavy:Wavy", "guduru_2007", within=WAVY_BALL, amplitude="0.1 um", wavelength="1 mm"
         ),
-        "sum": kind("winkler.profiles.composite:Sum", "guduru_2007", parts=WAVY_BALL["parts"]),
+        "sum": kind("winkler.profiles.profile:Sum", "guduru_2007", parts=WAVY_BALL["parts"]),
         "formula": kind(
             "winkler.profiles.formula:Formula",
             "popov_hess_2015",

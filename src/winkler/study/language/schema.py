@@ -29,8 +29,9 @@ from pydantic import (
 )
 
 from winkler.numerics.types import Array
-from winkler.study.language import maps, mistakes, quantities
+from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+from winkler.study.language.kind_of_table import refuse
 
 __all__ = [
     "FORBID",
@@ -63,7 +64,7 @@ def choice(hint: Any) -> Any:
 def _chosen(raw: Any, hint: Any) -> BaseModel:
     tag = raw.get("kind") if isinstance(raw, Mapping) else None
     if not (isinstance(tag, str) and tag in kinds() and _may_stand(tag, hint)):
-        mistakes.refuse(raw, allowed_kinds(hint))
+        refuse(raw, allowed_kinds(hint))
     return form(tag).model_validate(raw)
 
 

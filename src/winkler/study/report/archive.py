@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.study.batch.events import EVENTS, columns_of, found_in
+from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import Answered, Outcome
 from winkler.study.batch.sensitivity import SENSITIVITY
 from winkler.study.batch.sensitivity import variables as index_variables
@@ -33,7 +33,8 @@ from winkler.study.batch.sensitivity import write as write_indices
 from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.netcdf import netcdf_attributes
+from winkler.study.report.event_rows import columns_of, found_in
+from winkler.study.report.netcdf import netcdf_attributes, write_netcdf
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
@@ -45,9 +46,6 @@ NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
 ACROSS = "load"
 """Dimension of the loads that one point asks for at once."""
-
-LARGE = 1000
-"""Arrays with more numbers are compressed, without loss."""
 
 EXTRA = ("von_mises", "max_shear")
 """What is kept of the stresses beside their components."""
@@ -63,9 +61,7 @@ def write(outcome: Outcome, folder: Path) -> None:
     folder
         Must exist; files of the same names are replaced.
     """
-    data = dataset(outcome)
-    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
-    data.to_netcdf(folder / NETCDF, engine="h5netcdf", encoding=large)
+    write_netcdf(folder / NETCDF, *_dataset(outcome))
     columns = outcome.table()
     _write_rows(
         folder / CSV,
@@ -158,6 +154,11 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     """
     import xarray
 
+    return xarray.Dataset(*_dataset(outcome))
+
+
+def _dataset(outcome: Outcome) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Return variables, coordinates and attributes of the dataset."""
     study = outcome.study
     dims = study.dims
     coords: dict[str, Any] = {}
@@ -183,9 +184,7 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     if outcome.indices:
         more, places = index_variables(outcome.indices, [axis.key for axis in study.axes])
         variables, coords = {**variables, **more}, {**coords, **places}
-    return xarray.Dataset(
-        variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
-    )
+    return variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
 
 
 def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any], coords: dict[str, Any]) -> None:
