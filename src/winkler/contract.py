@@ -7,7 +7,7 @@ import inspect
 import typing
 from typing import Any
 
-__all__ = ["fits", "lacking", "listed"]
+__all__ = ["fits", "keeps", "lacking", "listed"]
 
 OFFERED = {
     "Bed": "a bed, such as Foundation(profile, medium)",
@@ -24,6 +24,11 @@ def fits(cls: type, name: str, parts: tuple[Any, ...]) -> bool:
     return all(
         _surely(cls, name, part.__class__) or any(_is(part, kind) for kind in _kinds(cls, name)) for part in parts
     )
+
+
+def keeps(part: Any, protocol: type) -> bool:
+    """Return whether a value has each member of a protocol, without asking for any of them."""
+    return not _missing(part, protocol)
 
 
 @functools.cache

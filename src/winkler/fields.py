@@ -7,8 +7,7 @@ surface; the field below it is not symmetric about the axis any more, and ``rest
 
 from __future__ import annotations
 
-import inspect
-from typing import Protocol, TypeGuard, overload
+from typing import overload
 
 import numpy as np
 
@@ -27,17 +26,15 @@ from winkler.foundation.sheared_fields import (
 from winkler.media.interior.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
 from winkler.outline import refuse_unless_round
+from winkler.problems.answer import Dragged, Restorable, is_dragged, is_restorable
 from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values import value
 
 __all__ = [
-    "Dragged",
-    "Restorable",
     "SubsurfaceFields",
     "SurfaceFields",
     "below_surface",
-    "is_dragged",
     "restore",
     "restore_body",
     "restore_shift",
@@ -45,24 +42,6 @@ __all__ = [
 ]
 
 FIELD = "the field"
-
-
-class Restorable(Protocol):
-    """A solution whose springs are known."""
-
-    @property
-    def pressed(self) -> Pressed:
-        """The displacement of the springs."""
-        ...
-
-
-class Dragged(Protocol):
-    """A solution whose springs are known along the surface too."""
-
-    @property
-    def sheared(self) -> ShearedSprings:
-        """The displacement of the springs, across and along the surface."""
-        ...
 
 
 @value
@@ -252,19 +231,14 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     return shift_of_surface(solution.sheared, *places)
 
 
-def is_dragged(solution: Restorable | Dragged | TorsionState) -> TypeGuard[Dragged]:
-    """Tell without asking for the springs themselves, which costs."""
-    return inspect.getattr_static(solution, "sheared", None) is not None
-
-
 def springs_of(solution: Restorable | Dragged | TorsionState) -> Pressed:
     """Return the springs of a solution; refuse what holds none, or many loads."""
-    if inspect.getattr_static(solution, "pressed", None) is None:
+    if not is_restorable(solution):
         raise InvalidInput(
             f"restore: a {type(solution).__name__} holds no springs; give a solution for one load, or one state of a "
             "path: solution.at(0)."
         )
-    return solution.pressed  # type: ignore[union-attr]
+    return solution.pressed
 
 
 def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:

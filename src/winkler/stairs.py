@@ -23,11 +23,11 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fields import Restorable
 from winkler.foundation.bed import Pressed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.outline import refuse_unless_round
+from winkler.problems.answer import Restorable
 from winkler.values import value
 
 __all__ = ["Staircase", "staircase"]

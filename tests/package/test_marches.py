@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from winkler.plot import draw
-from winkler.study.batch.marching import is_march, marched
+from winkler.problems.answer import is_march
+from winkler.study.batch.marching import marched
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.language.build import build

@@ -98,6 +98,7 @@ def _item(answer: Solved, part: str, load: int) -> Any:
     from winkler.errors import InvalidInput
     from winkler.footprint import Round
     from winkler.foundation.measured import MeasuredBed
+    from winkler.problems.answer import is_restorable
     from winkler.stairs import staircase
     from winkler.study.report.beside import beside
 
@@ -127,7 +128,7 @@ def _item(answer: Solved, part: str, load: int) -> Any:
                 raise InvalidInput(f"draw: the study restores no such fields; add [fields] with {need}.")
             return fields[load]
         case "staircase":
-            if not hasattr(answer.each[load], "pressed"):
+            if not is_restorable(answer.each[load]):
                 raise InvalidInput(f"draw: the answer to {type(answer.problem).__name__} has no staircase.")
             return staircase(answer.each[load], STEPS)
         case _:

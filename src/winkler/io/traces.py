@@ -19,6 +19,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.io.whole_file import write_whole_text
 from winkler.numerics.types import Array
+from winkler.problems.answer import is_solution
 from winkler.vocabulary import GLOSSARY, Word, word
 
 __all__ = ["CONVENTIONS", "asked_of", "write_trace"]
@@ -59,7 +60,7 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
     path = Path(path)
     if path.suffix not in ENDINGS:
         raise InvalidInput(f"{path}: the ending is {path.suffix!r}; give .csv, .yaml or .yml.")
-    if not dataclasses.is_dataclass(solution) or isinstance(solution, type) or not hasattr(solution, "problem"):
+    if not is_solution(solution):
         raise InvalidInput(f"write_trace: a {type(solution).__name__} is no solution; give what solve() returns.")
     columns = _columns(solution)
     if not columns:

@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from winkler.fields import Restorable, restore
+from winkler.fields import restore
 from winkler.foundation.bed import Pressed
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import Outline, solid_until, sunk
 from winkler.plot.series import told
+from winkler.problems.answer import Restorable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

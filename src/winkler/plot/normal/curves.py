@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.fields import Restorable, SurfaceFields, restore
+from winkler.fields import SurfaceFields, restore
 from winkler.foundation.bed import Pressed
 from winkler.numerics.types import Array
 from winkler.plot import style
@@ -14,6 +14,7 @@ from winkler.plot.extent import is_singular, is_torn, marks_of
 from winkler.plot.medium import OFF_AXIS
 from winkler.plot.series import Curve, Series, places, scale_of, series, told
 from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.answer import Restorable
 from winkler.problems.normal.indentation import IndentationSolution
 
 if TYPE_CHECKING:

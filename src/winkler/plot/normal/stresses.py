@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fields import Restorable, SubsurfaceFields, restore
+from winkler.fields import SubsurfaceFields, restore
 from winkler.materials.elastic import Rigid
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
@@ -16,6 +16,7 @@ from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
 from winkler.plot.series import scale_of, series, told
+from winkler.problems.answer import Restorable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -28,8 +28,8 @@ from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, 
 from winkler.problems.adhesion.edge import AdhesiveEdge, DeadLoad, Machine, adhesive_edge
 from winkler.problems.adhesion.edge_with_range import RangedEdge, ranged_edge
 from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE
-from winkler.problems.collect_states import rows
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
@@ -173,7 +173,7 @@ class AdhesiveCycle:
         """Return the answer from these states, of the whole path or of its beginning."""
         every = list(states)
         jumps = tuple(jump for state in every for jump in state.jumps)
-        return AdhesiveCycleSolution(self, **rows(AdhesiveCycleSolution, every), jumps=jumps)
+        return gather(AdhesiveCycleSolution, self, every, jumps=jumps)
 
     def solve(self) -> AdhesiveCycleSolution:
         """Return the whole path.

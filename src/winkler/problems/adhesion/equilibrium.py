@@ -183,6 +183,8 @@ class EquilibriumCurve:
     starts: Array
     stops: Array
 
+    other_axes: ClassVar[tuple[str, ...]] = ("starts", "stops")
+
     @property
     def stable(self) -> Array:
         """Which points are stable on the machine, bool ``(n,)``; limits count."""

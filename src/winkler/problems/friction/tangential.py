@@ -23,9 +23,9 @@ from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.collect_states import rows
 from winkler.problems.friction.spring_march import march
 from winkler.problems.friction.spring_states import OwnLaw, SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import Ways
@@ -140,7 +140,8 @@ class Tangential:
 
     def gathered(self, states: Iterable[TangentialState | SpringState]) -> TangentialSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return TangentialSolution.of(self, list(states))
+        reached = list(states)
+        return gather(TangentialSolution, self, reached, stick_radius=stick_radii(self.bed, reached))
 
     def solve(self) -> TangentialSolution:
         """Return the contact along the whole path.
@@ -192,16 +193,6 @@ class TangentialSolution:
     stored_energy: Array
     dissipation: Array
     states: tuple[TangentialState | SpringState, ...]
-
-    @classmethod
-    def of(cls, problem: Tangential, states: list[TangentialState | SpringState]) -> TangentialSolution:
-        """Gather states, of the whole path or of its beginning."""
-        return cls(
-            problem,
-            stick_radius=stick_radii(problem.bed, states),
-            **rows(cls, states, "stick_radius"),
-            states=tuple(states),
-        )
 
     @property
     def work(self) -> Array:

@@ -24,9 +24,9 @@ from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.collect_states import rows
 from winkler.problems.friction.torsion_bound import Press, TwistBound, twist_bound
 from winkler.problems.friction.torsion_march import LOSS, TURN, Turned, square, torque_of, turned, turned_to
 from winkler.problems.friction.torsion_memory import TwistMemory, fresh, pieces_of
@@ -184,8 +184,7 @@ class Torsion:
 
     def gathered(self, states: Iterable[TorsionState]) -> TorsionSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        every = tuple(states)
-        return TorsionSolution(self, **rows(TorsionSolution, every), states=every)
+        return gather(TorsionSolution, self, states)
 
     def solve(self) -> TorsionSolution:
         """Return the whole path.

@@ -29,10 +29,10 @@ from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.collect_states import rows
 from winkler.problems.impact.approach_and_rebound import swing
 from winkler.problems.impact.states import AdhesiveImpactState
 from winkler.problems.impact.validity import checked_count, gravity_note
@@ -145,9 +145,10 @@ class AdhesiveImpact:
     def gathered(self, states: Iterable[AdhesiveImpactState]) -> AdhesiveImpactSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
         every = list(states)
-        return AdhesiveImpactSolution(
+        return gather(
+            AdhesiveImpactSolution,
             self,
-            **rows(AdhesiveImpactSolution, every),
+            every,
             jumps=tuple(jump for state in every for jump in state.jumps),
             duration=every[-1].duration,
             captured=every[-1].captured,

@@ -22,12 +22,12 @@ from winkler.foundation.bed import Bed
 from winkler.given import positive_fields
 from winkler.laws.friction import Coulomb
 from winkler.numerics.types import Array
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
-from winkler.problems.collect_states import rows
 from winkler.problems.impact.march import Moment, Motion, stages, turning
 from winkler.problems.impact.states import ImpactStage, ImpactState
 from winkler.problems.impact.validity import PLANAR, checked_count, gravity_note
@@ -221,7 +221,7 @@ class Impact:
         """Return the answer from these states, of the whole path or of its beginning."""
         every = list(states)
         stages = _joined([stage for state in every for stage in state.stages], every[-1].time)
-        return ImpactSolution(self, **rows(ImpactSolution, every), duration=every[-1].duration, stages=stages)
+        return gather(ImpactSolution, self, every, duration=every[-1].duration, stages=stages)
 
     def solve(self) -> ImpactSolution:
         """Return the whole impact.

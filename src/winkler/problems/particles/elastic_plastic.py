@@ -23,7 +23,7 @@ from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
-from winkler.problems.collect_states import rows
+from winkler.problems.answer import gather
 from winkler.problems.particles.elastic_plastic_march import March, Squeezed
 from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
@@ -158,7 +158,7 @@ class ElasticPlasticParticle:
 
     def gathered(self, states: Iterable[ParticleState]) -> ParticleSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return ParticleSolution(self, **rows(ParticleSolution, list(states)))
+        return gather(ParticleSolution, self, states)
 
     def solve(self) -> ParticleSolution:
         """Return the whole path.

@@ -25,6 +25,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Load
 from winkler.numerics.springs.rolling_kernels import push
 from winkler.numerics.types import Array
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
@@ -164,7 +165,8 @@ class OscillatingRolling:
 
     def gathered(self, states: Iterable[RockingState]) -> OscillatingRollingSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return OscillatingRollingSolution.of(self, list(states))
+        contact = touching("OscillatingRolling", self.bed, self.load)
+        return gather(OscillatingRollingSolution, self, states, contact=contact, shakedown_force=self.shakedown_force)
 
     def solve(self) -> OscillatingRollingSolution:
         """Return the shift after every cycle.
@@ -233,18 +235,6 @@ class OscillatingRollingSolution:
     cycle: Array
     shift: Array
     states: tuple[RockingState, ...]
-
-    @classmethod
-    def of(cls, problem: OscillatingRolling, states: list[RockingState]) -> OscillatingRollingSolution:
-        """Gather states, of all cycles or of the first of them."""
-        return cls(
-            problem,
-            contact=touching("OscillatingRolling", problem.bed, problem.load),
-            shakedown_force=problem.shakedown_force,
-            cycle=np.array([state.cycle for state in states]),
-            shift=np.array([state.shift for state in states]),
-            states=tuple(states),
-        )
 
     @property
     def ratchets(self) -> bool:

@@ -22,6 +22,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Load, ShearForce
 from winkler.numerics.springs.rolling_kernels import push, roll
 from winkler.numerics.types import Array
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated
@@ -162,7 +163,8 @@ class RollingStart:
 
     def gathered(self, states: Iterable[RollingState]) -> RollingStartSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return RollingStartSolution.of(self, list(states))
+        contact = touching("RollingStart", self.bed, self.load)
+        return gather(RollingStartSolution, self, states, contact=contact)
 
     def solve(self) -> RollingStartSolution:
         """Return the force over the whole distance.
@@ -230,18 +232,6 @@ class RollingStartSolution:
     shear_force: Array
     stick_share: Array
     states: tuple[RollingState, ...]
-
-    @classmethod
-    def of(cls, problem: RollingStart, states: list[RollingState]) -> RollingStartSolution:
-        """Gather states, of the whole way or of its beginning."""
-        return cls(
-            problem,
-            contact=touching("RollingStart", problem.bed, problem.load),
-            distance=np.array([state.distance for state in states]),
-            shear_force=np.array([state.shear_force for state in states]),
-            stick_share=np.array([state.stick_share for state in states]),
-            states=tuple(states),
-        )
 
     @property
     def steady(self) -> RollingSolution:

@@ -29,9 +29,9 @@ from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesion.edge import Machine, adhesive_edge
 from winkler.problems.adhesion.validity import adhesive_notes
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.collect_states import rows
 from winkler.problems.normal.yield_statement import relaxing_yield
 from winkler.problems.viscoelastic.adhesion_crack import Crack
 from winkler.validity import Assumption, Note, Standing
@@ -208,7 +208,7 @@ class ViscoelasticAdhesion:
 
     def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return ViscoelasticAdhesionSolution(self, **rows(ViscoelasticAdhesionSolution, list(states)))
+        return gather(ViscoelasticAdhesionSolution, self, states)
 
     def solve(self) -> ViscoelasticAdhesionSolution:
         """Return the whole path.

@@ -26,10 +26,10 @@ from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
-from winkler.problems.collect_states import rows
 from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
@@ -228,7 +228,7 @@ class ViscoelasticIndentation:
 
     def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return ViscoelasticSolution(self, **rows(ViscoelasticSolution, list(states)))
+        return gather(ViscoelasticSolution, self, states)
 
     def solve(self) -> ViscoelasticSolution:
         """Return the whole path.

@@ -25,12 +25,12 @@ from winkler.loading import Depth, ShearForce, Shift
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.path import Path
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, RELAXING, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.times import path_notes
-from winkler.problems.collect_states import rows
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.normal.yield_statement import relaxing_yield
@@ -217,7 +217,7 @@ class ViscoelasticTangential:
 
     def gathered(self, states: Iterable[ViscoelasticTangentialState]) -> ViscoelasticTangentialSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return ViscoelasticTangentialSolution.of(self, list(states))
+        return gather(ViscoelasticTangentialSolution, self, states)
 
     def solve(self) -> ViscoelasticTangentialSolution:
         """Return the whole path.
@@ -277,17 +277,6 @@ class ViscoelasticTangentialSolution:
     bulk_loss: Array
     dissipation: Array
     states: tuple[ViscoelasticTangentialState, ...]
-
-    @classmethod
-    def of(
-        cls, problem: ViscoelasticTangential, states: list[ViscoelasticTangentialState]
-    ) -> ViscoelasticTangentialSolution:
-        """Gather states, of the whole path or of its beginning."""
-        return cls(
-            problem,
-            **rows(cls, states),
-            states=tuple(states),
-        )
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -24,8 +24,8 @@ from winkler.laws.wear import WearLaw
 from winkler.loading import Normal, ShearForce, Shift
 from winkler.numerics.types import Array, Quantity
 from winkler.path import numbers_of
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.collect_states import rows
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.input_checks import check_fineness, check_normal, check_wear, touching, wearable
 from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
@@ -206,7 +206,9 @@ class FrettingWear:
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return FrettingSolution.of(self, list(states))
+        reached = list(states)
+        cycles = np.array([state.elapsed for state in reached])
+        return gather(FrettingSolution, self, reached, cycles=cycles)
 
     def solve(self) -> FrettingSolution:
         """Return the contact over all cycles.
@@ -263,16 +265,6 @@ class FrettingSolution:
     second_volume: Array
     loss_per_cycle: Array
     states: tuple[FrettingState, ...]
-
-    @classmethod
-    def of(cls, problem: FrettingWear, states: list[FrettingState]) -> FrettingSolution:
-        """Gather states, of all cycles or of the first."""
-        return cls(
-            problem,
-            cycles=np.array([state.elapsed for state in states]),
-            **rows(cls, states, "cycles"),
-            states=tuple(states),
-        )
 
     @property
     def validity(self) -> tuple[Note, ...]:

@@ -19,8 +19,8 @@ from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear, PairWear
 from winkler.loading import Normal
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.collect_states import rows
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.wear.input_checks import check_fineness, check_normal, check_wear, touching, wearable
 from winkler.problems.wear.line import WearLine, WornContact, wear_line
@@ -160,7 +160,9 @@ class SlidingWear:
 
     def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
         """Return the answer from these states, of the whole path or of its beginning."""
-        return SlidingSolution.of(self, list(states))
+        reached = list(states)
+        distance = np.array([state.elapsed for state in reached])
+        return gather(SlidingSolution, self, reached, distance=distance)
 
     def solve(self) -> SlidingSolution:
         """Return the contact over the whole distance.
@@ -205,16 +207,6 @@ class SlidingSolution:
     worn_depth: Array
     worn_volume: Array
     states: tuple[WearState, ...]
-
-    @classmethod
-    def of(cls, problem: SlidingWear, states: list[WearState]) -> SlidingSolution:
-        """Gather states, of the whole distance or of its beginning."""
-        return cls(
-            problem,
-            distance=np.array([state.elapsed for state in states]),
-            **rows(cls, states, "distance"),
-            states=tuple(states),
-        )
 
     @property
     def mean_pressure(self) -> Array:

@@ -1,46 +1,24 @@
-"""Problems that march along a path: watched point after point, and kept if they stop early.
-
-A problem with ``steps()`` is a march.  Its ``total`` tells how many states there will be, None if that shows only on
-the way, and ``gathered(states)`` makes the answer of all of them or of the first.
-"""
+"""Problems that march (`winkler.problems.answer.March`): watched point after point, and kept if they stop early."""
 
 from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, NamedTuple, Protocol, TypeGuard
+from typing import Any, NamedTuple
 
 from winkler.errors import WinklerError
+from winkler.problems.answer import March
 from winkler.study.batch.checkpoint import KEPT, Keep
 from winkler.study.batch.stopping import INTERRUPTED, answered, look
 
-__all__ = ["ANEW", "March", "Marching", "Watch", "is_march", "marched", "unwatched"]
-
-
-class Marching(Protocol):
-    """A problem that marches."""
-
-    @property
-    def total(self) -> int | None:
-        """How many states `steps` yields, at most; None if that shows only on the way."""
-
-    def steps(self) -> Iterator[Any]:
-        """Yield state after state."""
-
-    def gathered(self, states: Iterable[Any]) -> Any:
-        """Return the answer from the states of the whole march or of its beginning."""
-
-
-def is_march(problem: Any) -> TypeGuard[Marching]:
-    """Return whether a problem marches."""
-    return callable(getattr(type(problem), "steps", None))
+__all__ = ["ANEW", "Marched", "Watch", "marched", "unwatched"]
 
 
 Watch = Callable[[Iterable[Any], int | None], Iterable[Any]]
 """Passes states on, one after the other, told how many there will be, if that is known."""
 
 
-class March(NamedTuple):
+class Marched(NamedTuple):
     """What a march came to.
 
     Parameters
@@ -67,7 +45,7 @@ ANEW = Keep("", "")
 """Keeps nothing, and knows of nothing."""
 
 
-def marched(problem: Marching, watch: Watch = unwatched, keep: Keep = ANEW) -> March:
+def marched(problem: March, watch: Watch = unwatched, keep: Keep = ANEW) -> Marched:
     """Solve a problem that marches, and keep what was reached if it ends early.
 
     Parameters
@@ -81,7 +59,7 @@ def marched(problem: Marching, watch: Watch = unwatched, keep: Keep = ANEW) -> M
 
     Returns
     -------
-    March
+    Marched
 
     Raises
     ------
@@ -94,15 +72,15 @@ def marched(problem: Marching, watch: Watch = unwatched, keep: Keep = ANEW) -> M
     except WinklerError as error:  # too few states for an answer
         raise states.end or error from None
     if states.end is None:
-        return March(solution)
+        return Marched(solution)
     code = INTERRUPTED if isinstance(states.end, KeyboardInterrupt) else states.end.exit_code
-    return March(solution, states.told, code)
+    return Marched(solution, states.told, code)
 
 
 class _Reached:
     """The states of a march up to where it ends, and what ended it early."""
 
-    def __init__(self, problem: Marching, watch: Watch, keep: Keep) -> None:
+    def __init__(self, problem: March, watch: Watch, keep: Keep) -> None:
         self._problem, self._watch, self._keep = problem, watch, keep
         self._count = 0
         self.end: WinklerError | KeyboardInterrupt | None = None

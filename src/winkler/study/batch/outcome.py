@@ -65,39 +65,44 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
     Returns
     -------
     dict
-        Name -> float or array in SI units, in the order in which the class states them.  Arrays that are not as long
-        as the first one are no rows of the answer, and left out; `winkler.study.batch.events` has what they tell.
-        Rows of two numbers, a direction in the plane, are two answers: ``shift_x``, ``shift_y``.
+        Name -> float or array in SI units, in the order in which the class states them, without those that it names in
+        ``other_axes`` (`winkler.problems.answer.Solution`) and those of another shape than the first;
+        `winkler.study.batch.events` has what they tell.  Rows of two numbers, a direction in the plane, are two
+        answers: ``shift_x``, ``shift_y``.
     """
-    owner = type(solution)
-    names = [field.name for field in dataclasses.fields(solution)]
-    for base in reversed(owner.__mro__):
-        names += [name for name, member in vars(base).items() if isinstance(member, property)]
     answers: dict[str, Quantity] = {}
     rows: tuple[int, ...] | None = None
-    for name in dict.fromkeys(names):
-        if name.startswith("_"):
-            continue
+    for name in _numbers_of(solution.__class__):
         try:
-            unit = word(owner.__name__, name).unit
-        except KeyError:
-            continue
-        try:
-            content = getattr(solution, name) if unit is not None else None
+            content = getattr(solution, name)
         except OutsideValidity:  # an answer that this medium does not have
             continue
         if isinstance(content, int | float):
-            answers[name] = float(content) + 0.0
-        elif (
-            isinstance(content, np.ndarray)
-            and content.dtype.kind in "bfiu"
-            and content.shape == (rows or content.shape)
-        ):
-            rows = content.shape
-            answers[name] = np.asarray(content, dtype=float) + 0.0  # no minus before a zero
-        elif isinstance(content, np.ndarray) and rows is not None and content.shape == (*rows, 2):
-            answers |= {f"{name}_{axis}": content[:, place] + 0.0 for place, axis in enumerate("xy")}
+            answers[name] = float(content) + 0.0  # no minus before a zero
+        elif isinstance(content, np.ndarray) and content.dtype.kind in "bfiu":
+            rows = content.shape if rows is None else rows
+            if content.shape == rows:
+                answers[name] = np.asarray(content, dtype=float) + 0.0
+            elif content.shape == (*rows, 2):
+                answers |= {f"{name}_{axis}": content[:, place] + 0.0 for place, axis in enumerate("xy")}
     return answers
+
+
+@functools.cache
+def _numbers_of(cls: type[Any]) -> tuple[str, ...]:
+    """Return the names of the numbers of a class of answers: its fields, then its properties."""
+    names = [field.name for field in dataclasses.fields(cls)]
+    for base in reversed(cls.__mro__):
+        names += [name for name, member in vars(base).items() if isinstance(member, property)]
+    others = getattr(cls, "other_axes", ())
+    return tuple(name for name in dict.fromkeys(names) if name not in others and _has_unit(cls, name))
+
+
+def _has_unit(cls: type, name: str) -> bool:
+    try:
+        return not name.startswith("_") and word(cls.__name__, name).unit is not None
+    except KeyError:
+        return False
 
 
 @value

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from winkler.numerics.types import Array, Quantity
+from winkler.problems.answer import is_history, is_march, many_loads
 from winkler.study.batch.events import Event, events_of
-from winkler.study.batch.marching import is_march, marched
+from winkler.study.batch.marching import marched
 from winkler.study.language.study import Expectation
 from winkler.validity import Note
 from winkler.values import value
@@ -62,13 +63,13 @@ class Solved:
 
 
 def _loads(solution: Any) -> Iterator[Any]:
-    if hasattr(solution, "states"):  # a march: one state for every point of its path
+    if is_history(solution):
         yield from solution.states
         return
     shape = max(
         (np.shape(getattr(solution, field.name)) for field in dataclasses.fields(solution)), key=len, default=()
     )
-    if shape == () or not hasattr(solution, "at"):
+    if shape == () or not many_loads(solution):
         yield solution
         return
     for index in np.ndindex(shape):

@@ -17,10 +17,11 @@ import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 from winkler.fields import restore
+from winkler.problems.answer import is_march, is_restorable
 from winkler.study.batch.checkpoint import Keep
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal, settled
-from winkler.study.batch.marching import ANEW, March, Watch, is_march, marched, unwatched
+from winkler.study.batch.marching import ANEW, Marched, Watch, marched, unwatched
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
 from winkler.study.batch.recording import light, recalled, written
@@ -39,13 +40,14 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
     index, settings, problem, fields = task.index, task.settings, task.base, task.fields
     try:
         problem = task.problem
-        march = marched(problem, watch, keep) if is_march(problem) else March(problem.solve())
+        march = marched(problem, watch, keep) if is_march(problem) else Marched(problem.solve())
         solution = march.solution
         found = tuple(answers_of(solution).items())
         point = Solved(index, settings, problem, solution, found)
         surface, below = [], []
         for contact in point.each if fields.r.values.size else ():
-            if not hasattr(contact, "pressed"):
+            known = is_restorable(contact)
+            if not known:
                 raise InvalidInput(
                     f"fields: the answer to {type(problem).__name__} has no fields to restore; remove [fields]."
                 )

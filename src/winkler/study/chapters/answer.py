@@ -111,6 +111,11 @@ class Chapter(NamedTuple):
     kinds: Kinds
     answers: dict[str, Answer]
 
+    @property
+    def problems(self) -> dict[str, Kind]:
+        """Its problems as lines of the catalogue."""
+        return {name: answer.kind for name, answer in self.answers.items()}
+
 
 def always(*formulas: Formula) -> Formulas:
     """Return what gives the same formulas for each problem of a kind."""

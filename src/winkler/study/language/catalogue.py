@@ -39,9 +39,8 @@ def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
 
 CATALOGUE: dict[str, dict[str, Kind]] = _merged(
     BODIES,
-    *(chapter.kinds for chapter in CHAPTERS),
+    *(chapter.kinds | {"problem": chapter.problems} for chapter in CHAPTERS),
     RELAXING_BODIES,
-    {"problem": {kind: answer.kind for chapter in CHAPTERS for kind, answer in chapter.answers.items()}},
 )
 """Slot -> kind -> class; kinds are unique over all slots."""
 

@@ -11,6 +11,7 @@ import orjson
 
 from winkler.errors import WinklerError
 from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.answer import is_recovering
 from winkler.problems.wear.states import WearState
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
@@ -174,7 +175,7 @@ def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still:
     point = shown_point(outcome)
     contact, here = contact_at(point, moments, moment)
     view, remark = NOTHING, ""
-    if contact is not None and hasattr(contact, "recess"):
+    if is_recovering(contact):
         view = held if still and held != NOTHING else _recovering(contact)
     elif contact is not None:
         view = held if still and held != NOTHING else fitting(contact.pressed, held)
@@ -194,7 +195,7 @@ def scene(outcome: Outcome, moments: Moments, moment: int, held: View, *, still:
 def pictures(seen: Scene) -> Iterator[Picture]:
     """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
     contact, view = seen.contact, seen.view
-    if contact is not None and hasattr(contact, "recess"):
+    if is_recovering(contact):
         row = row_of(contact, view.extent)
         yield _made("springs", lambda: draw_row(seen.point.problem.bed, row, float(contact.depth), view))
     elif contact is not None:

@@ -16,6 +16,7 @@ from winkler.plot.normal.curves import force_depth, line_load, surface
 from winkler.plot.normal.stresses import stressed_first
 from winkler.plot.series import scale_of, series, told
 from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.answer import is_dragged
 from winkler.web.pictures.chart import Chart, axis, chart, label, line, remark
 from winkler.web.pictures.view import View
 
@@ -120,7 +121,7 @@ def draw_stress(contact: Any, view: View) -> Chart:
     r = np.linspace(0.0, min(view.extent, 2.2 * radius), ACROSS)
     x = np.concatenate([-r[:0:-1], r])
     z = DEEP * radius * (np.linspace(0.0, 1.0, DOWN) ** 1.6 + 1e-3)
-    if hasattr(contact, "sheared"):
+    if is_dragged(contact):
         stress = restore_body(contact, x[:, None], 0.0, sign * z[None, :]).von_mises
     else:
         half = np.asarray(restore(contact, r[:, None], sign * z[None, :]).von_mises)

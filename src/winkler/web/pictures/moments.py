@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.loading import Depth
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
+from winkler.problems.answer import is_march, is_recovering, is_restorable
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.wear.states import WearState
@@ -42,7 +43,7 @@ def moments_of(point: Answered) -> Moments:
         states = tuple(point.problem.steps())
         return Moments(len(states), states)
     rows = max((len(content) for content in point.answers.values()), default=1)
-    history = "time" in point.answers or hasattr(point.problem, "steps")
+    history = "time" in point.answers or is_march(point.problem)
     return Moments(rows if history and rows > 1 else 0)
 
 
@@ -65,7 +66,7 @@ def contact_at(point: Answered, moments: Moments, moment: int) -> tuple[Any, boo
 
     A contact that only knows its depth is shown with its springs along the surface left out.
     """
-    if moments.states and (hasattr(moments.states[moment], "pressed") or hasattr(moments.states[moment], "recess")):
+    if moments.states and (is_restorable(moments.states[moment]) or is_recovering(moments.states[moment])):
         return moments.states[moment], True
     shows, answers, bed = answer_of(point.problem).contact, point.answers, getattr(point.problem, "bed", None)
     if moments.total and bed is not None and shows is not Contact.NONE:

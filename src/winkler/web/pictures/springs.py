@@ -12,6 +12,7 @@ from winkler.plot import style
 from winkler.plot.friction.springs import coil
 from winkler.plot.normal.springs import plane_profile, stretched
 from winkler.plot.series import scale_of
+from winkler.problems.answer import is_dragged, is_recovering
 from winkler.web.pictures.chart import Chart, axis, chart, label, line, remark
 from winkler.web.pictures.view import View
 
@@ -58,13 +59,14 @@ def row_of(state: Any, extent: float) -> Row:
     """
     step = 2.0 * extent / SPRINGS
     place = (np.arange(SPRINGS) - 0.5 * (SPRINGS - 1)) * step
-    if hasattr(state, "recess"):
+    if is_recovering(state):
         return _recovering(state, place)
     pressed = state.pressed
     touching = (np.abs(place) <= pressed.radius) & (pressed.radius > 0.0)
     sunk, aside = np.zeros(place.shape), np.zeros(place.shape)
     sunk[touching] = pressed.value(np.abs(place[touching]))
-    if not hasattr(state, "sheared"):
+    dragged = is_dragged(state)
+    if not dragged:
         pulls = stretched(sunk)
         colour = [(style.BLUE if pull else style.RED) if hit else style.MUTED for pull, hit in _pairs(pulls, touching)]
         told = {style.RED: "pressed"} | ({style.BLUE: "pull"} if np.any(pulls) else {})

@@ -1,0 +1,184 @@
+"""What an answer is: the protocols that studies, tables, fields and pictures rely on, and how states become an answer.
+
+A `Solution` names its problem and says how far it can be trusted; its public fields and properties that the glossary
+gives a unit are its numbers, all along one axis (`Solution.other_axes` names those that are not).  A problem that is a
+`March` yields state after state along its path, and `gather` makes columns of them.  A state or a solution for one load
+that is `Restorable` knows its springs, so that the fields in the bodies follow.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator
+from typing import Any, Protocol, TypeGuard, TypeVar
+
+import numpy as np
+
+from winkler.contract import keeps
+from winkler.foundation.bed import Pressed
+from winkler.foundation.sheared import ShearedSprings
+from winkler.numerics.types import Array
+from winkler.validity import Note
+
+__all__ = [
+    "Dragged",
+    "History",
+    "ManyLoads",
+    "March",
+    "Recovering",
+    "Restorable",
+    "Solution",
+    "gather",
+    "is_dragged",
+    "is_history",
+    "is_march",
+    "is_recovering",
+    "is_restorable",
+    "is_solution",
+    "many_loads",
+]
+
+Found = TypeVar("Found")
+
+
+class Solution(Protocol):
+    """What the ``solve()`` of a problem returns.
+
+    A class may have an attribute ``other_axes``: the names of its arrays that run along another axis than its numbers,
+    such as places in the contact beside loads; they are no columns of its table.
+    """
+
+    @property
+    def problem(self) -> Any:
+        """What was solved."""
+        ...
+
+    @property
+    def validity(self) -> tuple[Note, ...]:
+        """How far the answer can be trusted."""
+        ...
+
+
+class March(Protocol):
+    """A problem that is solved step by step along its path: it can be watched, and stopped with what it has reached."""
+
+    @property
+    def total(self) -> int | None:
+        """How many states `steps` yields, at most; None if that shows only on the way."""
+        ...
+
+    def steps(self) -> Iterator[Any]:
+        """Yield state after state."""
+        ...
+
+    def gathered(self, states: Iterable[Any]) -> Any:
+        """Return the answer from the states of the whole march or of its beginning."""
+        ...
+
+
+class History(Protocol):
+    """An answer that keeps the state at each point of its path."""
+
+    @property
+    def states(self) -> tuple[Any, ...]:
+        """In the order of the path."""
+        ...
+
+
+class ManyLoads(Protocol):
+    """An answer to many loads at once."""
+
+    def at(self, index: Any) -> Any:
+        """Return the answer to one of them."""
+        ...
+
+
+class Restorable(Protocol):
+    """A solution whose springs are known."""
+
+    @property
+    def pressed(self) -> Pressed:
+        """The displacement of the springs."""
+        ...
+
+
+class Dragged(Protocol):
+    """A solution whose springs are known along the surface too."""
+
+    @property
+    def sheared(self) -> ShearedSprings:
+        """The displacement of the springs, across and along the surface."""
+        ...
+
+
+class Recovering(Protocol):
+    """A state whose springs are known one by one, also those that have let go and recover on their own."""
+
+    @property
+    def position(self) -> Array:
+        """Places of the springs [m]."""
+        ...
+
+    @property
+    def recess(self) -> Array:
+        """How far each is pressed in [m]."""
+        ...
+
+
+def is_solution(answer: Any) -> TypeGuard[Solution]:
+    """Return whether a value is what a problem's ``solve()`` returns."""
+    return dataclasses.is_dataclass(answer) and not isinstance(answer, type) and keeps(answer, Solution)
+
+
+def is_march(problem: Any) -> TypeGuard[March]:
+    """Return whether a problem marches."""
+    return keeps(problem, March)
+
+
+def is_history(answer: Any) -> TypeGuard[History]:
+    """Return whether an answer keeps its states."""
+    return keeps(answer, History)
+
+
+def many_loads(answer: Any) -> TypeGuard[ManyLoads]:
+    """Return whether an answer gives that to one of its loads."""
+    return keeps(answer, ManyLoads)
+
+
+def is_restorable(answer: Any) -> TypeGuard[Restorable]:
+    """Return whether an answer knows its springs; they are not computed for it."""
+    return keeps(answer, Restorable)
+
+
+def is_dragged(answer: Any) -> TypeGuard[Dragged]:
+    """Return whether an answer knows its springs along the surface; they are not computed for it."""
+    return keeps(answer, Dragged)
+
+
+def is_recovering(answer: Any) -> bool:
+    """Return whether a state knows springs that have let go."""
+    return keeps(answer, Recovering)
+
+
+def gather(answer: type[Found], problem: Any, states: Iterable[object], **others: Any) -> Found:
+    """Return the answer of a march: what all states say of each of its quantities, in the order of the march.
+
+    Parameters
+    ----------
+    answer : type
+        The class; its fields are attributes of the states, but for ``problem`` and ``states`` themselves.
+    problem
+        What was solved.
+    states : iterable
+        Of the whole march or of its beginning.
+    **others
+        Fields that are found in another way.
+    """
+    reached = tuple(states)
+    known = {"problem": problem, "states": reached, **others}
+    return answer(
+        **{
+            name: known[name] if name in known else np.array([getattr(state, name) for state in reached])
+            for name in getattr(answer, "__dataclass_fields__", ())
+        }
+    )
