@@ -43,8 +43,6 @@ class RoughSolution:
     stiffness: Quantity
     stiffness_band: Array
 
-    other_axes: ClassVar[tuple[str, ...]] = ("depth_band", "force_band", "stiffness_band")
-
     def conductance(self, conductors: ElectricalConductors | HeatConductors) -> Quantity:
         """Return the conductance [S or W/K] of clean thick bodies, in the shape of the load.
 
