@@ -1,0 +1,100 @@
+"""Each problem of the catalogue has all that a reader is promised, and each name in a chapter stands for something."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+import inspect
+import pkgutil
+import re
+import tomllib
+import typing
+from importlib.resources import files
+from pathlib import Path
+
+from winkler.plot import draw
+from winkler.problems.answer import March
+from winkler.study import chapters
+from winkler.study.batch.outcome import _numbers_of
+from winkler.study.chapters.answer import Answer, Contact
+from winkler.study.chapters.contents import answers
+from winkler.study.chapters.kind import _loaded, path_of
+from winkler.study.language.build import build
+from winkler.study.language.catalogue import kinds
+from winkler.study.language.explain import example_study
+from winkler.study.ledger.physics import CHAPTERS, PHYSICS
+from winkler.web.form import form
+
+MEMBERS = ("total", "steps", "gathered")
+"""Of a march: with them it is watched, and keeps what it has reached."""
+PLANE = ("_x", "_y")
+
+
+def solution_of(problem: type) -> type:
+    """Return the class of the answer to a problem."""
+    return typing.get_type_hints(inspect.unwrap(problem.solve))["return"]
+
+
+def kinds_in(table: object) -> set[str]:
+    """Return the kinds that a table of a study names."""
+    if isinstance(table, list):
+        return set().union(*map(kinds_in, table))
+    if not isinstance(table, dict):
+        return set()
+    here = {str(table["kind"])} if "kind" in table else set()
+    return here.union(*map(kinds_in, table.values()))
+
+
+def missing(name: str, answer: Answer, manual: str, cases: set[str]) -> list[str]:
+    """Return what is missing of one answer."""
+    problem = answer.kind.cls
+    solution = solution_of(problem)
+    fields = {field.name for field in dataclasses.fields(solution)}
+    numbers = set(_numbers_of(solution))
+    known = numbers | {f"{number}{end}" for number in numbers for end in PLANE}
+    drawn = {word for pair in answer.curves for word in pair} | set(answer.compared)
+    marches = hasattr(problem, "steps") or "states" in fields
+    checks = {
+        "a picture, registered with winkler.plot.draw": draw.dispatch(solution) is not draw.dispatch(object),
+        "a caption, of its own or of a contact that is shown": answer.picture or answer.contact is not Contact.NONE,
+        "formulas": answer.formulas(build(example_study(name)["problem"])),
+        "words for the contact that the report shows": answer.contact is not Contact.PATH or answer.contact_shown,
+        "a place in the validation table": PHYSICS.get(name) in CHAPTERS,
+        "curves of numbers that it has": drawn <= known,
+        "progress (total, steps and gathered), as it marches": not marches
+        or all(hasattr(problem, member) for member in MEMBERS),
+        "a form in the app": form.begun(name)["problem"]["kind"] == name,
+        "a section of the manual": re.search(rf"\b({problem.__name__}|{name})\b", manual),
+        "a case from the literature": name in cases,
+    }
+    return [f"{name} has no {what}" for what, there in checks.items() if not there]
+
+
+def test_each_answer_has_what_a_reader_is_promised(root: Path):
+    manual = "".join(path.read_text(encoding="utf-8") for path in (root / "docs" / "chapters").glob("*.md"))
+    manual += (root / "docs" / "method.md").read_text(encoding="utf-8")
+    cases = [tomllib.loads(path.read_text()) for path in files("winkler.cases").iterdir() if path.name.endswith("toml")]
+    named = set().union(*(kinds_in(case.get("problem", {})) for case in cases))
+    found = [line for name, answer in answers().items() for line in missing(name, answer, manual, named)]
+    assert not found, "\n".join(found)
+
+
+def test_each_path_in_a_chapter_is_where_its_class_or_function_stands():
+    wrong = []
+    for module in pkgutil.iter_modules(chapters.__path__):
+        source = inspect.getsource(importlib.import_module(f"{chapters.__name__}.{module.name}"))
+        for path in re.findall(r'"(winkler\.[\w.]+:\w+)"', source):
+            try:
+                item = _loaded(path)
+            except (ImportError, AttributeError):
+                wrong.append(f"{module.name}: there is no {path}")
+                continue
+            if path_of(item) != path:
+                wrong.append(f"{module.name}: {path} stands in {item.__module__}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_marches_are_problems():
+    protocol = {name for name in vars(March) if not name.startswith("_")}
+    assert protocol == set(MEMBERS)
+    assert {name for name, line in kinds().items() if hasattr(line.cls, "steps")} <= set(answers())
