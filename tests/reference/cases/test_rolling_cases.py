@@ -69,7 +69,16 @@ def rolling_shakedown_limit(problem: dict) -> dict:
     return {"shakedown_force": pair.friction * pair.force * (1 - 3 * w / 2 + w**3 / 2)}
 
 
-RECOMPUTED = (rolling_cubic_law, rolling_simplified_circle, rolling_shakedown_limit)
+def rolling_start_without_slip(problem: dict) -> dict:
+    """Springs that stick gain c11 G s/2 per distance since they entered; those of the beginning since then."""
+    solid, a = problem["bed"]["medium"]["first"], number(problem["load"]["radius"])
+    gain = mp.mpf("4.12") * number(solid["young"]) / (1 + number(solid["poisson"])) / 4
+    gain *= number(problem["creepage"]["longitudinal"])
+    places = {2: a, 4: 2 * a, 8: 2 * a}
+    return {f"shear_force.{place}": gain * (2 * a * X - X**2 / 2) for place, X in places.items()}
+
+
+RECOMPUTED = (rolling_cubic_law, rolling_simplified_circle, rolling_shakedown_limit, rolling_start_without_slip)
 
 
 def case_of(name: str) -> dict:

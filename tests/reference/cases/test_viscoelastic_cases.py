@@ -212,7 +212,29 @@ def shaken(problem):
     return found
 
 
+def held(problem):
+    """F = 4/3 E*(t) sqrt(R d^3)."""
+    modulus, radius = (
+        relaxation(problem["bed"]["medium"]["first"]),
+        number(problem["bed"]["profile"]["curvature_radius"]),
+    )
+    times, size = [number(raw) for raw in problem["time"]], mp.sqrt(radius * number(problem["depth"]) ** 3)
+    return {f"force.{place}": mp.mpf(4) / 3 * modulus(t) * size for place, t in enumerate(times)}
+
+
+def dragged(problem):
+    """Mindlin's shear force under a ball that is held, of bodies with E*/G* = 3/2."""
+    path, friction = problem["path"], number(problem["law"]["coefficient"])
+    depth, shift = number(path["normal"]["depth"][0]), number(path["lateral"]["shift"][0])
+    left = (1 - shift / (friction * depth * mp.mpf(3) / 2)) ** (mp.mpf(3) / 2)
+    found = held({**problem, "depth": path["normal"]["depth"][0], "time": path["time"]})
+    shares = {f"shear_force.{place}": friction * force * (1 - left) for place, force in enumerate(found.values())}
+    return found | shares
+
+
 JUDGES = {
+    "relaxation_test": held,
+    "viscoelastic_tangential": dragged,
     "creep_test": creep,
     "viscoelastic_indentation": there_and_back,
     "viscoelastic_impact": struck,

@@ -1,0 +1,97 @@
+"""Cases of problems in limits where they meet closed forms, recomputed from their own inputs by mpmath."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import mpmath as mp
+import pytest
+from test_friction_cases import Ball, number
+
+import winkler
+
+CASES = Path(winkler.__file__).parent / "cases"
+
+
+def jkr_equilibria(problem: dict) -> dict:
+    """Johnson, Kendall and Roberts; the derivative of the depth is zero at the end of stability."""
+    ball, work, a = Ball(problem), number(problem["law"]["work"]), number(problem["reach"])
+    return {
+        "starts.0": mp.cbrt(mp.pi * ball.radius**2 * work / (8 * ball.modulus)),
+        "depth.-1": a**2 / ball.radius - mp.sqrt(2 * mp.pi * work * a / ball.modulus),
+        "force.-1": ball.force(a) - mp.sqrt(8 * mp.pi * work * ball.modulus * a**3),
+    }
+
+
+def jkr_slow_peeling(problem: dict) -> dict:
+    """The contact at the first point, and the greatest pull."""
+    ball, work = Ball(problem), number(problem["law"]["work"])
+    depth = number(problem["path"]["normal"]["depth"][0])
+    a = mp.findroot(
+        lambda a: a**2 / ball.radius - mp.sqrt(2 * mp.pi * work * a / ball.modulus) - depth,
+        mp.sqrt(2 * ball.radius * depth),
+    )
+    return {
+        "radius.0": a,
+        "force.0": ball.force(a) - mp.sqrt(8 * mp.pi * work * ball.modulus * a**3),
+        "lowest_force.-1": -mp.mpf(3) / 2 * mp.pi * work * ball.radius,
+    }
+
+
+def fretting_heat_rate(problem: dict) -> dict:
+    """Mindlin and Deresiewicz, many times a second; equal bodies share the heat evenly."""
+    motion = problem["motion"]
+    start, swing = motion["path"]["steps"]
+    ball, force = Ball(motion), number(start["normal"]["force"])
+    loss = ball.loss(force, number(swing["lateral"]["shear_force"]) / (ball.friction * force))
+    return {"loss_per_cycle": loss, "heat_rate": number(problem["frequency"]) * loss, "first_share": mp.mpf(1) / 2}
+
+
+def elastomer_one_wave(problem: dict) -> dict:
+    """All waves are taken to be as long as their mean."""
+    solid, wave = problem["solid"], 2 * mp.pi / mp.mpf("1e-3")
+    relaxed, shear, tau = (number(solid[word]) for word in ("relaxed_shear", "shear", "relaxation_time"))
+    found = []
+    for velocity in problem["velocity"]:
+        turn = mp.mpc(0, wave * number(velocity) * tau)
+        modulus = relaxed + shear * turn / (1 + turn)
+        found.append(number(problem["spectrum"]["rms_height"]) * wave * modulus.imag / abs(modulus))
+    return {"coefficient": found}
+
+
+def rough_indentation_smooth(problem: dict) -> dict:
+    """Hertz."""
+    depth, ball = number(problem["load"]["depth"]), Ball(problem)
+    a = mp.sqrt(ball.radius * depth)
+    return {"force": ball.force(a), "stiffness": 2 * ball.modulus * a}
+
+
+def reduction_of_a_ball(problem: dict) -> dict:
+    """Hertz with the radius 1 m of the map."""
+    a = mp.sqrt(number(problem["depth"]))
+    return {"force.-1": mp.mpf(4) / 3 * a**3, "stiffness.-1": 2 * a}
+
+
+def conduction_of_a_map(problem: dict) -> dict:
+    """Hertz with the radius 1 m of the map, and Holm."""
+    a, pair = mp.sqrt(number(problem["contact"]["load"]["depth"])), problem["conductors"]
+    return {"conductance": 4 * a / sum(number(pair[which]["resistivity"]) for which in ("first", "second"))}
+
+
+RECOMPUTED = (
+    jkr_equilibria, jkr_slow_peeling, fretting_heat_rate, elastomer_one_wave, rough_indentation_smooth,
+    reduction_of_a_ball, conduction_of_a_map,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("of", RECOMPUTED, ids=lambda of: of.__name__)
+def test_a_case_is_recomputed(of):
+    case = tomllib.loads((CASES / f"{of.__name__}.toml").read_text(encoding="utf-8"))
+    with mp.workdps(30):
+        found = of(case["problem"])
+        assert {item["quantity"] for item in case["expect"]} == set(found)
+        for item in case["expect"]:
+            numbers, wanted = (x if isinstance(x, list) else [x] for x in (item["value"], found[item["quantity"]]))
+            for written, expected in zip(numbers, wanted, strict=True):
+                assert abs(mp.mpf(written) / expected - 1) < 1e-15, (item["quantity"], expected)
