@@ -94,7 +94,7 @@ def mistake_in(error: BaseException) -> str:
 def nearest(word: str, known: Iterable[str]) -> str:
     """Return the known word that `word` was meant to be, or an empty string.
 
-    The same word in other letters; a word that is usual elsewhere (`winkler.synonyms`); one of similar spelling; one of
+    The same word in capitals or small letters; a word that is usual elsewhere (`winkler.synonyms`); one of similar spelling; one of
     which it is a part, or which is a part of it.
 
     Examples
@@ -103,7 +103,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
     ('depth', 'poisson', 'poisson')
     """
     names = list(known)
-    same = [name for name in names if name.lower() == word.lower() and name != word]
+    same = [name for name in names if name.lower() == word.lower() and len(word) > 1]
     meant = [name for name in SYNONYMS.get(word) or SYNONYMS.get(word.lower(), ()) if name in names]
     if same or meant:
         return (same or meant)[0]
