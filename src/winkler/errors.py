@@ -94,8 +94,8 @@ def mistake_in(error: BaseException) -> str:
 def nearest(word: str, known: Iterable[str]) -> str:
     """Return the known word that `word` was meant to be, or an empty string.
 
-    The same word in capitals or small letters; a word that is usual elsewhere (`winkler.synonyms`); one of similar spelling; one of
-    which it is a part, or which is a part of it.
+    The same word in capitals or small letters; one for which that word is usual elsewhere (`winkler.synonyms`); one of
+    similar spelling; one that has it as a part, or is a part of it.
 
     Examples
     --------
