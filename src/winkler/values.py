@@ -22,8 +22,10 @@ from winkler.content import (
     guarded_stream,
     refuse_wrong,
 )
+from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
 from winkler.outline import refuse_outline, refuse_relaxing
+from winkler.wrong_names import checked_arguments, unknown_attribute
 
 __all__ = ["frozen_array", "value"]
 
@@ -102,16 +104,17 @@ def value(cls: type[T]) -> type[T]:
 
     A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
     is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps``, and the
-    properties of a solution, tell in one sentence if numbers leave the range of floating-point numbers.
+    properties of a solution, tell in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
+    takes a few lines (`winkler.display`), and a wrong name is answered by the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
 
     def __post_init__(self: Any) -> None:
-        for field in dataclasses.fields(self):
-            content = getattr(self, field.name)
+        for name in names:
+            content = getattr(self, name)
             frozen = _frozen(content)
             if frozen is not content:
-                object.__setattr__(self, field.name, frozen)
+                object.__setattr__(self, name, frozen)
         try:
             refuse_outline(self)
             refuse_relaxing(self)
@@ -134,6 +137,9 @@ def value(cls: type[T]) -> type[T]:
         ("__hash__", _hash),
         ("__getstate__", _getstate),
         ("__setstate__", _setstate),
+        ("__getattr__", unknown_attribute),
+        ("__repr__", vars(cls).get("__repr__", short)),
+        ("_repr_html_", html_table),
     ):
         setattr(cls, name, method)
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
@@ -143,6 +149,9 @@ def value(cls: type[T]) -> type[T]:
         for name, member in list(vars(cls).items()):
             if isinstance(member, property) and member.fget is not None:
                 setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
-    made = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made.__init__ = checked_arguments(made, made.__init__)
+    names = tuple(field.name for field in dataclasses.fields(made))
     expected = expected_of(made)
-    return made
+    result: type[T] = made
+    return result
