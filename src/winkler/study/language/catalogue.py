@@ -61,7 +61,7 @@ UNWRITTEN = frozenset(
         "winkler.laws.wear:OwnWear",
     }
 )
-"""Paths of what a study file cannot name where a class takes it: a load that stays (left out), laws that are functions."""
+"""Paths of what a study file cannot name where a class takes it: a load that stays, and laws that are functions."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}
 """Kinds that people ask for and that cannot be answered; making one raises the reason."""
