@@ -8,6 +8,7 @@ value can be a key of a cache, a point of a sweep, or one side of an assertion. 
 from __future__ import annotations
 
 import dataclasses
+import sys
 from collections.abc import Callable
 from typing import Any, TypeVar, dataclass_transform
 
@@ -22,8 +23,10 @@ from winkler.content import (
     guarded_stream,
     refuse_wrong,
 )
+from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
 from winkler.outline import refuse_outline, refuse_relaxing
+from winkler.wrong_names import checked_arguments, unknown_attribute
 
 __all__ = ["frozen_array", "value"]
 
@@ -32,7 +35,8 @@ T = TypeVar("T")
 
 def frozen_array(array: Any) -> np.ndarray:
     """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
-    if isinstance(array, np.ma.MaskedArray) and array.dtype.kind in "iuf":
+    masked = "numpy.ma" in sys.modules and isinstance(array, np.ma.MaskedArray)  # numpy loads it where it is used
+    if masked and array.dtype.kind in "iuf":
         array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none
     result = np.array(array)
     if result.dtype.kind in "iu":
@@ -102,16 +106,17 @@ def value(cls: type[T]) -> type[T]:
 
     A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
     is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps``, and the
-    properties of a solution, tell in one sentence if numbers leave the range of floating-point numbers.
+    properties of a solution, tell in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
+    takes a few lines (`winkler.display`), and a wrong name is answered by the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
 
     def __post_init__(self: Any) -> None:
-        for field in dataclasses.fields(self):
-            content = getattr(self, field.name)
+        for name in names:
+            content = getattr(self, name)
             frozen = _frozen(content)
             if frozen is not content:
-                object.__setattr__(self, field.name, frozen)
+                object.__setattr__(self, name, frozen)
         try:
             refuse_outline(self)
             refuse_relaxing(self)
@@ -134,6 +139,9 @@ def value(cls: type[T]) -> type[T]:
         ("__hash__", _hash),
         ("__getstate__", _getstate),
         ("__setstate__", _setstate),
+        ("__getattr__", unknown_attribute),
+        ("__repr__", vars(cls).get("__repr__", short)),
+        ("_repr_html_", html_table),
     ):
         setattr(cls, name, method)
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
@@ -143,6 +151,9 @@ def value(cls: type[T]) -> type[T]:
         for name, member in list(vars(cls).items()):
             if isinstance(member, property) and member.fget is not None:
                 setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
-    made = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made.__init__ = checked_arguments(made, made.__init__)
+    names = tuple(field.name for field in dataclasses.fields(made))
     expected = expected_of(made)
-    return made
+    result: type[T] = made
+    return result

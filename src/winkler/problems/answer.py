@@ -10,15 +10,17 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Iterator
-from typing import Any, Protocol, TypeGuard, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, TypeVar
 
 import numpy as np
 
 from winkler.contract import keeps
-from winkler.foundation.bed import Pressed
-from winkler.foundation.sheared import ShearedSprings
-from winkler.numerics.types import Array
-from winkler.validity import Note
+
+if TYPE_CHECKING:
+    from winkler.foundation.bed import Pressed
+    from winkler.foundation.sheared import ShearedSprings
+    from winkler.numerics.types import Array
+    from winkler.validity import Note
 
 __all__ = [
     "Dragged",

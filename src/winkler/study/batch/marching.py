@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from winkler.errors import WinklerError
 from winkler.problems.answer import March
-from winkler.study.batch.checkpoint import KEPT, Keep
+from winkler.study.batch.checkpoint import Keep
 from winkler.study.batch.stopping import INTERRUPTED, answered, look
 
 __all__ = ["ANEW", "Marched", "Watch", "marched", "unwatched"]
@@ -66,7 +66,7 @@ def marched(problem: March, watch: Watch = unwatched, keep: Keep = ANEW) -> Marc
     WinklerError, KeyboardInterrupt
         If it ends before there is anything to answer from.
     """
-    states = _Reached(problem, watch, keep if isinstance(problem, KEPT) else ANEW)
+    states = _Reached(problem, watch, keep if keep.takes(problem) else ANEW)
     try:
         solution = problem.gathered(states)
     except WinklerError as error:  # too few states for an answer

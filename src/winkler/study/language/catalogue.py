@@ -12,11 +12,8 @@ import functools
 from typing import Any
 
 from winkler.foundation.bed import Bed
-from winkler.laws.wear import OwnWear
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.medium import Medium
-from winkler.path_steps import Kept
-from winkler.problems.friction.spring_states import OwnLaw
 from winkler.profiles.flat import Cylinder
 from winkler.profiles.profile import Profile
 from winkler.profiles.rough.spectrum import Spectrum
@@ -53,8 +50,14 @@ SLOTS: dict[Any, str] = {
 }
 """Protocol -> slot: what may stand where a class asks for this contract."""
 
-UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw, OwnWear})
-"""What a study file does not name where a class takes it: a load that stays, left out; a law that is a function."""
+UNWRITTEN = frozenset(
+    {
+        "winkler.path_steps:Kept",
+        "winkler.problems.friction.spring_states:OwnLaw",
+        "winkler.laws.wear:OwnWear",
+    }
+)
+"""Paths of what a study file cannot name where a class takes it: a load that stays, and laws that are functions."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}
 """Kinds that people ask for and that cannot be answered; making one raises the reason."""

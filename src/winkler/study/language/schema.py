@@ -29,6 +29,7 @@ from pydantic import (
 )
 
 from winkler.numerics.types import Array
+from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
 from winkler.study.language.kind_of_table import refuse
@@ -117,7 +118,7 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
     if isinstance(hint, str) or hint in SLOTS:
         return tuple(CATALOGUE[SLOTS.get(hint, hint)])
     if typing.get_origin(hint) in (Union, types.UnionType):
-        parts = [allowed_kinds(part) for part in typing.get_args(hint) if part not in UNWRITTEN]
+        parts = [allowed_kinds(part) for part in typing.get_args(hint) if path_of(part) not in UNWRITTEN]
         return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
     return tuple(name for name in kinds() if _may_stand(name, hint))
 
@@ -128,7 +129,7 @@ def _may_stand(name: str, hint: Any) -> bool:
         return name in CATALOGUE[SLOTS.get(hint, hint)]
     if typing.get_origin(hint) in (Union, types.UnionType):
         return any(_may_stand(name, part) for part in typing.get_args(hint))
-    return isinstance(hint, type) and hint not in UNWRITTEN and issubclass(kinds()[name].cls, hint)
+    return isinstance(hint, type) and path_of(hint) not in UNWRITTEN and issubclass(kinds()[name].cls, hint)
 
 
 def allowed_in_list(hint: Any) -> tuple[str, ...]:

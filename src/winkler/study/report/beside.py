@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from winkler.problems.rough.reduced_bed import ReducedBed
-from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
-from winkler.profiles.rough.topography import Topography
 from winkler.study.chapters.answer import Caption
 from winkler.study.chapters.contents import answer_of
+from winkler.study.chapters.kind import is_a
 
 __all__ = ["Beside", "beside"]
 
+CONDUCTION = "winkler.problems.rough.surface_conduction:SurfaceConductionSolution"
+REDUCED = "winkler.problems.rough.reduced_bed:ReducedBed"
+MAP = "winkler.profiles.rough.topography:Topography"
 SURFACE = Caption(
     "surface",
     "The surface",
@@ -29,11 +30,11 @@ class Beside(NamedTuple):
 def beside(solution: Any) -> tuple[Beside, ...]:
     """Return what is drawn before the answer itself; nothing for most answers."""
     problem = getattr(solution, "problem", None)
-    contact = solution.contact if isinstance(solution, SurfaceConductionSolution) else None
+    contact = solution.contact if is_a(solution, CONDUCTION) else None
     bed = getattr(problem, "bed", None)
     rough = getattr(problem if contact is None else contact.problem, "topography", None)
-    if isinstance(bed, ReducedBed):
+    if is_a(bed, REDUCED):
         rough = bed.topography
-    found = [Beside(SURFACE, rough)] if isinstance(rough, Topography) else []
+    found = [Beside(SURFACE, rough)] if is_a(rough, MAP) else []
     caption = None if contact is None else answer_of(contact.problem).picture
     return (*found, *([Beside(caption, contact)] if caption is not None else []))

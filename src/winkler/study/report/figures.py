@@ -12,7 +12,6 @@ import numpy as np
 from winkler.errors import WinklerError
 from winkler.loading import Depth
 from winkler.numerics.types import Array
-from winkler.plot import draw
 from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_picture, family_picture
 from winkler.plot.method import PICTURES, Contact, pictures_of
@@ -184,6 +183,8 @@ def _sheets(outcome: Outcome) -> Iterator[Shown]:
         wanted.append(Beside(caption, point.solution))
     where = settings_of(outcome, point)
     for (name, title, told_by), item in wanted:
+        from winkler.plot import draw  # with every picture it knows, which the method's own do not need
+
         sentence = f"{told_by} Shown is {where}." if where else told_by
         try:
             yield drawn(f"answer_{name}", title, sentence, draw(item))
