@@ -29,9 +29,9 @@ class Beside(NamedTuple):
 
 def beside(solution: Any) -> tuple[Beside, ...]:
     """Return what is drawn before the answer itself; nothing for most answers."""
-    problem = getattr(solution, "problem", None)
+    problem: Any = getattr(solution, "problem", None)
     contact = solution.contact if is_a(solution, CONDUCTION) else None
-    bed = getattr(problem, "bed", None)
+    bed: Any = getattr(problem, "bed", None)
     rough = getattr(problem if contact is None else contact.problem, "topography", None)
     if is_a(bed, REDUCED):
         rough = bed.topography
