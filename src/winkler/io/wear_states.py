@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import os
+import typing
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -30,13 +31,12 @@ def _words(kind: type[WearState]) -> tuple[str, ...]:
 def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
     """Return how many states there are, if all rows agree on it."""
     count, nodes = (*rows.get("radii", NONE).shape, 0, 0)[:2]
-    for field in dataclasses.fields(kind):
-        if field.name == "bed":
-            continue
-        row, wanted = rows.get(field.name, NONE), (count, nodes) if field.type == "Array" else (count,)
+    types = typing.get_type_hints(kind)
+    for word in _words(kind):
+        row, wanted = rows.get(word, NONE), (count,) if types[word] is float else (count, nodes)
         if row.dtype.kind != "f" or row.shape != wanted or np.isnan(row).any():
             raise InvalidInput(
-                f"{path}: no wear can be read from it ({field.name} is not numbers of the shape {wanted}); give a file "
+                f"{path}: no wear can be read from it ({word} is not numbers of the shape {wanted}); give a file "
                 "of write_wear."
             )
     return int(count)
