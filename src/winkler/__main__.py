@@ -12,11 +12,8 @@ __all__ = ["main"]
 def main() -> int:
     """Run the command of this process and return its exit code."""
     try:
-        import gc
         import os
         import signal
-
-        gc.set_threshold(100_000)  # what is loaded stays: to look through it for garbage takes a tenth of a short run
 
         def leave(number: int, frame: object) -> None:
             """End at once: nothing is open yet, and an interrupt that is raised in an import may be lost."""
