@@ -6,9 +6,9 @@ import math
 import re
 
 import pytest
+from winkler.given import not_negative, poisson_ratio, positive, positive_fields, whole_number
 
 from winkler.errors import InvalidInput
-from winkler.given import not_negative, poisson_ratio, positive, positive_fields, whole_number
 from winkler.materials.spring_and_dashpot import Maxwell
 
 NO_NUMBERS = (True, "1", None, math.nan, math.inf, -math.inf, 1j)

@@ -7,9 +7,9 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import PATH_POINTS
 from winkler.loading import Depth, Lateral, Normal, Shift
+from winkler.number_checks import affordable
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Rows, Start, Step

@@ -17,6 +17,7 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.number_checks import PositiveOrInfinite
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel
@@ -75,7 +76,7 @@ class Formula(Shape):
 
     expression: str
     constants: tuple[tuple[str, float], ...] = ()
-    reach: float = math.inf
+    reach: PositiveOrInfinite = math.inf
     corners: tuple[float, ...] = ()
 
     def __init__(
@@ -104,8 +105,6 @@ class Formula(Shape):
         self.__post_init__()
 
     def __post_init__(self) -> None:
-        if not (_is_number(self.reach) and self.reach > 0.0):
-            raise InvalidInput(f"Formula: reach is {self.reach!r}; it must be a positive number in m.")
         for corner in self.corners:
             if not (_is_number(corner) and 0.0 < corner < self.reach):
                 raise InvalidInput(f"Formula: the corner {corner!r} must be a radius in m between 0 and the reach.")

@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Protocol
 
+from winkler.contract import offered
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.validity import Note
@@ -28,6 +29,7 @@ __all__ = ["Profile", "Shape"]
 Kinks = tuple[tuple[float, float], ...]
 
 
+@offered("a profile, such as Sphere or Cone")
 class Profile(Protocol):
     """The contract of a body of revolution, spoken to its implementer.
 

@@ -14,12 +14,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.content import refuse_size
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array, ArrayLike
+from winkler.physical_size import refuse_size
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace

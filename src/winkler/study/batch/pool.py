@@ -19,6 +19,7 @@ from multiprocessing import resource_tracker
 from typing import Any, TypeVar
 
 from winkler.errors import InvalidInput, NotConverged
+from winkler.number_checks import NonNegativeOrInfinite
 from winkler.study.batch.cluster import Cluster, connected
 from winkler.study.batch.stopping import held
 from winkler.values import value
@@ -39,11 +40,7 @@ class Machine:
         For how long one process is at it alone [s]; starting others takes about as long.
     """
 
-    patience: float = 1.0
-
-    def __post_init__(self) -> None:
-        if not self.patience >= 0.0:
-            raise InvalidInput(f"Machine: patience is {self.patience!r}; it must be zero or a positive time in s.")
+    patience: NonNegativeOrInfinite = 1.0
 
     @property
     def processors(self) -> int:

@@ -17,8 +17,8 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import MOST_NUMBERS, SWEPT
+from winkler.number_checks import affordable
 from winkler.numerics.types import Array
 from winkler.study.language.varied import Axis, Range
 from winkler.values import value

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import FIELD_PLACES, KEY_LETTERS
+from winkler.number_checks import affordable
 from winkler.numerics.types import Array, Quantity
 from winkler.study.language.designs import POINT, Crossed, Design, Zipped, axes_of
 from winkler.study.language.varied import Axis, Range
