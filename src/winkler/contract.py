@@ -16,6 +16,8 @@ __all__ = ["described", "is_protocol", "lacking", "of_kinds", "offered"]
 K = TypeVar("K")
 NO_PART = (float, int, bool, complex, str, bytes, tuple, list, dict, set, object, type(None), np.ndarray)
 """What is never a part made of other values, even if it has the members of a protocol."""
+FEW = 5
+"""From so many kinds on a sentence gives their names alone."""
 OFFERS: dict[Any, str] = {}
 """What refusals say to give for a protocol or a base class."""
 
@@ -86,7 +88,7 @@ def _members(protocol: type) -> frozenset[str]:
 
 def described(kinds: tuple[type, ...]) -> str:
     """Return how a sentence says what to give: ``Elastic(young, poisson) or Rigid()``."""
-    names = [_described(kind) for kind in kinds]
+    names = [_described(kind) if len(kinds) < FEW else OFFERS.get(kind, kind.__name__) for kind in kinds]
     return f"{', '.join(names[:-1])} or {names[-1]}" if names[1:] else names[0]
 
 
@@ -98,4 +100,6 @@ def _described(kind: type) -> str:
     fields = [field for field in dataclasses.fields(kind) if field.init]
     missing = dataclasses.MISSING
     needed = [field.name for field in fields if field.default is missing and field.default_factory is missing]
+    if len(fields) == 1 and fields[0].name.replace("_", "") == kind.__name__.lower():
+        return kind.__name__  # Force, Depth: the name says it all
     return f"{kind.__name__}({', '.join(needed or [field.name for field in fields])})"

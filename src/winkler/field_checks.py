@@ -41,7 +41,10 @@ class Such(NamedTuple):
 
 
 def checks_of(cls: Any) -> tuple[tuple[str, Check | None], ...]:
-    """Return the fields of a dataclass that are given, each with what its contents are compared with."""
+    """Return the fields of a dataclass that are given, each with what its contents are compared with.
+
+    A sentence of refusal begins with the name of the class, or with its `section` of a study if it is one.
+    """
     hints = _hints(cls)
     return tuple((item.name, _check(cls, item.name, hints[item.name])) for item in dataclasses.fields(cls) if item.init)
 
@@ -71,20 +74,22 @@ def _check(cls: type, field: str, hint: Any) -> Check | None:
     """Return what refuses contents that do not fit the type of a field; None if the type says nothing of them."""
     extras = _extras(hint)
     plain = hint.__origin__ if extras else hint
+    section = getattr(cls, "section", "")
+    where = f"{section}.{field}" if section else f"{cls.__name__}: {field}"
     ending = _ending(cls, field, "; ".join(item.text for item in extras if isinstance(item, Advice)))
     for item in extras:
         if hasattr(item, "check"):
-            return item.check(cls.__name__, field, ending)  # type: ignore[no-any-return]
+            return item.check(where, ending)  # type: ignore[no-any-return]
     if plain in WORDS:
-        return _exact(cls.__name__, field, plain, ending)
+        return _exact(where, plain, ending)
     if plain == ARRAY or set(_union(plain)) == {float, ARRAY}:
-        return _array(cls.__name__, field, ending)
+        return _array(where, ending)
     many = typing.get_origin(plain) is tuple and typing.get_args(plain)[1:] == (Ellipsis,)
     kinds = _union(typing.get_args(plain)[0] if many else plain)
     if not all(isinstance(kind, type) and kind not in UNCHECKED for kind in kinds):
         return None
     such = next((item for item in extras if isinstance(item, Such)), None)
-    return _parts(cls.__name__, field, kinds, many, ending) if such is None else _such(cls.__name__, field, kinds, such)
+    return _parts(where, kinds, many, ending) if such is None else _such(where, kinds, such)
 
 
 def _union(hint: Any) -> tuple[Any, ...]:
@@ -105,58 +110,59 @@ def _ending(cls: type, field: str, advice: str) -> Ending:
     return ending
 
 
-def _exact(owner: str, field: str, kind: type, ending: Ending) -> Check:
+def _exact(where: str, kind: type, ending: Ending) -> Check:
     allowed = (float, int) if kind is float else (kind,)
 
     def checked(content: Any) -> Any:
         made = type(content)
         if made not in allowed or (kind is int and content.bit_length() > COUNT_BITS):
-            raise InvalidInput(f"{owner}: {field} is {shown(content)}; {ending(WORDS[kind])}.")
+            raise InvalidInput(f"{where} is {shown(content)}; {ending(WORDS[kind])}.")
         return content
 
     return checked
 
 
-def _array(owner: str, field: str, ending: Ending) -> Check:
+def _array(where: str, ending: Ending) -> Check:
     def checked(content: Any) -> Any:
         made = type(content)
         if made in NO_NUMBERS or (made is np.ndarray and content.dtype.kind not in "fbc"):
             wanted = ending("give a number or an array of numbers")
-            raise InvalidInput(f"{owner}: {field} is {shown(content)}; {wanted}.")
+            raise InvalidInput(f"{where} is {shown(content)}; {wanted}.")
         return content
 
     return checked
 
 
-def _parts(owner: str, field: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> Check:
+def _parts(where: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> Check:
     fits = of_kinds(kinds)
 
-    def refused(where: str, part: Any) -> InvalidInput:
+    def refused(part: Any, place: str = "") -> InvalidInput:
         made = f"{type(part).__name__}{lacking(kinds, part)}"
+        at = f"{where}{place}" if place else where.replace(": ", ": the ", 1)
         wanted = ending(f"give {'a list of ' * many}{described(kinds)}")
-        return InvalidInput(f"{owner}: {where} is a {made}; {wanted}.")
+        return InvalidInput(f"{at} is a {made}; {wanted}.")
 
     def checked(content: Any) -> Any:
         if not many:
             if not fits(content):
-                raise refused(f"the {field}", content)
+                raise refused(content)
             return content
         if type(content) is not tuple:
-            raise refused(f"the {field}", content)
+            raise refused(content)
         for place, part in enumerate(content):
             if not fits(part):
-                raise refused(f"{field}[{place}]", part)
+                raise refused(part, f"[{place}]")
         return content
 
     return checked
 
 
-def _such(owner: str, field: str, kinds: tuple[type, ...], such: Such) -> Check:
+def _such(where: str, kinds: tuple[type, ...], such: Such) -> Check:
     fits = of_kinds(kinds)
 
     def checked(content: Any) -> Any:
         if not fits(content) or not such.holds(content):
-            raise InvalidInput(f"{owner}: {field} is {shown(content)}; {such.demand}.")
+            raise InvalidInput(f"{where} is {shown(content)}; {such.demand}.")
         return content
 
     return checked

@@ -20,8 +20,10 @@ from winkler.physical_size import LARGEST, SMALLEST, refuse_size, shown
 __all__ = [
     "FINITE",
     "NON_NEGATIVE",
+    "NOT_TINY",
     "POISSON",
     "POSITIVE",
+    "POSITIVE_OR_INFINITE",
     "Advice",
     "Check",
     "Count",
@@ -31,12 +33,12 @@ __all__ = [
     "FiniteRow",
     "Fraction",
     "NonNegative",
-    "NonNegativeOrInfinite",
     "NonNegativeQuantity",
     "Number",
     "Numbers",
     "PoissonRatio",
     "Positive",
+    "PositiveNotTiny",
     "PositiveOfAnySize",
     "PositiveOrInfinite",
     "PositiveQuantity",
@@ -69,7 +71,7 @@ class Number(NamedTuple):
     """A number from `least` to `most`, none of the `excluded`, which are ends of the interval.
 
     The `demand` says so in words, ``{unit}`` in it stands for " in m"; `several` says it of several numbers.  What is
-    `sized` is a physical number: zero, or of a size between `SMALLEST` and `LARGEST`.
+    `sized` is a physical number, up to `LARGEST` in size, and zero or at least `smallest`.
     """
 
     demand: str
@@ -78,24 +80,25 @@ class Number(NamedTuple):
     excluded: tuple[float, ...] = ()
     several: str = ""
     sized: bool = True
+    smallest: float = 0.0
 
     def admits(self, content: Any) -> bool:
         """Return whether a content is a number, and no truth value, in the interval."""
         return type(content) in (float, int) and self.least <= content <= self.most and content not in self.excluded
 
-    def check(self, owner: str, field: str, ending: Ending) -> Check:
+    def check(self, where: str, ending: Ending) -> Check:
         """Return what refuses contents of a field that are no such number."""
-        smallest = SMALLEST if 0.0 in self.excluded else 0.0
-        low, high = max(self.least, smallest or -LARGEST), min(self.most, LARGEST)
+        low, high = max(self.least, self.smallest or -LARGEST), min(self.most, LARGEST)
+        low = math.nextafter(low, high) if low in self.excluded else low
         quick = self.admits(low) and self.admits(high)
 
         def checked(content: Any) -> Any:
             if quick and type(content) is float and low <= content <= high:
                 return content
             if not self.admits(content):
-                raise InvalidInput(f"{owner}: {field} is {shown(content)}; {ending(self.demand)}.")
+                raise InvalidInput(f"{where} is {shown(content)}; {ending(self.demand)}.")
             if self.sized:
-                refuse_size(owner, field, content, smallest)
+                refuse_size(where, content, self.smallest)
             return content
 
         return checked
@@ -114,12 +117,12 @@ class Whole(NamedTuple):
         allowed = f", at least {self.least}" if self.most == math.inf else f" from {self.least} to {self.most}"
         return f"give a whole number{f' of {self.what}' if self.what else ''}{allowed}"
 
-    def check(self, owner: str, field: str, ending: Ending) -> Check:
+    def check(self, where: str, ending: Ending) -> Check:
         """Return what refuses contents of a field that are no such number."""
 
         def checked(content: Any) -> Any:
             if type(content) is not int or not self.least <= content <= self.most or content.bit_length() > COUNT_BITS:
-                raise InvalidInput(f"{owner}: {field} is {shown(content)}; {ending(self.demand)}.")
+                raise InvalidInput(f"{where} is {shown(content)}; {ending(self.demand)}.")
             return content
 
         return checked
@@ -132,6 +135,7 @@ POSITIVE = Number(
     excluded=(0.0, math.inf),
     several="positive, finite numbers{unit}",
 )
+NOT_TINY = POSITIVE._replace(smallest=SMALLEST)
 NON_NEGATIVE = Number(
     "give zero or a positive, finite number{unit}",
     0.0,
@@ -140,6 +144,7 @@ NON_NEGATIVE = Number(
 )
 
 
+POSITIVE_OR_INFINITE = Number("it must be a positive number{unit}, or infinite", 0.0, excluded=(0.0,))
 POISSON = Number(
     "a Poisson ratio is above -1 and at most 0.5", -1.0, 0.5, (-1.0,), several="numbers above -1 and at most 0.5"
 )
@@ -159,16 +164,16 @@ class Numbers(NamedTuple):
     def demand(self) -> str:
         """What is allowed, in words."""
         if self.any_shape:
-            return f"give one or an array of {self.each.several}"
+            return f"give a number or an array of {self.each.several}"
         count = f"at least {self.fewest} " if self.fewest > 1 else ""
         return f"give a row of {count}{self.each.several}{ORDERS[self.order]}"
 
-    def check(self, owner: str, field: str, ending: Ending) -> Check:
+    def check(self, where: str, ending: Ending) -> Check:
         """Return what makes a read-only array of a content of a field, and refuses what is no such array."""
-        single = self.each._replace(demand=self.demand).check(owner, field, ending)
+        single = self.each._replace(demand=self.demand).check(where, ending)
 
         def refused(what: str) -> InvalidInput:
-            return InvalidInput(f"{owner}: {field} {what}; {ending(self.demand)}.")
+            return InvalidInput(f"{where} {what}; {ending(self.demand)}.")
 
         def checked(content: Any) -> Any:
             if self.any_shape and type(content) in (float, int):
@@ -179,11 +184,11 @@ class Numbers(NamedTuple):
             if numbers.ndim != 1 and not self.any_shape:
                 raise refused(f"has the shape {numbers.shape}")
             if numbers.size < self.fewest:
-                raise refused(f"has {numbers.size} numbers" if numbers.size else "is empty")
-            affordable(owner, f"numbers in {field}", numbers.size, self.most)
+                raise refused(f"has {numbers.size} number{'s' * (numbers.size > 1)}" if numbers.size else "is empty")
+            affordable(where, "numbers", numbers.size, self.most)
             if numbers.size:
                 self._refuse_entries(numbers, refused)
-            refuse_size(owner, field, numbers)
+            refuse_size(where, numbers)
             return numbers if numbers.ndim else content
 
         return checked
@@ -192,8 +197,8 @@ class Numbers(NamedTuple):
         ends = float(numbers.min()), float(numbers.max())
         if not all(map(self.each.admits, ends)):  # ends that are undefined included
             bad = [place for place, number in enumerate(numbers.flat) if not self.each.admits(float(number))]
-            more = f", one of {len(bad)} such numbers" if len(bad) > 1 else ""
-            raise refused(f"is {numbers.flat[bad[0]]}{f' at index {bad[0]}' if numbers.ndim else ''}{more}")
+            place = f" at index {', '.join(map(str, bad[:5]))}" if numbers.ndim else ""
+            raise refused(f"is {numbers.flat[bad[0]]}{place}{f' and {len(bad) - 5} more' if bad[5:] else ''}")
         steps = np.diff(numbers) if self.order else numbers[:0]
         if np.any(fall := steps <= 0.0 if self.order == "rising" else steps < 0.0):
             place = int(np.argmax(fall))
@@ -244,7 +249,7 @@ def checked(
     ------
     InvalidInput
     """
-    return kind.check(owner, name, lambda demand: ended(demand, unit, advice))(content)
+    return kind.check(f"{owner}: {name}", lambda demand: ended(demand, unit, advice))(content)
 
 
 def ended(demand: str, unit: str | None, advice: str = "") -> str:
@@ -254,16 +259,16 @@ def ended(demand: str, unit: str | None, advice: str = "") -> str:
 
 def between(least: float, most: float) -> Number:
     """Return the sort of the numbers from `least` to `most`, both included."""
-    return Number(f"give a number between {least:g} and {most:g}{{unit}}", least, most)
+    ends = [f"{end:g}".replace("e-0", "e-") for end in (least, most)]
+    return Number(f"give a number between {ends[0]} and {ends[1]}{{unit}}", least, most)
 
 
 Finite: TypeAlias = Annotated[float, FINITE]
 Positive: TypeAlias = Annotated[float, POSITIVE]
 NonNegative: TypeAlias = Annotated[float, NON_NEGATIVE]
-PositiveOrInfinite: TypeAlias = Annotated[
-    float, Number("give a positive number{unit}, or infinity", 0.0, excluded=(0.0,))
-]
-NonNegativeOrInfinite: TypeAlias = Annotated[float, Number("give zero or a positive number{unit}, or infinity", 0.0)]
+PositiveNotTiny: TypeAlias = Annotated[float, NOT_TINY]
+"""A positive number whose tiniest values would keep solvers busy for ever."""
+PositiveOrInfinite: TypeAlias = Annotated[float, POSITIVE_OR_INFINITE]
 PositiveOfAnySize: TypeAlias = Annotated[float, POSITIVE._replace(sized=False)]
 """A positive number whose unit is a power that other fields decide about, so that its size says nothing."""
 PoissonRatio: TypeAlias = Annotated[float, POISSON]

@@ -19,13 +19,13 @@ LONGEST_BITS = 200
 """Bits of the greatest whole number below `LARGEST`."""
 
 
-def refuse_size(owner: str, field: str, content: Any, smallest: float = 0.0) -> None:
+def refuse_size(where: str, content: Any, smallest: float = 0.0) -> None:
     """Refuse a number, or an array of numbers, beyond all physics.
 
     Parameters
     ----------
-    owner, field
-        Who takes it, and what it is called there.
+    where
+        Who takes it, and what it is called there: ``Sphere: curvature_radius``.
     content
         In SI units.
     smallest
@@ -37,7 +37,7 @@ def refuse_size(owner: str, field: str, content: Any, smallest: float = 0.0) -> 
     """
     if not _is_sound(content, smallest):
         raise InvalidInput(
-            f"{owner}: {field} is {_size(content)}; numbers in SI units are between {SMALLEST:g} and {LARGEST:g} in "
+            f"{where} is {_size(content)}; numbers in SI units are between {SMALLEST:g} and {LARGEST:g} in "
             "size: check the unit."
         )
 

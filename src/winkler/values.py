@@ -102,6 +102,8 @@ def value(cls: type[T]) -> type[T]:
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
 
     def __post_init__(self: Any) -> None:
+        refuse_outline(self)
+        refuse_relaxing(self)
         contents = self.__dict__
         for name, checked in given():
             content = contents[name]
@@ -110,8 +112,6 @@ def value(cls: type[T]) -> type[T]:
                 kept = checked(kept)
             if kept is not content:
                 contents[name] = kept
-        refuse_outline(self)
-        refuse_relaxing(self)
         if check is not None:
             try:
                 with np.errstate(**overflow):

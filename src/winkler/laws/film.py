@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from winkler.number_checks import Advice, NonNegative, PositiveOrInfinite
+from winkler.number_checks import POSITIVE_OR_INFINITE, NonNegative
 from winkler.values import value
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
@@ -29,6 +29,9 @@ class SurfaceFilm:
     area_resistance: NonNegative = 0.0
 
 
+PASSING = POSITIVE_OR_INFINITE._replace(demand="give a positive number{unit}, or infinity for a perfect touch")
+
+
 @value
 class ThermalInterface:
     """Surfaces that hold heat back where they touch.
@@ -44,7 +47,7 @@ class ThermalInterface:
         If it is not positive.
     """
 
-    interface_conductance: Annotated[PositiveOrInfinite, Advice("infinite for a perfect touch")] = math.inf
+    interface_conductance: Annotated[float, PASSING] = math.inf
 
     @property
     def area_resistance(self) -> float:

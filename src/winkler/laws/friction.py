@@ -11,13 +11,10 @@ from typing import Annotated, TypeAlias
 
 from winkler.errors import InvalidInput
 from winkler.field_checks import Such
-from winkler.number_checks import Advice, NonNegativeOrInfinite, Positive
+from winkler.number_checks import Number, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
-
-SMALLEST = 1e-60
-"""Of the coefficients of which one is divided by the other."""
 
 
 @value
@@ -35,7 +32,7 @@ class Coulomb:
         If it is negative or no number.
     """
 
-    coefficient: Annotated[NonNegativeOrInfinite, Advice("infinite if nothing may slide")]
+    coefficient: Annotated[float, Number("give zero or a positive number, or infinity if nothing may slide", 0.0)]
 
 
 Sliding: TypeAlias = Annotated[
@@ -71,8 +68,8 @@ class StaticKinetic:
         If a coefficient is below 1e-60 or not finite, or the kinetic one is the greater.
     """
 
-    static_coefficient: Positive
-    kinetic_coefficient: Positive
+    static_coefficient: PositiveNotTiny
+    kinetic_coefficient: PositiveNotTiny
 
     def __post_init__(self) -> None:
         if self.static_coefficient < self.kinetic_coefficient:

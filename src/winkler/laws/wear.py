@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.contract import offered
 from winkler.errors import InvalidInput
-from winkler.number_checks import Advice, Positive
+from winkler.number_checks import POSITIVE
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -42,7 +42,7 @@ class Archard:
     J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
     """
 
-    rate: Annotated[Positive, Advice("1 mm^3/(N m) is 1e-9")]
+    rate: Annotated[float, POSITIVE._replace(demand="give a positive, finite number{unit} (1 mm^3/(N m) is 1e-9)")]
 
     def depth_per_slip(self, pressure: Array) -> Array:
         """Worn depth per slip [-] under pressures [Pa]."""

@@ -6,7 +6,7 @@ import math
 
 from winkler.errors import InvalidInput
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
-from winkler.number_checks import Positive
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "resistivity_of", "surface_of"]
@@ -35,7 +35,7 @@ class Plated:
     """
 
     plating: Conductor
-    thickness: Positive
+    thickness: PositiveNotTiny
     on: Conductor
 
     def __post_init__(self) -> None:

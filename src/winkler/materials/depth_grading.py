@@ -13,7 +13,16 @@ import numpy as np
 
 from winkler.contract import offered
 from winkler.errors import InvalidInput
-from winkler.number_checks import NON_NEGATIVE, POISSON, POSITIVE, Advice, Numbers, PoissonRatio, Positive
+from winkler.number_checks import (
+    NON_NEGATIVE,
+    POISSON,
+    POSITIVE,
+    Advice,
+    Numbers,
+    PoissonRatio,
+    Positive,
+    PositiveNotTiny,
+)
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -61,9 +70,9 @@ class ExponentialGrading:
         The same everywhere [-].
     """
 
-    surface_young: Positive
-    deep_young: Positive
-    depth_scale: Positive
+    surface_young: PositiveNotTiny
+    deep_young: PositiveNotTiny
+    depth_scale: PositiveNotTiny
     poisson: PoissonRatio
 
     @property
@@ -106,10 +115,10 @@ class SigmoidalGrading:
         The same everywhere [-].
     """
 
-    surface_young: Positive
-    deep_young: Positive
+    surface_young: PositiveNotTiny
+    deep_young: PositiveNotTiny
     transition_depth: Positive
-    transition_width: Positive
+    transition_width: PositiveNotTiny
     poisson: PoissonRatio
 
     @property

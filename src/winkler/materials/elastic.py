@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
-from winkler.number_checks import Finite, PoissonRatio, Positive, PositiveOrInfinite
+from winkler.number_checks import Finite, PoissonRatio, PositiveNotTiny, PositiveOrInfinite
 from winkler.values import value
 
 __all__ = ["Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
@@ -35,7 +35,7 @@ class Elastic:
     80.769231
     """
 
-    young: Positive
+    young: PositiveNotTiny
     poisson: PoissonRatio
     strength: PositiveOrInfinite = math.inf
 

@@ -13,7 +13,7 @@ import math
 from typing import Annotated
 
 from winkler.errors import InvalidInput
-from winkler.number_checks import Number, PoissonRatio, Positive
+from winkler.number_checks import Number, PoissonRatio, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["PowerLawGraded"]
@@ -55,8 +55,8 @@ class PowerLawGraded:
     110.261
     """
 
-    young: Positive
-    depth_scale: Positive
+    young: PositiveNotTiny
+    depth_scale: PositiveNotTiny
     exponent: Annotated[float, FINITE_DEPTH]
     poisson: PoissonRatio
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from winkler.materials.elastic import Elastic
-from winkler.number_checks import Advice, Positive
+from winkler.number_checks import Advice, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["Layer"]
@@ -40,4 +40,4 @@ class Layer:
     """
 
     solid: Annotated[Elastic, BUILT_ELASTIC]
-    thickness: Annotated[Positive, Advice("leave a layer without thickness out")]
+    thickness: Annotated[PositiveNotTiny, Advice("leave a layer without thickness out")]

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
@@ -84,7 +84,7 @@ class RoundedCone(PowerPieces):
     D. Maugis, M. Barquins, J. Phys. Lett. 42 (1981) L95-L97, doi:10.1051/jphyslet:0198100420509500
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     half_angle: HalfAngle
 
     @property
@@ -120,7 +120,7 @@ class SpheroConical(Shape):
     B. J. Briscoe, K. S. Sebastian, M. J. Adams, J. Phys. D 27 (1994) 1156-1162, doi:10.1088/0022-3727/27/6/013
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     half_angle: HalfAngle
 
     @property

@@ -13,11 +13,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.number_checks import PositiveOrInfinite
+from winkler.number_checks import Advice, PositiveOrInfinite
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel
@@ -74,7 +75,7 @@ class Formula(Shape):
     True
     """
 
-    expression: str
+    expression: Annotated[str, Advice("a formula such as 'r**2/(2*R)'")]
     constants: tuple[tuple[str, float], ...] = ()
     reach: PositiveOrInfinite = math.inf
     corners: tuple[float, ...] = ()

@@ -18,7 +18,7 @@ WITHIN = Number("measured from the axis it must lie between 0 and pi/2", 0.0, RI
 class Angle(NamedTuple):
     """A half-angle between 0 and pi/2, both excluded; a number that looks like degrees is refused with its radians."""
 
-    def check(self, owner: str, field: str, ending: Ending) -> Check:
+    def check(self, where: str, ending: Ending) -> Check:
         """Return what refuses contents of a field that are no such angle."""
 
         def checked(content: Any) -> Any:
@@ -26,7 +26,7 @@ class Angle(NamedTuple):
                 degrees = type(content) in (float, int) and RIGHT <= content < 90.0
                 hint = f"if {content:g} are degrees, give math.radians({content:g})" if degrees else ""
                 raise InvalidInput(
-                    f"{owner}: {field} is {shown(content)} rad; {ending(WITHIN.demand)}{f'; {hint}' * degrees}."
+                    f"{where} is {shown(content)} rad; {ending(WITHIN.demand)}{f'; {hint}' * degrees}."
                 )
             return content
 

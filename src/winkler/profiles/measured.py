@@ -61,8 +61,8 @@ class Measured(Shape):
     winkler.read_profile : reads a file with units, and folds a scan that crosses the apex.
     """
 
-    radii: Annotated[Array, Numbers(NON_NEGATIVE, most=4 * MEASURED_PLACES), FOLD]
-    heights: Annotated[Array, Numbers(most=4 * MEASURED_PLACES), Advice("remove points without a height")]
+    radii: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0, most=4 * MEASURED_PLACES), FOLD]
+    heights: Annotated[Array, Numbers(fewest=0, most=4 * MEASURED_PLACES), Advice("remove these points")]
 
     def __post_init__(self) -> None:
         if self.radii.size != self.heights.size:

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive, PositiveOfAnySize
+from winkler.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.values import value
@@ -31,7 +31,7 @@ class Paraboloid(Shape):
     H. Hertz, J. reine angew. Math. 92 (1881) 156-171, doi:10.1515/crll.1882.92.156
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
 
     @property
     def size(self) -> float:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.number_checks import Positive
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term
@@ -102,7 +102,7 @@ class TruncatedParaboloid(PowerPieces):
         b [m], positive.
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     flat_radius: Positive
 
     @property
@@ -125,7 +125,7 @@ class CappedParaboloid(PowerPieces):
         b [m], where the cap ends; the heights meet there, the slopes do not.
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     cap_curvature_radius: Positive
     cap_radius: Positive
 

@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.number_checks import Positive
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.sphere import shape_integral
@@ -49,7 +49,7 @@ class BallInSocket(Shape):
     (1.01, 0.01)
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     socket_radius: Positive
 
     def __post_init__(self) -> None:

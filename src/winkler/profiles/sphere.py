@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.profile import Shape
@@ -119,7 +119,7 @@ class Sphere(_Round):
     Paraboloid : the approximation behind Hertz' formulas; they meet for a << R.
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
 
     @property
     def _axes(self) -> tuple[float, float]:
@@ -158,7 +158,7 @@ class Hyperboloid(Shape):
         Of the cone it approaches, measured from the axis [rad], between 0 and pi/2.
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     half_angle: HalfAngle
 
     @property

@@ -21,7 +21,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import found_directions
 from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
-from winkler.number_checks import Advice, Numbers, PositiveOrInfinite
+from winkler.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -35,6 +35,11 @@ def _nothing() -> Array:
 
 
 LEAVE_OUT = Advice("give the points as they were taken, and leave out those without numbers")
+
+
+HELD = POSITIVE_OR_INFINITE._replace(
+    demand="it must be positive{unit}, or infinite where the position already is the travel of the tip"
+)
 
 
 @value
@@ -74,9 +79,7 @@ class ForceCurve:
 
     position: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
     force: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
-    machine_stiffness: Annotated[
-        PositiveOrInfinite, Advice("infinite where the position already is the travel of the tip")
-    ] = math.inf
+    machine_stiffness: Annotated[float, HELD] = math.inf
     time: Annotated[Array, Numbers(fewest=0, order="never falling"), LEAVE_OUT] = dataclasses.field(
         default_factory=_nothing
     )

@@ -22,7 +22,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.loading import Depth, Force
-from winkler.number_checks import Advice, PositiveOrInfinite
+from winkler.number_checks import POSITIVE_OR_INFINITE
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
@@ -40,7 +40,9 @@ ROUNDING = 1e-10
 """Part of the energies that meet in a jump by which their difference may come out negative."""
 
 
-FIXED_GRIPS = Advice("fixed grips are infinite; for a dead load give the path as Force([...])")
+HELD = POSITIVE_OR_INFINITE._replace(
+    demand="it must be positive{unit}, infinite for fixed grips; for a dead load give the path as Force([...])"
+)
 
 
 @value
@@ -89,7 +91,7 @@ class AdhesiveCycle:
     bed: Bed
     law: AdhesionLaw
     path: Depth | Force
-    machine_stiffness: Annotated[PositiveOrInfinite, FIXED_GRIPS] = math.inf
+    machine_stiffness: Annotated[float, HELD] = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE

@@ -12,7 +12,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
-from winkler.number_checks import Advice, NonNegativeOrInfinite
+from winkler.number_checks import Number
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.stability import branches_beyond
@@ -24,7 +24,9 @@ from winkler.values import value
 __all__ = ["MachineStiffness", "PullOff", "PullOffSolution"]
 
 
-MachineStiffness: TypeAlias = Annotated[NonNegativeOrInfinite, Advice("0 for a dead load, inf for fixed grips")]
+MachineStiffness: TypeAlias = Annotated[
+    float, Number("give 0 for a dead load, inf for fixed grips, or a positive number{unit}", 0.0)
+]
 """How much force a machine takes per length that it gives way [N/m]."""
 
 

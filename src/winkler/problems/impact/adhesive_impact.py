@@ -22,7 +22,7 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
-from winkler.number_checks import Advice, Positive
+from winkler.number_checks import Advice, Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
@@ -85,7 +85,7 @@ class AdhesiveImpact:
 
     bed: Bed
     law: Annotated[ShortRange, TOUCHING]
-    mass: Positive
+    mass: PositiveNotTiny
     velocity: Positive
     count: Moments = 201
 

@@ -20,7 +20,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
-from winkler.number_checks import Finite, NonNegative, Positive, PositiveOrInfinite
+from winkler.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
@@ -99,7 +99,7 @@ class Impact:
 
     bed: Bed
     law: Coulomb
-    mass: Positive
+    mass: PositiveNotTiny
     velocity: Positive
     lateral_velocity: Finite = 0.0
     angular_velocity: Finite = 0.0

@@ -369,5 +369,5 @@ def _filled(word: str, given: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise InvalidInput(f"Contacts: {word} has the shape {numbers.shape}; give {shape}, or one number for all.")
     if not np.all(np.isfinite(numbers)):
         raise InvalidInput(f"Contacts: {word} holds what is no finite number; give finite ones in SI units.")
-    refuse_size("Contacts", word, numbers)
+    refuse_size(f"Contacts: {word}", numbers)
     return np.ascontiguousarray(np.broadcast_to(numbers, shape))

@@ -21,7 +21,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
-from winkler.number_checks import NonNegative, Positive
+from winkler.number_checks import NonNegative, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.problems.collect_states import rows
 from winkler.problems.particles.elastic_plastic_march import March, Squeezed
@@ -87,7 +87,7 @@ class ElasticPlasticParticle:
     12.944
     """
 
-    curvature_radius: Positive
+    curvature_radius: PositiveNotTiny
     solid: Elastic
     path: Depth | Force
     work_opening: NonNegative = 0.0

@@ -12,7 +12,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.media.halfspace import HalfSpace
-from winkler.number_checks import Count, NonNegativeQuantity, PositiveQuantity, Whole
+from winkler.number_checks import NOT_TINY, Count, NonNegativeQuantity, Numbers, PositiveQuantity, Whole
 from winkler.numerics.springs.contact_kernels import impact_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array
@@ -84,9 +84,9 @@ class BallImpacts:
     """
 
     medium: HalfSpace
-    curvature_radius: PositiveQuantity
+    curvature_radius: Annotated[Array | float, Numbers(NOT_TINY, any_shape=True)]
     coefficient: NonNegativeQuantity
-    mass: PositiveQuantity
+    mass: Annotated[Array | float, Numbers(NOT_TINY, any_shape=True)]
     mobility: PositiveQuantity
     velocity: PositiveQuantity
     sliding_velocity: Array

@@ -25,7 +25,7 @@ from winkler.loading import Depth, Shift
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.number_checks import Advice, PositiveOrInfinite
+from winkler.number_checks import POSITIVE_OR_INFINITE, Advice
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesion.edge import Machine, adhesive_edge
@@ -79,6 +79,9 @@ class ViscoelasticAdhesionState:
     dissipation: float
 
 
+HELD = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
+
+
 @value
 class ViscoelasticAdhesion:
     """A body that sticks to rubber, pressed on and pulled off along a path.
@@ -128,7 +131,7 @@ class ViscoelasticAdhesion:
     bed: Bed
     law: Annotated[CrackLaw, Advice("laws that know no speed are those of AdhesiveCycle")]
     path: Path
-    machine_stiffness: Annotated[PositiveOrInfinite, Advice("infinite for fixed grips")] = math.inf
+    machine_stiffness: Annotated[float, HELD] = math.inf
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",

@@ -18,7 +18,7 @@ from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.limits import RELAXING_SPRINGS
-from winkler.number_checks import Positive, Whole, between
+from winkler.number_checks import Positive, PositiveNotTiny, Whole, between
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
@@ -87,7 +87,7 @@ class ViscoelasticImpact:
     """
 
     bed: Bed
-    mass: Positive
+    mass: PositiveNotTiny
     velocity: Positive
     count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
     tolerance: Annotated[float, between(1e-9, 0.1)] = 1e-5

@@ -22,7 +22,7 @@ from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
 from winkler.load_checks import OnePositiveNormal, OnePositiveSwing
 from winkler.loading import ShearForce
-from winkler.number_checks import NonNegativeQuantity
+from winkler.number_checks import FiniteQuantity
 from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import WORN
@@ -97,7 +97,7 @@ class FrettingWear:
     law: Sliding
     normal: OnePositiveNormal
     amplitude: OnePositiveSwing
-    cycles: NonNegativeQuantity
+    cycles: FiniteQuantity
     count: Cells = 400
     tolerance: WearTolerance = 1e-3
 

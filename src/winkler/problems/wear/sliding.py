@@ -17,7 +17,7 @@ import numpy as np
 from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear
 from winkler.load_checks import OnePositiveNormal
-from winkler.number_checks import Advice, NonNegativeQuantity
+from winkler.number_checks import Advice, FiniteQuantity
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
@@ -87,7 +87,7 @@ class SlidingWear:
     bed: Foundation
     wear: Annotated[Archard | OwnWear, ONE_BODY]
     normal: OnePositiveNormal
-    distance: NonNegativeQuantity
+    distance: FiniteQuantity
     count: Cells = 400
     tolerance: WearTolerance = 1e-3
 

@@ -3,12 +3,13 @@ r"""A height map: the heights of a surface on a rectangular grid, as an instrume
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.limits import HOLES
-from winkler.number_checks import PositiveRow, affordable
+from winkler.number_checks import POSITIVE, Advice, Numbers, affordable
 from winkler.numerics.types import Array, ArrayLike
 from winkler.physical_size import refuse_size
 from winkler.profiles.rough.spikes import Spikes
@@ -47,7 +48,7 @@ class Topography:
     """
 
     heights: Array
-    lengths: PositiveRow
+    lengths: Annotated[Array, Numbers(POSITIVE), Advice("two positive lengths in m")]
     periodic: bool = False
 
     def __post_init__(self) -> None:
@@ -65,7 +66,7 @@ class Topography:
             raise InvalidInput(f"Topography: lengths are {self.lengths!r}; give two positive lengths in m.")
         if np.any(np.isinf(heights)) or np.all(np.isnan(heights)):
             raise InvalidInput("Topography: heights are infinite, or all missing; give finite ones, nan for missing.")
-        refuse_size("Topography", "heights", heights)
+        refuse_size("Topography: heights", heights)
         object.__setattr__(self, "heights", frozen_array(heights))
 
     @property
