@@ -8,6 +8,7 @@ knows, and with the `Advice` beside the type: ``Annotated[Positive, Advice("leav
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
@@ -150,6 +151,8 @@ POISSON = Number(
 )
 ORDERS = {"": "", "rising": ", each above the one before", "never falling": " that never fall"}
 
+IN_ORDER = {"rising": operator.gt, "never falling": operator.ge}
+
 
 class Numbers(NamedTuple):
     """Numbers of one sort in a row, ``"rising"``, ``"never falling"`` or of no order, or in any shape."""
@@ -187,32 +190,34 @@ class Numbers(NamedTuple):
                 raise refused(f"has {numbers.size} number{'s' * (numbers.size > 1)}" if numbers.size else "is empty")
             affordable(where, "numbers", numbers.size, self.most)
             if numbers.size:
-                self._refuse_entries(numbers, refused)
-            refuse_size(where, numbers)
+                low, high = float(numbers.min()), float(numbers.max())
+                if not (self.each.admits(low) and self.each.admits(high)):  # undefined ones included
+                    raise refused(self._entries_refused(numbers))
+                if max(-low, high) > LARGEST:
+                    refuse_size(where, numbers)
+                if self.order and not (IN_ORDER[self.order](numbers[1:], numbers[:-1])).all():
+                    raise refused(self._step_refused(numbers))
             return numbers if numbers.ndim else content
 
         return checked
 
-    def _refuse_entries(self, numbers: NDArray[Any], refused: Callable[[str], InvalidInput]) -> None:
-        ends = float(numbers.min()), float(numbers.max())
-        if not all(map(self.each.admits, ends)):  # ends that are undefined included
-            bad = [place for place, number in enumerate(numbers.flat) if not self.each.admits(float(number))]
-            place = f" at index {', '.join(map(str, bad[:5]))}" if numbers.ndim else ""
-            raise refused(f"is {numbers.flat[bad[0]]}{place}{f' and {len(bad) - 5} more' if bad[5:] else ''}")
-        steps = np.diff(numbers) if self.order else numbers[:0]
-        if np.any(fall := steps <= 0.0 if self.order == "rising" else steps < 0.0):
-            place = int(np.argmax(fall))
-            at, after = numbers[place : place + 2]
-            verb = "does not rise" if self.order == "rising" else "falls"
-            raise refused(f"{verb} from index {place} ({at:.6g}) to the next ({after:.6g})")
+    def _entries_refused(self, numbers: NDArray[Any]) -> str:
+        bad = [place for place, number in enumerate(numbers.flat) if not self.each.admits(float(number))]
+        place = f" at index {', '.join(map(str, bad[:5]))}" if numbers.ndim else ""
+        return f"is {numbers.flat[bad[0]]}{place}{f' and {len(bad) - 5} more' if bad[5:] else ''}"
+
+    def _step_refused(self, numbers: NDArray[Any]) -> str:
+        place = int(np.argmin(IN_ORDER[self.order](numbers[1:], numbers[:-1])))
+        verb = "does not rise" if self.order == "rising" else "falls"
+        return f"{verb} from index {place} ({numbers[place]:.6g}) to the next ({numbers[place + 1]:.6g})"
 
 
 def _array_of_numbers(content: Any) -> NDArray[Any] | None:
     """Return real numbers as a read-only float array; None for anything else."""
-    if isinstance(content, np.ndarray) and content.dtype == float:
-        return content
     try:
         numbers = np.asarray(content)
+        if numbers.dtype == float and not numbers.flags.writeable:
+            return numbers
         if numbers.dtype.kind not in "iufO" and numbers.size:
             return None
         numbers = np.array(numbers, dtype=float)
