@@ -8,6 +8,7 @@ A type that says nothing of this, such as ``Any``, admits anything.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import types
 import typing
 from collections.abc import Callable
@@ -59,10 +60,10 @@ def _hints(cls: Any) -> dict[str, Any]:
             unknown[str(error.name)] = Any
 
 
+@functools.cache
 def numbers_taken(cls: type, field: str) -> Number | None:
     """Return which single numbers a field of a class takes; None if its type does not say so."""
-    hint = typing.get_type_hints(cls, include_extras=True)[field]
-    return next((item for item in _extras(hint) if isinstance(item, Number)), None)
+    return next((item for item in _extras(_hints(cls).get(field)) if isinstance(item, Number)), None)
 
 
 def _extras(hint: Any) -> tuple[Any, ...]:

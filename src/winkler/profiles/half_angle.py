@@ -25,9 +25,7 @@ class Angle(NamedTuple):
             if not WITHIN.admits(content):
                 degrees = type(content) in (float, int) and RIGHT <= content < 90.0
                 hint = f"if {content:g} are degrees, give math.radians({content:g})" if degrees else ""
-                raise InvalidInput(
-                    f"{where} is {shown(content)} rad; {ending(WITHIN.demand)}{f'; {hint}' * degrees}."
-                )
+                raise InvalidInput(f"{where} is {shown(content)} rad; {ending(WITHIN.demand)}{f'; {hint}' * degrees}.")
             return content
 
         return checked

@@ -89,7 +89,7 @@ class BallImpacts:
     mass: Annotated[Array | float, Numbers(NOT_TINY, any_shape=True)]
     mobility: PositiveQuantity
     velocity: PositiveQuantity
-    sliding_velocity: Array
+    sliding_velocity: Annotated[Array, Numbers(fewest=0, any_shape=True)]
     steps: Annotated[int, Whole(10)] = 200
     count: Count = 32
 
@@ -97,18 +97,17 @@ class BallImpacts:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
-        sliding = np.asarray(self.sliding_velocity, dtype=float)
-        if sliding.ndim != 2 or sliding.shape[1] != 2 or not np.all(np.isfinite(sliding)):
+        shape = np.shape(self.sliding_velocity)
+        if len(shape) != 2 or shape[1] != 2:
             raise InvalidInput(
-                f"BallImpacts: sliding_velocity has the shape {sliding.shape}; give finite numbers, (contacts, 2)."
+                f"BallImpacts: sliding_velocity has the shape {shape}; give finite numbers, (contacts, 2)."
             )
-        object.__setattr__(self, "sliding_velocity", sliding)
-        for word in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
-            numbers = np.asarray(getattr(self, word), dtype=float)
-            if numbers.shape not in ((), sliding.shape[:1]):
+        for name in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
+            given = np.shape(getattr(self, name))
+            if given not in ((), shape[:1]):
                 raise InvalidInput(
-                    f"BallImpacts: {word} has the shape {numbers.shape} for {sliding.shape[0]} contacts; give one "
-                    "number for each, or one for all."
+                    f"BallImpacts: {name} has the shape {given} for {shape[0]} contacts; give one number for each, or one "
+                    "for all."
                 )
 
     def solve(self) -> BallImpactsSolution:
