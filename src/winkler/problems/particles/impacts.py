@@ -106,8 +106,8 @@ class BallImpacts:
             given = np.shape(getattr(self, name))
             if given not in ((), shape[:1]):
                 raise InvalidInput(
-                    f"BallImpacts: {name} has the shape {given} for {shape[0]} contacts; give one number for each, or one "
-                    "for all."
+                    f"BallImpacts: {name} has the shape {given} for {shape[0]} contacts; give one number for each, "
+                    "or one for all."
                 )
 
     def solve(self) -> BallImpactsSolution:
