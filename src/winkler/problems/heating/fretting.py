@@ -23,7 +23,8 @@ from winkler.foundation.sheared_fields import sheared_surface
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.number_checks import Positive
-from winkler.numerics.fields.line_source import LineSource, projected
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.round_source import projected
 from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
