@@ -115,7 +115,8 @@ class Whole(NamedTuple):
     @property
     def demand(self) -> str:
         """What is allowed, in words."""
-        allowed = f", at least {self.least}" if self.most == math.inf else f" from {self.least} to {self.most}"
+        least = f"at least {self.least}" if self.least else "zero or positive"
+        allowed = f", {least}" if self.most == math.inf else f" from {self.least} to {self.most}"
         return f"give a whole number{f' of {self.what}' if self.what else ''}{allowed}"
 
     def check(self, where: str, ending: Ending) -> Check:

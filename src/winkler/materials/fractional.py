@@ -36,7 +36,7 @@ SLOW, FAST = 46.0, 5.0
 FractionalExponent: TypeAlias = Annotated[
     float,
     Number(f"give a number from {SLOWEST:g} to below 1", SLOWEST, 1.0, (1.0,)),
-    Advice("with a smaller one the modulus falls by less than 0.03 % in a decade of time, take Elastic"),
+    Advice(f"below {SLOWEST:g} the modulus falls by less than 0.03 % in a decade of time, take Elastic"),
 ]
 
 
