@@ -19,15 +19,13 @@ from numpy.typing import NDArray
 
 from winkler.contract import described, lacking, of_kinds
 from winkler.errors import InvalidInput
-from winkler.number_checks import Advice, Check, Ending, Number, ended
+from winkler.number_checks import COUNT_BITS, Advice, Check, Ending, Number, ended
 from winkler.physical_size import shown
 from winkler.vocabulary import word
 
 __all__ = ["Such", "checks_of", "numbers_taken"]
 
 WORDS = {float: "give a number", int: "give a whole number below 10^12", str: "give a text", bool: "give True or False"}
-COUNT_BITS = 40
-"""Bits of a whole number: nothing that is counted is counted further."""
 ARRAY = NDArray[Any]
 NO_NUMBERS = (str, bytes, complex, dict, set, object, type(None), bool)
 UNCHECKED = (Any, object, type, float, int, str, bool, bytes, tuple, list, dict, set, type(None), np.ndarray)
@@ -99,7 +97,7 @@ def _union(hint: Any) -> tuple[Any, ...]:
 
 
 def _ending(cls: type, field: str, advice: str) -> Ending:
-    """Return what completes the sentence of a refusal with the field's unit, asked for only then, and the advice."""
+    """Return what completes the sentence of a refusal with the field's unit, looked up only then, and the advice."""
 
     def ending(demand: str) -> str:
         try:

@@ -24,7 +24,7 @@ FAULTS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, R
 
 
 def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a solver that tells in one sentence if numbers left the range of floating-point numbers.
+    """Return a solver that says in one sentence if numbers left the range of floating-point numbers.
 
     Numbers that a solver expects to overflow it treats itself; any other overflow, division by zero or undefined
     number ends it.
@@ -39,7 +39,7 @@ def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def guarded_answer(answer: Callable[P, R]) -> Callable[P, R]:
-    """Return what tells something of a solution, its first argument, guarded as what has solved its problem."""
+    """Return a function of a solution, its first argument, guarded as what has solved its problem."""
 
     @functools.wraps(answer)
     def answered(*given: P.args, **named: P.kwargs) -> R:
@@ -67,7 +67,7 @@ def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterato
 
 
 def _known(answer: Any) -> Any:
-    """Return an answer none of whose numbers is undefined; compiled kernels do not tell of those they meet."""
+    """Return an answer none of whose numbers is undefined; compiled kernels say nothing of those they meet."""
     for field in dataclasses.fields(answer) if dataclasses.is_dataclass(answer) else ():
         inside = getattr(answer, field.name)
         if isinstance(inside, np.ndarray):

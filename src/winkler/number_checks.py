@@ -19,6 +19,7 @@ from winkler.errors import InvalidInput
 from winkler.physical_size import LARGEST, SMALLEST, refuse_size, shown
 
 __all__ = [
+    "COUNT_BITS",
     "FINITE",
     "NON_NEGATIVE",
     "NOT_TINY",
@@ -44,7 +45,6 @@ __all__ = [
     "PositiveOrInfinite",
     "PositiveQuantity",
     "PositiveRow",
-    "RisingRow",
     "Seed",
     "Whole",
     "affordable",
@@ -283,7 +283,6 @@ Count: TypeAlias = Annotated[int, Whole(1)]
 Seed: TypeAlias = Annotated[int, Whole(0)]
 FiniteRow: TypeAlias = Annotated[NDArray[Any], Numbers()]
 PositiveRow: TypeAlias = Annotated[NDArray[Any], Numbers(POSITIVE)]
-RisingRow: TypeAlias = Annotated[NDArray[Any], Numbers(order="rising")]
 FiniteQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(any_shape=True)]
 PositiveQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(POSITIVE, any_shape=True)]
 NonNegativeQuantity: TypeAlias = Annotated[float | NDArray[Any], Numbers(NON_NEGATIVE, any_shape=True)]
