@@ -104,6 +104,7 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     raise TypeError(f"{owner.__name__}.{field}: a study file cannot hold {hint}.")
 
 
+@functools.cache
 def allowed_kinds(hint: Any) -> tuple[str, ...]:
     """Return the kinds that may stand where a class asks for `hint`; none if it does not ask for one."""
     if hint in SLOTS:
