@@ -7,6 +7,7 @@ what is stale is never used; see `winkler.numerics.jit`.
 
 from __future__ import annotations
 
+import gc
 import os
 import tempfile
 from pathlib import Path
@@ -31,6 +32,12 @@ def pytest_configure(config: pytest.Config) -> None:
             fresh = tempfile.TemporaryDirectory(prefix="winkler-numba-")
             config.add_cleanup(fresh.cleanup)
             os.environ["NUMBA_CACHE_DIR"] = fresh.name
+
+
+def pytest_collection_finish() -> None:
+    """Look no more for garbage among some ten thousand collected tests and what they imported: each look takes long."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")
