@@ -26,11 +26,9 @@ def numbers_of(content):
     return {name.split(" ")[0]: [row[name] for row in rows] for name in rows[0]}
 
 
-@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind != "indentation"] + ["indentation"])
+@pytest.mark.parametrize("kind", CATALOGUE["problem"])
 def test_from_opening_to_a_result(kind, seen):
-    seen.choose("problem", kind)
-    seen.busy()
-    seen.settled()
+    seen.turn_to(kind)
     pictures = seen.page.locator("[data-picture] .main-svg").count()
     sheets = seen.page.locator(".sheets figure svg").count()
     assert pictures + sheets >= 1
@@ -50,6 +48,7 @@ def test_from_opening_to_a_result(kind, seen):
 
 
 def test_files_to_take_along(seen):
+    seen.turn_to("indentation")
     report = seen.taken("report").decode("utf-8")
     assert "<h1>" in report
     assert "What came out" in report

@@ -150,7 +150,7 @@ def test_wide_punches_squeeze_an_incompressible_film_like_a_liquid():
     assert first[2] == pytest.approx(0.5 * first[1], rel=0.05)
 
 
-@pytest.mark.parametrize("poisson", [0.0, 0.3, 0.45])
+@pytest.mark.parametrize("poisson", [0.0, 0.3, pytest.param(0.45, marks=pytest.mark.slow)])
 def test_wide_punches_compress_a_film_like_a_bed(poisson):
     """k = pi a^2 E (1 - nu) / ((1 + nu)(1 - 2 nu) h), Johnson section 5.8; more by parts of h / a."""
     modulus = (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
