@@ -92,7 +92,7 @@ def test_study(study, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     output = tmp_path / "answer"
     command = "fit" if "\n[fit]\n" in study.read_text(encoding="utf-8") else "run"
-    assert main([command, str(study), "--output", str(output)]) == 0, capsys.readouterr()
+    assert main([command, str(study), "--output", str(output), "--workers", "1"]) == 0, capsys.readouterr()
     report = list(output.rglob("report.html"))
     assert report, f"no report.html in {sorted(path.name for path in output.rglob('*'))}"
     assert all(path.stat().st_size > 0 for path in output.rglob("*") if path.is_file())
