@@ -91,7 +91,6 @@ class Seen:
         self.page.on("console", self._overheard)
         self.page.goto(address)
         self.settled()
-        self.kind = "indentation"
 
     def _overheard(self, message):
         if "Content Security Policy" in message.text:
@@ -119,14 +118,6 @@ class Seen:
         """Choose a kind at a place of the form."""
         self.page.locator(f'[data-choice="{path}"]').first.click()
         self.page.get_by_role("option", name=name.replace("_", " "), exact=True).click()
-
-    def turn_to(self, kind):
-        """Choose a problem, if it is not the one that is shown, and wait for its answer."""
-        if kind != self.kind:
-            self.choose("problem", kind)
-            self.busy()
-            self.settled()
-            self.kind = kind
 
     def type(self, path, text):
         """Write into a field."""

@@ -26,9 +26,11 @@ def numbers_of(content):
     return {name.split(" ")[0]: [row[name] for row in rows] for name in rows[0]}
 
 
-@pytest.mark.parametrize("kind", CATALOGUE["problem"])
+@pytest.mark.parametrize("kind", [kind for kind in CATALOGUE["problem"] if kind != "indentation"] + ["indentation"])
 def test_from_opening_to_a_result(kind, seen):
-    seen.turn_to(kind)
+    seen.choose("problem", kind)
+    seen.busy()
+    seen.settled()
     pictures = seen.page.locator("[data-picture] .main-svg").count()
     sheets = seen.page.locator(".sheets figure svg").count()
     assert pictures + sheets >= 1
@@ -48,7 +50,6 @@ def test_from_opening_to_a_result(kind, seen):
 
 
 def test_files_to_take_along(seen):
-    seen.turn_to("indentation")
     report = seen.taken("report").decode("utf-8")
     assert "<h1>" in report
     assert "What came out" in report
