@@ -25,6 +25,7 @@ __all__ = [
     "middle_scale",
     "places",
     "pretty_unit",
+    "round_numbers",
     "scale_of",
     "series",
     "spoken",
@@ -228,3 +229,21 @@ def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start
         turn = (np.arange(share) + 0.5) / share
         pieces.append(low + (high - low) * np.sin(0.5 * np.pi * turn) ** 2)
     return np.concatenate(pieces)
+
+
+STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+
+
+def round_numbers(low: float, high: float, parts: int) -> Array:
+    """Return round numbers that enclose a range, about so many parts apart.
+
+    Examples
+    --------
+    >>> round_numbers(0.0, 7.3, 5)
+    array([0., 2., 4., 6., 8.])
+    """
+    least = (high - low) / parts
+    power = 10.0 ** math.floor(math.log10(least))
+    step = power * next((one for one in STEPS if one * power >= least * (1.0 - 1e-12)), STEPS[-1])
+    first, last = math.floor(low / step * (1.0 + 1e-12)), math.ceil(high / step * (1.0 - 1e-12))
+    return step * np.arange(first, last + 1)
