@@ -68,7 +68,7 @@ def relaxing_loop(item: AnyFit, some: Array | None = None) -> Panel:
     return Panel(tuple(marks), across, Axis.of(force, common_scale(_of(force, near), _of(model, near)), margin=0.06))
 
 
-def _outside(item: ViscoelasticFit | CreepFit) -> Array:
+def _outside(item: AnyFit) -> Array:
     """Return the part of the force that the contact does not bear, as far as it is one number [N]."""
     return np.full(item.curve.count, item.value("baseline") if "baseline" in item.names else 0.0)
 

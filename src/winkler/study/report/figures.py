@@ -15,7 +15,7 @@ from winkler.numerics.types import Array
 from winkler.plot import sheet_of
 from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_sheet, family_sheet
-from winkler.plot.method import PICTURES, Contact, method_sheet, pictures_of
+from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, spoken
 from winkler.plot.sheets import SHEETS
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
@@ -79,13 +79,13 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     """Return every figure of a study, the answers over what was varied first."""
     found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
-    wanted = pictures_of(contact) if contact is not None else ()
+    if contact is None:
+        return tuple(found)
+    wanted = pictures_of(contact)
     if shown_point(outcome).answer_type in SHEETS:  # its own picture has F(d), as the edge came here
         wanted = tuple(name for name in wanted if name != "force")
     captions = CAPTIONS | (STUCK if isinstance(contact, AdhesiveSolution) else {})
-    for name in PICTURES if contact is not None else ():
-        if name not in wanted:
-            continue
+    for name in wanted:
         try:
             found.append(drawn(name, *captions[name], method_sheet(name, contact)))
         except WinklerError as error:
