@@ -33,8 +33,9 @@ from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Panel, Sheet, note
 from winkler.plot.series import told
-from winkler.problems.adhesion.edge_states import FarStates, states_of
+from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import IndentationSolution
 
 __all__ = ["PICTURES", "Contact", "bed_panels", "headline", "line_load", "method_sheet", "pictures_of", "pressure"]

@@ -15,9 +15,9 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Axis, Line, Panel, Rule, note, zero
 from winkler.plot.series import series
-from winkler.problems.adhesion.edge_states import states_of
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOffSolution
 
 __all__ = ["around_panel", "curve_around", "equilibrium_panel", "pull_off_panel", "radii_panel"]
