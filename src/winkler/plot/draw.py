@@ -50,7 +50,7 @@ from winkler.plot.medium import (
     stiffness_words,
     typical_width,
 )
-from winkler.plot.method import Contact, bed_panels, headline
+from winkler.plot.method import Contact, bed_panels
 from winkler.plot.normal.body import body_panel, contact_panel
 from winkler.plot.normal.curves import (
     curve_panel,
@@ -66,6 +66,7 @@ from winkler.plot.normal.springs import at_first_touch, springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Line, Panel, Sheet, note, titled
 from winkler.plot.particles.elastic_plastic import particle_sheet
+from winkler.plot.series import headline
 from winkler.plot.sheets import SHEETS, contact_sheet
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution

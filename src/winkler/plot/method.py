@@ -32,26 +32,16 @@ from winkler.plot.normal.curves import (
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Panel, Sheet, note
-from winkler.plot.series import told
 from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["PICTURES", "Contact", "bed_panels", "headline", "line_load", "method_sheet", "pictures_of", "pressure"]
+__all__ = ["PICTURES", "Contact", "bed_panels", "line_load", "method_sheet", "pictures_of", "pressure"]
 
 
 Contact = IndentationSolution | AdhesiveSolution
 """What the pictures show: a solution for one load."""
-
-
-def headline(solution: Any) -> str:
-    """Return depth, force and contact radius in one line."""
-    parts = [
-        f"${symbol}$ = {told(float(getattr(solution, name)), unit)}"
-        for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
-    ]
-    return "   ".join(parts)
 
 
 def bed_panels(bed: Bed, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:

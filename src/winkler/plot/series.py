@@ -22,6 +22,7 @@ __all__ = [
     "Scale",
     "Series",
     "common_scale",
+    "headline",
     "middle_scale",
     "places",
     "pretty_unit",
@@ -144,6 +145,15 @@ def told(number: float, unit: str | None, digits: int = 4) -> str:
         power = str(int(exponent.replace("−", "-"))).translate(SUPERSCRIPT)
         text = f"{mantissa}·10{power}"
     return f"{text}{'' if scale.unit == '°' else ' '}{scale.unit}".rstrip()
+
+
+def headline(solution: Any) -> str:
+    """Return depth, force and contact radius in one line."""
+    parts = [
+        f"${symbol}$ = {told(float(getattr(solution, name)), unit)}"
+        for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
+    ]
+    return "   ".join(parts)
 
 
 def spoken(name: str) -> str:

@@ -12,11 +12,11 @@ from winkler.plot.adhesion.cycles import cycle_panels, sheared_panels
 from winkler.plot.adhesion.equilibria import around_panel, equilibrium_panel, pull_off_panel, radii_panel
 from winkler.plot.extent import around
 from winkler.plot.medium import body_is_known, stiffness_panel
-from winkler.plot.method import headline, line_load, pressure
+from winkler.plot.method import line_load, pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.panel import Panel, Sheet, note, titled
-from winkler.plot.series import told
+from winkler.plot.series import headline, told
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution

@@ -30,9 +30,8 @@ from winkler.plot.friction.curves import (
 )
 from winkler.plot.friction.springs import dragged_panel
 from winkler.plot.friction.stress import body_stress_panel, dragged_stress_panel
-from winkler.plot.method import headline
 from winkler.plot.panel import Axis, Line, Panel, Sheet, note, titled, zero
-from winkler.plot.series import Series, places, scale_of, series, told
+from winkler.plot.series import Series, headline, places, scale_of, series, told
 from winkler.problems.friction.spring_states import SpringState
 from winkler.problems.friction.tangential import TangentialSolution
 from winkler.problems.friction.tangential_states import TangentialState
