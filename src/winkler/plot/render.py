@@ -42,7 +42,8 @@ def render(sheet: Sheet) -> Picture:
     columns, rows = _counts(sheet)
     with styled():
         figure = empty_figure(sheet.width * columns, sheet.height * rows)
-        _lay(figure, figure.add_gridspec(1, 1)[0], sheet)
+        for axes, panel in _laid(figure, figure.add_gridspec(1, 1)[0], sheet):
+            fill_axes(axes, panel)
         if sheet.title:
             figure.suptitle(sheet.title)
         if sheet.below:
@@ -56,24 +57,25 @@ def _counts(sheet: Sheet) -> tuple[int, int]:
     return columns, -(-len(sheet.panels) // columns)
 
 
-def _lay(figure: Picture, place: Any, sheet: Sheet) -> None:
-    """Lay panels, and sheets inside a sheet, on a grid."""
+def _laid(figure: Picture, place: Any, sheet: Sheet) -> list[tuple[Axes, Panel]]:
+    """Return empty axes on a grid for the panels of a sheet, and of the sheets inside it."""
     columns, rows = _counts(sheet)
     grid = place.subgridspec(rows, columns, width_ratios=sheet.widths or None, height_ratios=sheet.heights or None)
-    made: list[Axes] = []
+    found: list[tuple[Axes, Panel]] = []
     for number, panel in enumerate(sheet.panels):
+        here = grid[number // columns, number % columns]
         if isinstance(panel, Sheet):
-            _lay(figure, grid[number // columns, number % columns], panel)
+            found += _laid(figure, here, panel)
         elif panel is not None:
-            share = {f"share{sheet.shared}": made[0]} if sheet.shared and made else {}
-            made.append(figure.add_subplot(grid[number // columns, number % columns], **share))
-            fill_axes(made[-1], panel)
+            share = {f"share{sheet.shared}": found[0][0]} if sheet.shared and found else {}
+            found.append((figure.add_subplot(here, **share), panel))
             if sheet.shared == "y" and number % columns:
-                made[-1].tick_params(labelleft=False)
+                found[-1][0].tick_params(labelleft=False)
     if sheet.shared == "x":
-        for axes in made[:-1]:
+        for axes, _ in found[:-1]:
             axes.tick_params(labelbottom=False)
-        figure.align_ylabels(made)
+        figure.align_ylabels([axes for axes, _ in found])
+    return found
 
 
 def fill_axes(axes: Axes, panel: Panel) -> None:

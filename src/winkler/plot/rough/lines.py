@@ -92,9 +92,9 @@ def contour_sheet(item: NearlyRoundSolution, *, extent: float | None = None) -> 
     lines = []
     for place, contour in enumerate(shown):
         colour = style.shade(0.25 + 0.7 * (place + 1) / len(shown))
-        lines.append(Line(*_closed(_rounded(contour)), colour))
+        lines.append(Line(*_places(_rounded(contour), closed=True), colour))
         if contour.size <= TURNS // 8:
-            lines.append(Line(*_closed(contour), colour, width=0.0, marker="o", size=3.5))
+            lines.append(Line(*_places(contour), colour, width=0.0, marker="o", size=3.5))
     scale = scale_of("m", shown)
     axes = plane(scale, margin=0.08)
     panels = [Panel(tuple(lines), *axes, title="contour of the contact", equal=True)]
@@ -103,11 +103,11 @@ def contour_sheet(item: NearlyRoundSolution, *, extent: float | None = None) -> 
     return Sheet(tuple(panels), height=3.6)
 
 
-def _closed(radii: Array) -> tuple[Array, Array]:
-    """Return x and y of a contour, back to its first point."""
+def _places(radii: Array, *, closed: bool = False) -> tuple[Array, Array]:
+    """Return x and y of a contour; `closed`: back to its first point."""
     turns = np.linspace(0.0, 2.0 * math.pi, radii.size + 1)
-    around = np.append(radii, radii[0])
-    return around * np.cos(turns), around * np.sin(turns)
+    x, y = np.append(radii, radii[0]) * np.array([np.cos(turns), np.sin(turns)])
+    return (x, y) if closed else (x[:-1], y[:-1])
 
 
 @sheet_of.register(EllipticSolution)
