@@ -19,6 +19,7 @@ FEW = 60
 """More points than these are not shown one by one."""
 CROWDED = 5.0
 """Over more decades than these not each of them is labelled."""
+MARGIN = 0.08
 LEAST = 1e-4
 """A logarithmic axis ends at this part of the greatest number."""
 
@@ -53,10 +54,11 @@ def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = ""
     crowded = np.ptp(np.log10(along.content)) > CROWDED
     across = Axis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
     greatest = float(np.max(contents))
-    ends: dict[str, Any] = {} if float(np.min(contents)) < 0.0 else {"low": 0.0}
+    fitted = float(np.min(contents)) - MARGIN * float(np.ptp(contents))
+    ends: dict[str, Any] = {"low": 0.0} if fitted > 0.0 else {}
     if spans_decades(contents):
         lowest = max(0.7 * float(np.min(contents)), LEAST * greatest)
         ends = {"low": lowest, "high": 1.5 * greatest, "log": True, "plain": True}
-    upright = Axis.of(quantities[0].of, middle_scale(quantities[0].of.word.unit, contents), margin=0.08, **ends)
+    upright = Axis.of(quantities[0].of, middle_scale(quantities[0].of.word.unit, contents), margin=MARGIN, **ends)
     upright = dataclasses.replace(upright, label=label) if label else upright
     return Panel(tuple(marks), across, upright, legend="best" if len(quantities) > 1 else "")

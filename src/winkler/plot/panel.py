@@ -296,8 +296,12 @@ class Map:
         Which ends of the colours stand for all beyond: ``min``, ``max``, ``both``, ``neither``.
     place
         Of the colour bar: ``inset`` beside the panel, ``beside``, or none.
-    shrink
-        Height of the colour bar in that of the panel.
+    shrink, pad
+        Height of the colour bar in that of the panel, and its distance.
+    ground
+        Colour where nothing is known.
+    centres
+        x and y of the middles of cells, for lines between them.
     """
 
     x: Array
@@ -317,6 +321,7 @@ class Map:
     shrink: float = 1.0
     pad: float | None = None
     ground: str = ""
+    centres: tuple[Any, ...] = ()
 
 
 @value

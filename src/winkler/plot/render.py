@@ -42,7 +42,7 @@ def render(sheet: Sheet) -> Picture:
     columns, rows = _counts(sheet)
     with styled():
         figure = empty_figure(sheet.width * columns, sheet.height * rows)
-        for axes, panel in _laid(figure, figure.add_gridspec(1, 1)[0], sheet):
+        for axes, panel in _laid(figure, figure.add_gridspec, sheet):
             fill_axes(axes, panel)
         if sheet.title:
             figure.suptitle(sheet.title)
@@ -57,15 +57,15 @@ def _counts(sheet: Sheet) -> tuple[int, int]:
     return columns, -(-len(sheet.panels) // columns)
 
 
-def _laid(figure: Picture, place: Any, sheet: Sheet) -> list[tuple[Axes, Panel]]:
+def _laid(figure: Picture, divided: Callable[..., Any], sheet: Sheet) -> list[tuple[Axes, Panel]]:
     """Return empty axes on a grid for the panels of a sheet, and of the sheets inside it."""
     columns, rows = _counts(sheet)
-    grid = place.subgridspec(rows, columns, width_ratios=sheet.widths or None, height_ratios=sheet.heights or None)
+    grid = divided(rows, columns, width_ratios=sheet.widths or None, height_ratios=sheet.heights or None)
     found: list[tuple[Axes, Panel]] = []
     for number, panel in enumerate(sheet.panels):
         here = grid[number // columns, number % columns]
         if isinstance(panel, Sheet):
-            found += _laid(figure, here, panel)
+            found += _laid(figure, here.subgridspec, panel)
         elif panel is not None:
             share = {f"share{sheet.shared}": found[0][0]} if sheet.shared and found else {}
             found.append((figure.add_subplot(here, **share), panel))
@@ -330,16 +330,12 @@ def _map(axes: Axes, mark: Map, across: float, upright: float) -> None:
     if mark.line_width:
         levels = mark.lines / factor if isinstance(mark.lines, np.ndarray) else shown.levels[0 if mark.lines else 1 :]
         look: Any = {"colors": mark.line_colour, "linewidths": mark.line_width, "alpha": mark.line_alpha}
-        axes.contour(_middles(x, z.shape[-1]), _middles(y, z.shape[0]), z, levels=levels, **look)
+        x, y = (mark.centres[0] / across, mark.centres[1] / upright) if mark.centres else (x, y)
+        axes.contour(x, y, z, levels=levels, **look)
     if mark.ground:
         axes.set_facecolor(mark.ground)
     if mark.place:
         _colour_bar(axes, mark, shown)
-
-
-def _middles(places: Any, count: int) -> Any:
-    """Return the middles of cells that are given by their edges."""
-    return 0.5 * (places[1:] + places[:-1]) if places.ndim == 1 and places.size == count + 1 else places
 
 
 def _colour_bar(axes: Axes, mark: Map, shown: Any) -> None:

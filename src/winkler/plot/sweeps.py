@@ -50,6 +50,7 @@ def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
         lines=_levels(content, bar.log) if varies else (),
         line_colour="black",
         line_width=0.5 if varies else 0.0,
+        centres=(along.content[across], up.content[above]),
     )
     return Sheet((Panel((shown,), x, y, grid=""),), width=4.8, height=3.9)
 

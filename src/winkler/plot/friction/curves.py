@@ -75,7 +75,9 @@ def lost_words(lost: float, path: Array, load: Array) -> str:
     return f"lost on the way: {told(lost, 'J')}" if lost > ROUNDING * most else "nothing lost"
 
 
-def lines_panel(along: Series, lines: list[tuple[Series, str]], label: str, low: float | None = None) -> Panel:
+def lines_panel(
+    along: Series, lines: list[tuple[Series, str]], label: str, low: float | None = None, *, log: bool = False
+) -> Panel:
     """Return several quantities of one unit over one, told apart by colour and dashes.
 
     Parameters
@@ -87,8 +89,10 @@ def lines_panel(along: Series, lines: list[tuple[Series, str]], label: str, low:
         What they are, without a unit.
     low : float, optional
         Where the upright axis begins [SI].
+    log : bool, optional
+        Whether the upright axis is logarithmic.
     """
-    marks: list[Any] = [zero()]
+    marks: list[Any] = [] if log else [zero()]
     bounded = any(name in BOUNDS for _, name in lines)
     for place, (line, name) in enumerate(lines):
         content = np.where(np.isfinite(line.content), line.content, np.nan)
@@ -99,7 +103,7 @@ def lines_panel(along: Series, lines: list[tuple[Series, str]], label: str, low:
     names = [name for _, name in lines if not name.startswith("_")]
     columns = 3 if bounded else len(names) if sum(map(len, names)) <= LETTERS else 2
     room = 0.2 if len(lines) > 1 else 0.0
-    upright = Axis(label, common_scale(*(line for line, _ in lines)), low=low, margin=0.08, headroom=room)
+    upright = Axis(label, common_scale(*(line for line, _ in lines)), low=low, margin=0.08, headroom=room, log=log)
     legend: dict[str, Any] = {"legend": "upper center" if len(lines) > 1 else "", "columns": columns, "spaced": True}
     return Panel(tuple(marks), Axis.of(along, margin=0.0), upright, **legend)
 

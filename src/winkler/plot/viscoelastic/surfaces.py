@@ -140,9 +140,8 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None =
     refuse_extent(item, extent)
     time = _series(item, "time")
     opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
-    speed = lines_panel(time, [(series(type(item), "crack_speed", opening), "")], "speed of the edge")
-    if np.any(item.crack_speed > 0.0):
-        speed = speed.plus(upright=dataclasses.replace(speed.upright, log=True))
+    edge, opens = series(type(item), "crack_speed", opening), bool(np.any(item.crack_speed > 0.0))
+    speed = lines_panel(time, [(edge, "")], "speed of the edge", log=opens)
     panels = (
         loop_panel(_series(item, "position"), _series(item, "force"), float(item.dissipation[-1])),
         depth_and_radius(item),
