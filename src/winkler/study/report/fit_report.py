@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from winkler.fitting.outcome import Fit
-from winkler.plot import draw
-from winkler.plot.fitting.fits import Grid, map_picture, numbers_picture
+from winkler.plot import sheet_of
+from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
 from winkler.plot.series import Series, spoken, told
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -65,11 +65,9 @@ def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
         stem = _stem(free)
         if isinstance(grid, Grid):
             sentence = "Over the sample; grey where a curve has no answer."
-            yield drawn(f"map_{stem}", f"Map: {spoken(of.name)}", sentence, map_picture(grid, of))
+            yield drawn(f"map_{stem}", f"Map: {spoken(of.name)}", sentence, map_sheet(grid, of))
         sentence = "Every curve with its standard error, and how often each value occurs."
-        yield drawn(
-            f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_picture(of, outcome.errors(free))
-        )
+        yield drawn(f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_sheet(of, outcome.errors(free)))
 
 
 def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
@@ -83,7 +81,7 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
                 "Left the curve and the fitted model over time, below what is left over; right the force over the "
                 "depth, and the relaxation with its 95 % interval, grey where the curve cannot tell it."
             )
-        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, draw(result.fit))
+        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, sheet_of(result.fit))
 
 
 def _stem(free: Free) -> str:
