@@ -16,7 +16,7 @@ import pytest
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 SCRIPTS = sorted(EXAMPLES.rglob("*.py"))
-STUDIES = sorted((EXAMPLES / "studies").glob("*.toml"))
+STUDIES = sorted((EXAMPLES / "studies").rglob("*.toml"))
 
 
 def start(arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:

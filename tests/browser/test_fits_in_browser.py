@@ -51,7 +51,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     seen.page.locator('[data-picture="fit"] .main-svg').first.wait_for()
     seen.shot("fit_gel")
 
-    asked = read_fit_study(EXAMPLES / "studies" / "fit_gel.toml")
+    asked = read_fit_study(EXAMPLES / "studies" / "fitting" / "fit_gel.toml")
     fit = fit_study(asked).fitted[0].fit
     told = rows_of(seen.taken("csv"))
     for free in asked.free:

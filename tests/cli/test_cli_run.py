@@ -377,7 +377,8 @@ LONG = STUDY + '\n[sweep]\n"problem.load.force" = { from = "1 N", to = "2 N", co
     ],
 )
 def test_signals_stop_a_run_cleanly(sign, code, told, here):
-    """Those of a whole group of processes, workers too; for one process see tests/hardening/processes/test_killed_runs.py."""
+    """Those of a whole group of processes, workers too; for one process see
+    tests/hardening/processes/test_killed_runs.py."""
     (here / "long.toml").write_text(LONG, encoding="utf-8")
     words = [sys.executable, "-m", "winkler.cli", "run", "long.toml", "--workers", "2"]
     run = subprocess.Popen(

@@ -39,7 +39,7 @@ def room(tmp_path):
 
 def gel_table():
     """The study of the example, with the curve beside it as an upload lies there."""
-    table = parsed((EXAMPLES / "studies" / "fit_gel.toml").read_text(encoding="utf-8"), "fit_gel.toml")
+    table = parsed((EXAMPLES / "studies" / "fitting" / "fit_gel.toml").read_text(encoding="utf-8"), "fit_gel.toml")
     form.put(table, "fit.curve", "gel_bead.csv")
     return table
 

@@ -5,15 +5,16 @@ from winkler.caches import with_fonts
 
 with_fonts()
 
-# sheets that tell draw() themselves what they draw
-from winkler.plot import restored
-from winkler.plot.conduction import constriction, fields, spots
+# imported so that draw() knows what they draw
+from winkler.plot import restored  # noqa: F401
+from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
 from winkler.plot.draw import draw
-from winkler.plot.heating import heating
-from winkler.plot.rolling import rolling
-from winkler.plot.rough import lines, roughness, surfaces
-from winkler.plot.viscoelastic import contacts, fits, material_tests, solids
-from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces
-from winkler.plot.wear import wear
+from winkler.plot.heating import heating  # noqa: F401
+from winkler.plot.rolling import rolling  # noqa: F401
+from winkler.plot.rough import lines, roughness  # noqa: F401
+from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
+from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
+from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
+from winkler.plot.wear import wear  # noqa: F401
 
 __all__ = ["draw"]

@@ -55,5 +55,5 @@ def test_the_package_loads_nothing_before_signals_are_heard():
 
 
 def test_the_installed_command_begins_there():
-    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    project = tomllib.loads((Path(__file__).parents[3] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert project["scripts"] == {"winkler": "winkler.__main__:main"}

@@ -237,7 +237,7 @@ def test_a_body_of_rotation_of_too_many_places(tmp_path):
 
 
 def test_the_manual_tells_the_limits():
-    page = (Path(__file__).parents[2] / "docs" / "exchange.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[3] / "docs" / "exchange.md").read_text(encoding="utf-8")
     told = {int(number) for number in re.findall(r"\d+", page.partition("| at most |")[2])}
     units = dict.fromkeys(("TEXT_BYTES", "STUDY_BYTES", "FILE_BYTES", "READING_BYTES"), 10**6)
     inner = {"LIST_BYTES", "UNIT_LETTERS", "MEASURED_PLACES", "SLOWEST"}

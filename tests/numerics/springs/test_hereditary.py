@@ -161,7 +161,7 @@ def test_forces_there_and_back_give_the_motion():
 
 
 def test_no_profile_is_followed_beyond_what_is_known_of_it():
-    table_of = FilePath(__file__).parents[2] / "examples" / "data" / "measured_tip.csv"
+    table_of = FilePath(__file__).parents[3] / "examples" / "data" / "measured_tip.csv"
     tip = wk.read_profile(table_of)
     one = wk.Foundation(tip, ViscoelasticHalfSpace(SLS))
     with pytest.raises(wk.OutsideValidity, match="nothing is known of the profile"):

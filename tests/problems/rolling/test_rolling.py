@@ -32,7 +32,7 @@ from winkler.validity import Standing
 
 MU = 0.3
 FRICTION = Coulomb(MU)
-CONTACT = Path(__file__).parents[2] / "examples" / "data" / "contact_creep_circle.csv"
+CONTACT = Path(__file__).parents[3] / "examples" / "data" / "contact_creep_circle.csv"
 
 
 def ball(poisson: float = 0.25, profile=None) -> Foundation:

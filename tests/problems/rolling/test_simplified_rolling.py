@@ -27,7 +27,7 @@ from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.reference.rolling import cubic_creep_force, simplified_creep_force
 
 MU = 0.3
-CONTACT = Path(__file__).parents[2] / "examples" / "data" / "contact_creep_circle.csv"
+CONTACT = Path(__file__).parents[3] / "examples" / "data" / "contact_creep_circle.csv"
 UNIT = 3.0 * math.pi / 16.0
 """What a strip gains per length on the unit disc at tau = 1."""
 

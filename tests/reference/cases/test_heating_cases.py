@@ -17,7 +17,7 @@ from winkler.reference.heating import (
     uniform_heat_temperature,
 )
 
-CASES = Path(__file__).resolve().parents[2] / "src" / "winkler" / "cases"
+CASES = Path(__file__).resolve().parents[3] / "src" / "winkler" / "cases"
 RADIUS, LAMBDA, KAPPA = 1e-4, 45.0, 12e-6
 FORCE = 4.0 / 3.0 * 210e9 / (2.0 * (1.0 - 0.09)) * RADIUS**3 / 10e-3
 

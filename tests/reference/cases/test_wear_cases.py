@@ -8,7 +8,7 @@ import pytest
 
 from winkler.reference.wear import cap_radius, limiting_force, limiting_height, punch_bulge
 
-CASES = Path(__file__).resolve().parents[2] / "src" / "winkler" / "cases"
+CASES = Path(__file__).resolve().parents[3] / "src" / "winkler" / "cases"
 
 
 def expected(case):

@@ -75,7 +75,7 @@ def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, count
 
 def test_a_fit_with_adhesion_and_corrections_comes_back(root, tmp_path):
     """Fits of bodies that relax do, too: test_relaxing_fit_study.py."""
-    study = read_fit_study(root / "examples" / "studies" / "fit_sticky.toml")
+    study = read_fit_study(root / "examples" / "studies" / "fitting" / "fit_sticky.toml")
     todo = fit_run.pieces(study)
     _, fresh = kept(tmp_path / "x", study, todo)
     known, _ = kept(tmp_path / "x", study, todo)

@@ -139,7 +139,7 @@ def test_how_long_a_cluster_may_be_without_a_worker_is_told():
     option = typing.get_type_hints(cli_run, include_extras=True)["cluster"].__metadata__[0]
     assert "given up after 60 s without a worker" in option.help
     for page in ("sweeps.md", "command-line.md"):
-        text = (Path(__file__).parents[2] / "docs" / page).read_text(encoding="utf-8")
+        text = (Path(__file__).parents[3] / "docs" / page).read_text(encoding="utf-8")
         assert "60 s without" in " ".join(text.split())
     for wrong in (0.0, -1.0, math.inf, math.nan):
         with pytest.raises(InvalidInput, match="it must be a positive time in s"):

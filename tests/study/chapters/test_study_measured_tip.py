@@ -31,7 +31,7 @@ def test_the_script_makes_the_file(root, tmp_path):
 
 def test_the_study_finds_the_tip_behind_the_scatter(root):
     """Depths agree with the known geometry to the scatter of the points, 0.2 nm."""
-    study = dataclasses.replace(read_study(root / "examples" / "studies" / "measured_tip.toml"), fields=Fields())
+    study = dataclasses.replace(read_study(root / "examples/studies/normal/measured_tip.toml"), fields=Fields())
     outcome = run(study)
     assert outcome.failed == ()
     tip = wk.SpheroConical(curvature_radius=120e-9, half_angle=math.radians(35.0))

@@ -175,7 +175,7 @@ def test_a_report_says_what_cannot_be_shown(name):
 
 
 def test_the_study_of_three_layers_lies_between_its_layer_and_its_stiffest_part(root):
-    study = dataclasses.replace(read_study(root / "examples" / "studies" / "three_layers.toml"), fields=Fields())
+    study = dataclasses.replace(read_study(root / "examples/studies/normal/three_layers.toml"), fields=Fields())
     outcome = run(study)
     assert outcome.failed == ()
     medium = study.problem.bed.medium

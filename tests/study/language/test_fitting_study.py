@@ -278,8 +278,8 @@ def test_places_that_are_no_grid():
 
 def test_the_examples_give_what_is_known(root):
     studies = root / "examples" / "studies"
-    (result,) = fit_study(read_fit_study(studies / "fit_gel.toml")).fitted
-    sticky = fit_study(read_fit_study(studies / "fit_sticky.toml")).fitted[0].fit
+    (result,) = fit_study(read_fit_study(studies / "fitting" / "fit_gel.toml")).fitted
+    sticky = fit_study(read_fit_study(studies / "fitting" / "fit_sticky.toml")).fitted[0].fit
     known = (
         (result.fit, "bed.medium.first.young", 4e3),
         (result.fit, "contact_point", 2.4e-6),
@@ -312,7 +312,7 @@ def test_the_page_on_fits_is_right(root):
     page = (root / "docs" / "fits.md").read_text(encoding="utf-8")
     (text,) = re.findall(r"^<!-- fit -->\n```toml\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     study = parse_fit_study(text, file="gel.toml", folder=root / "examples" / "studies")
-    assert study.problem == read_fit_study(root / "examples" / "studies" / "fit_gel.toml").problem
+    assert study.problem == read_fit_study(root / "examples" / "studies" / "fitting" / "fit_gel.toml").problem
     for name in CORRECTIONS:
         assert f"`{name}`" in page
 

@@ -24,7 +24,7 @@ SOLID = "problem.bed.medium.first."
 
 @pytest.fixture
 def studies(root):
-    return root / "examples" / "studies"
+    return root / "examples" / "studies" / "fitting"
 
 
 def comes_back(outcome):
@@ -130,7 +130,7 @@ def test_a_curve_without_times_is_refused_by_name(studies, tmp_path):
     (tmp_path / "curve.csv").write_text(
         "depth [nm], force [nN]\n" + "".join(f"{d}, {max(d, 0) ** 1.5 / 1e3}\n" for d in range(-50, 100)), "utf-8"
     )
-    text = (studies / "fit_cell_loop.toml").read_text(encoding="utf-8").replace("../data/cell_loop.csv", "curve.csv")
+    text = (studies / "fit_cell_loop.toml").read_text(encoding="utf-8").replace("../../data/cell_loop.csv", "curve.csv")
     with pytest.raises(InvalidInput, match=r"curve 'curve\.csv' has no times"):
         fit_study(parse_fit_study(text, file="study.toml", folder=tmp_path))
 

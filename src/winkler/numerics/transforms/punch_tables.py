@@ -1,4 +1,4 @@
-"""Flat punches of all radii, tabulated: the Fredholm equation of `winkler.numerics.transforms.fredholm`, solved once for a medium.
+"""Flat punches of all radii, tabulated: the equation of `winkler.numerics.transforms.fredholm`, solved once.
 
 The equation is solved on Gauss-Legendre nodes of panels that halve towards the edge of the punch down to the length
 over which the kernel is smooth; where a panel is wider than that, the kernel is integrated over it piece by piece.

@@ -27,7 +27,7 @@ from winkler.values import value
 
 __all__ = ["CASES", "Entry", "case_files", "examined", "ledger", "remarks"]
 
-CASES = Path(__file__).parent.parent / "cases"
+CASES = Path(__file__).parents[2] / "cases"
 """The folder of the cases that come with the package."""
 
 

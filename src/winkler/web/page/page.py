@@ -40,7 +40,7 @@ HERE = Path(__file__).parent
 def style() -> None:
     """Give the page that is being made its looks."""
     ui.add_css((HERE / "app.css").read_text(encoding="utf-8"))
-    report = (HERE.parent / "study" / "report.css").read_text(encoding="utf-8")
+    report = (HERE.parents[1] / "study" / "report" / "report.css").read_text(encoding="utf-8")
     ui.add_css(f".paper {{ {report} }}")
 
 
