@@ -1,7 +1,6 @@
-"""Fitting the curves of a study: one after the other or in a pool of processes, as a stream; none stops the others.
+"""The fits of the curves of a study as a stream; none stops the others.
 
-With a journal, what came of a curve is written as soon as it is fitted, and what an earlier run has written of a curve
-that is still the same is not fitted again.
+What a journal knows of a curve holds as long as the curve is the same.
 """
 
 from __future__ import annotations
@@ -17,12 +16,15 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 
+import numpy as np
+
 from winkler.errors import InvalidInput, WinklerError
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
+from winkler.numerics.types import Array
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import (
     MISTAKE,
@@ -34,9 +36,9 @@ from winkler.study.batch.fit_recording import (
     written_fits,
 )
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.pool import checked_workers, completed
-from winkler.study.batch.run import ERRORS, provenance
-from winkler.study.batch.stopping import look
+from winkler.study.batch.pool import Workers
+from winkler.study.batch.run import ERRORS, provenance, resumed
+from winkler.study.batch.stream import Batch, results
 from winkler.study.language.canonical import how_fitted
 from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
@@ -50,18 +52,40 @@ Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
 """Passes on how far a fit has come, state after state, and last what it has found."""
 
 
-def fit_study(study: FitStudy, *, workers: int = 1, journal: str | Path = "") -> FitOutcome:
+class _Fits(Batch[Piece, Results]):
+    """The files of a study, or the curves of its only file."""
+
+    none = "No curve was fitted."
+
+    def __init__(self, study: FitStudy, todo: Sequence[Piece], known: Mapping[int, Results]) -> None:
+        super().__init__(todo, functools.partial(_marked, study))
+        self.kept = f"{'files' if len(study.sources) > 1 else 'curves'} are kept"
+        self._known = known
+
+    def known(self, journal: Journal | None) -> Iterable[tuple[int, Results]]:
+        return self._known.items()
+
+    def without(self, done: Array) -> list[Piece]:
+        return [self.todo[place] for place in np.flatnonzero(~done).tolist()]
+
+    def written(self, computed: tuple[str, Results], journal: Journal | None) -> Results:
+        if journal is not None:
+            journal.write(written_fits(*computed))
+        return computed[1]
+
+    def useful(self, result: Results) -> bool:
+        return any(isinstance(one, Fitted) for one in result)
+
+
+def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = "") -> FitOutcome:
     """Fit every curve of a study.
 
     Parameters
     ----------
     study
         From `winkler.study.language.fit_reading.read_fit_study`.
-    workers
-        Number of processes; the numbers do not depend on it.
-    journal
-        File in which fits are kept while it runs: the same call goes on from there if it was stopped. It is removed at
-        the end.
+    workers, journal
+        As for `winkler.study.batch.run.run`.
 
     Raises
     ------
@@ -70,15 +94,12 @@ def fit_study(study: FitStudy, *, workers: int = 1, journal: str | Path = "") ->
     """
     started = time.perf_counter()
     todo = pieces(study)
-    if journal:
-        with Journal(Path(journal), study) as kept:
-            known = recalled_fits(study, todo, kept)
-            outcome = gather_fits(
-                study, fit_curves(study, todo, workers=workers, known=known, journal=kept), started=started
-            )
-            kept.remove()
-        return outcome
-    return gather_fits(study, fit_curves(study, todo, workers=workers), started=started)
+
+    def fitted(kept: Journal | None) -> FitOutcome:
+        known = recalled_fits(study, todo, kept) if kept is not None else NOTHING
+        return gather_fits(study, fit_curves(study, todo, workers=workers, known=known, journal=kept), started=started)
+
+    return resumed(study, journal, fitted)
 
 
 def pieces(study: FitStudy) -> list[Piece]:
@@ -90,7 +111,7 @@ def fit_curves(
     study: FitStudy,
     todo: Sequence[Piece],
     *,
-    workers: int = 1,
+    workers: Workers = 1,
     watch: Watch | None = None,
     known: Mapping[int, Results] = NOTHING,
     journal: Journal | None = None,
@@ -103,40 +124,12 @@ def fit_curves(
         The model, and what is free.
     todo
         Files or curves, from `pieces`.
-    workers
-        Number of processes; 1 fits in this one.
-    watch
-        Sees every fit while it runs; not those of other processes.
+    workers, watch, journal
+        As for `winkler.study.batch.stream.results`; a watch sees every fit while it runs.
     known
         What an earlier run found, by place, from `recalled_fits`.
-    journal
-        Where the others are written; it is removed if no curve has an answer, for then the study has to be changed.
     """
-    checked_workers(workers)
-    yield from known.items()
-    left = [place for place in range(len(todo)) if place not in known]
-    useful = any(_useful(results) for results in known.values())
-    for nth, (mark, results) in _answered(study, [todo[place] for place in left], workers, watch):
-        look()  # a library may have made the curve a failed one of it
-        if journal is not None:
-            journal.write(written_fits(mark, results))
-        useful = useful or _useful(results)
-        yield left[nth], results
-    if journal is not None and not useful:
-        journal.remove()
-
-
-def _useful(results: Results) -> bool:
-    return any(isinstance(result, Fitted) for result in results)
-
-
-def _answered(
-    study: FitStudy, todo: list[Piece], workers: int, watch: Watch | None
-) -> Iterator[tuple[int, tuple[str, Results]]]:
-    if workers == 1 or len(todo) < 2:
-        yield from ((place, _marked(study, piece, watch)) for place, piece in enumerate(todo))
-    else:
-        yield from completed(functools.partial(_marked, study), todo, min(workers, len(todo)))
+    return results(_Fits(study, todo, known), workers=workers, watch=watch, journal=journal)
 
 
 def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[str, Results]:
@@ -145,7 +138,7 @@ def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[
 
 
 def gather_fits(
-    study: FitStudy, results: Iterable[tuple[int, Results]], *, started: float, source: str = "", left: int = 0
+    study: FitStudy, found: Iterable[tuple[int, Results]], *, started: float, source: str = "", left: int = 0
 ) -> FitOutcome:
     """Return the outcome of fits.
 
@@ -153,12 +146,10 @@ def gather_fits(
     ----------
     study
         What was asked.
-    results
+    found
         What `fit_curves` yields, in any order.
-    started
-        ``time.perf_counter()`` when the run began.
-    source
-        Name of the study file.
+    started, source
+        As for `winkler.study.batch.run.gather`.
     left
         Number of pieces that were not reached.
 
@@ -167,13 +158,13 @@ def gather_fits(
     InvalidInput, NotConverged, OutsideValidity
         If no curve has an answer: the reason of the first.
     """
-    found = tuple(result for _, many in sorted(results, key=operator.itemgetter(0)) for result in many)
-    if not any(isinstance(result, Fitted) for result in found):
-        first = next(result for result in found if isinstance(result, Refused))
-        many = f"none of the {len(found)} curves can be fitted; the first: " if len(found) > 1 else ""
-        raise ERRORS.get(first.code, RuntimeError)(f"{many}{first.name}: {first.reason}")
+    each = tuple(result for _, many in sorted(found, key=operator.itemgetter(0)) for result in many)
+    if not any(isinstance(result, Fitted) for result in each):
+        first = next(result for result in each if isinstance(result, Refused))
+        many = f"none of the {len(each)} curves can be fitted; the first: " if len(each) > 1 else ""
+        raise ERRORS[first.code](f"{many}{first.name}: {first.reason}")
     made = provenance(_hash(study), time.perf_counter() - started, source)
-    return FitOutcome(study, found, made, left)
+    return FitOutcome(study, each, made, left)
 
 
 def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:

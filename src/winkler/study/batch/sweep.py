@@ -1,14 +1,11 @@
-"""The points of a study, solved one after the other, in a pool of processes or on a cluster, as a stream.
+"""The points of a study as a stream.
 
-The numbers are the same whoever solves them.  With a journal, points are written as soon as they are solved, and those
-that an earlier run has written are not solved again.  One bad point does not stop a sweep: whatever it raises, it has
-no answer, and the others are solved.
+One bad point does not stop a sweep: whatever it raises, it has no answer, and the others are solved.
 """
 
 from __future__ import annotations
 
 import functools
-import time
 import traceback
 from collections.abc import Iterator
 from typing import Any
@@ -17,14 +14,15 @@ import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 from winkler.fields import restore
+from winkler.numerics.types import Array
 from winkler.study.batch.checkpoint import Keep
-from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal, settled
 from winkler.study.batch.marching import ANEW, March, Watch, is_march, marched, unwatched
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
-from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
+from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import light, recalled, written
-from winkler.study.batch.stopping import INTERRUPTED, look
+from winkler.study.batch.stopping import INTERRUPTED
+from winkler.study.batch.stream import Batch, results
 from winkler.study.batch.tasks import Task, Tasks, tasks
 from winkler.study.language.study import Expectation, Study
 
@@ -61,6 +59,39 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
         return Failed(index, settings, problem, str(error), error.exit_code)
 
 
+class _Sweep(Batch[Task, Point]):
+    """The points of a study; of a long sweep without their solutions."""
+
+    def __init__(self, study: Study, keep: Keep) -> None:
+        alone = study.size == 1  # its error ends the run, and shows where it came from
+        whole = study.size <= WHOLE
+        compute = functools.partial(
+            _slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole, alone=alone
+        )
+        self.study, self.tasks = study, tasks(study)
+        super().__init__(self.tasks, compute)
+
+    def known(self, journal: Journal | None) -> Iterator[tuple[int, Point]]:
+        study = self.study
+        for content in journal.recalled() if journal is not None else ():
+            if settled(content):
+                place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
+                yield place, recalled(content, self.tasks[place], study.expect)
+
+    def without(self, done: Array) -> Tasks:
+        return self.tasks.without(done)
+
+    def written(self, computed: Point, journal: Journal | None) -> Point:
+        if journal is None or (not isinstance(computed, Failed) and computed.code == INTERRUPTED):
+            return computed
+        slim = _slim(computed, self.study.expect, self.study.shape)
+        journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
+        return slim if isinstance(slim, Failed) else computed
+
+    def useful(self, result: Point) -> bool:
+        return not isinstance(result, Failed)
+
+
 def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW) -> Iterator[Point]:
     """Yield the points of a study as they are solved, in the order of its sweep.
 
@@ -81,11 +112,9 @@ def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched
     InvalidInput
         Before the first point, if one of them cannot be asked.
     """
-    checked_workers(workers)
     early: dict[int, Point] = {}
     due = 0
-    for place, point in _answered(study, tasks(study), workers, watch, keep):
-        look()
+    for place, point in results(_Sweep(study, keep), workers=workers, watch=watch):
         early[place] = point
         while due in early:
             yield early.pop(due)
@@ -111,61 +140,8 @@ def journaled(
     NotConverged
         If workers died: how many points are kept.
     """
-    checked_workers(workers)
-    todo = tasks(study)
-    done, useful = np.zeros(len(todo), dtype=bool), False
-    for content in journal.recalled():
-        if not settled(content):
-            continue
-        place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
-        done[place] = True
-        known = recalled(content, todo[place], study.expect)
-        useful = useful or not isinstance(known, Failed)
-        yield known
-    for point in _counted(_answered(study, todo.without(done), workers, watch, keep), journal, len(todo)):
-        look()  # a library may have made the point a failed one of it
-        if point.code == INTERRUPTED and journal.count:  # the points before it are kept, and the run goes on from there
-            raise KeyboardInterrupt
-        if isinstance(point, Failed) or point.code != INTERRUPTED:
-            slim = _slim(point, study.expect, study.shape)
-            final = not (isinstance(slim, Failed) and slim.traceback)
-            journal.write(written(slim), final=final)
-            point = slim if isinstance(slim, Failed) else point
-        useful = useful or not isinstance(point, Failed)
+    for _, point in results(_Sweep(study, keep), workers=workers, watch=watch, journal=journal):
         yield point
-    if not useful:  # the study has to be changed
-        journal.remove()
-
-
-def _counted(points: Iterator[tuple[int, Point]], journal: Journal, many: int) -> Iterator[Point]:
-    """Yield points; if nobody is left to solve them, tell how many are kept."""
-    try:
-        for _, point in points:
-            yield point
-    except NotConverged as error:
-        kept = f"{journal.count} of {many} points are kept in '{journal.path}', and the same run goes on from there."
-        raise NotConverged(f"{error} {kept}" if journal.count else f"{error} No point was solved.") from None
-
-
-def _answered(study: Study, todo: Tasks, workers: Workers, watch: Watch, keep: Keep) -> Iterator[tuple[int, Point]]:
-    """Yield the places and the points of tasks, as they are ready."""
-    whole = study.size <= WHOLE
-    alone = study.size == 1  # its error ends the run, and shows where it came from
-    answer = functools.partial(_slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole, alone=alone)
-    if isinstance(workers, Cluster) or (isinstance(workers, int) and workers > 1 < len(todo)):
-        yield from completed(answer, todo, workers)
-        return
-    others, patience = (workers.processors, workers.patience) if isinstance(workers, Machine) else (1, 0.0)
-    started = time.monotonic()
-    for place, task in enumerate(todo):
-        point = answer(task, watch=watch)
-        yield place, point
-        if point.code == INTERRUPTED:
-            return
-        rest = place + 1
-        if others > 1 < len(todo) - rest and time.monotonic() - started > patience:
-            yield from ((rest + later, other) for later, other in completed(answer, todo[rest:], others))
-            return
 
 
 def _slimmed(
