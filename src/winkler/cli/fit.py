@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
-from winkler.cli.saying import read_or_not, say, say_json
+from winkler.cli.results import resumed, say_outcome
+from winkler.cli.saying import read_or_not, say
 
 if TYPE_CHECKING:
     from winkler.fitting.compare import AnyFit
@@ -54,17 +55,15 @@ def fit(
     Example: winkler fit examples/studies/fitting/fit_gel.toml --output results/gel
     """
     from winkler.cli import terminal
-    from winkler.cli.run import may_overwrite
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
+    from winkler.study.batch.run import named
     from winkler.study.batch.stopping import answered
     from winkler.study.language.fit_reading import read_fit_study
     from winkler.study.report.fit_writing import write_fits
-    from winkler.study.report.reserving import reserved
-    from winkler.study.report.writing import holds_results, missing, placed
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
@@ -78,50 +77,29 @@ def fit(
     found: dict[int, Any] = {}
     under_way = _UnderWay(asked)
     journal = Journal.beside(folder, asked)
-    with reserved(folder):
-        if anew:
-            journal.remove()
-        with journal:
-            if holds_results(folder) and not overwrite:  # those of the run that is to go on need not be kept
-                overwrite = bool(journal.count and missing(folder)) or may_overwrite(folder)
-            known = recalled_fits(asked, todo, journal)
-            stream = fit_curves(
-                asked,
-                todo,
-                workers=workers,
-                watch=under_way.watch,
-                known=known,
-                journal=journal if len(todo) > 1 else None,
-            )
-            watched = terminal.tracked(
-                stream, len(todo), hidden=quiet or as_json, doing=under_way.told, before=len(known)
-            )
-            try:
-                with placed(folder, overwrite=overwrite) as partial:
-                    try:
-                        for place, results in watched:
-                            found[place] = results
-                    except KeyboardInterrupt:
-                        if not found and under_way.state is not None:
-                            raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
-                        if not any(isinstance(result, Fitted) for results in found.values() for result in results):
-                            raise
-                        answered()
-                    left = len(todo) - len(found)
-                    try:
-                        outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
-                    except WinklerError as error:
-                        raise type(error)(f"{study.name}: {error}") from None
-                    write_fits(outcome, partial)
-            except KeyboardInterrupt:
-                if not journal.count:
-                    raise
-                raise Interrupted(
-                    f"interrupted; {journal.count} of {many} are kept beside {folder}, and the same command goes on "
-                    "from there."
-                ) from None
-            if not left:
-                journal.remove()
+    with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as files:
+        known = recalled_fits(asked, todo, journal)
+        kept = journal if len(todo) > 1 else None
+        stream = fit_curves(asked, todo, workers=workers, watch=under_way.watch, known=known, journal=kept)
+        hidden = quiet or as_json
+        try:
+            for place, results in terminal.tracked(
+                stream, len(todo), hidden=hidden, doing=under_way.told, before=len(known)
+            ):
+                found[place] = results
+        except KeyboardInterrupt:
+            if not found and under_way.state is not None:
+                raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
+            if not any(isinstance(result, Fitted) for results in found.values() for result in results):
+                raise
+            answered()
+        left = len(todo) - len(found)
+        try:
+            outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
+        except WinklerError as error:
+            raise named(error, study.name) from None
+        write_fits(outcome, files.partial)
+        files.complete = not left
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
@@ -186,10 +164,7 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
         for flag in result.fit.flags:
             where = f"{result.name}, " if len(outcome.results) > 1 else ""
             out.print(f"  {where}{flag}", soft_wrap=True)
-    if outcome.validity:
-        out.print("How far this can be trusted:")
-    for note in outcome.validity:
-        out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
+    terminal.notes(outcome, out)
     if outcome.refused:
         first = outcome.refused[0]
         out.print(
@@ -251,17 +226,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
 
 
 def _print_json(outcome: FitOutcome, folder: Path) -> None:
-
-    made = outcome.provenance
-    content: dict[str, Any] = {
-        "title": outcome.study.title,
-        "folder": str(folder),
-        "version": made.version,
-        "hash": made.hash,
-        "seconds": made.seconds,
-        "columns": [
-            {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
-        ],
+    more = {
         "flags": [
             {"curve": result.name, "name": flag.name, "statement": flag.statement}
             for result in outcome.fitted
@@ -269,14 +234,5 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
         ],
         "failed": [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.refused],
         "left": outcome.left,
-        "validity": [
-            {
-                "assumption": note.assumption.value,
-                "standing": note.standing.value,
-                "statement": note.statement,
-                "source": note.source,
-            }
-            for note in outcome.validity
-        ],
     }
-    say_json(content)
+    say_outcome(outcome, folder, "columns", more)

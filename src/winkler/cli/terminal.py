@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.text import Text
 
+    from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Column, Outcome
 
 from winkler.cli.saying import safe
@@ -139,7 +140,7 @@ def indices(outcome: Outcome, out: Console) -> None:
     out.print(table)
 
 
-def notes(outcome: Outcome, out: Console) -> None:
+def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
     """Show how far the numbers can be trusted, each statement once."""
     if outcome.validity:
         out.print("How far this can be trusted:")

@@ -12,7 +12,7 @@ import json
 import os
 import shutil
 import uuid
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from winkler.errors import InvalidInput
 from winkler.io.foreign import shown
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.batch.stopping import held, keeping, look
+from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.reading import study_text
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "missing",
     "placed",
     "unwritable",
+    "write_all",
     "write_outcome",
     "write_provenance",
 ]
@@ -51,11 +53,21 @@ def write_outcome(outcome: Outcome, folder: Path) -> None:
     from winkler.study.report.archive import write as write_numbers
     from winkler.study.report.report import write as write_report
 
+    write_all(outcome, folder, write_numbers, write_report)
+
+
+Writer = Callable[[Any, Path], None]
+
+
+def write_all(outcome: Any, folder: Path, write_numbers: Writer, write_report: Writer) -> None:
+    """Write the results of any study: numbers, the report or figures that it asks for, its own text, and the origin."""
+    study = outcome.study
     write_numbers(outcome, folder)
-    if outcome.study.output.report or outcome.study.output.figures:
+    if study.output.report or study.output.figures:
         write_report(outcome, folder)
-    (folder / "study.toml").write_text(study_text(outcome.study), encoding="utf-8")
-    write_provenance(outcome.provenance, folder)
+    if text := study.text if isinstance(study, FitStudy) else study_text(study):
+        (folder / "study.toml").write_text(text, encoding="utf-8")
+    write_provenance(outcome.provenance, folder, missing=getattr(outcome, "left", 0))
 
 
 def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
