@@ -216,7 +216,7 @@ def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, mom
     """A forked run kills itself; the next one fits what is missing, and all files are those of a run in peace."""
     from winkler.study.batch import fit_run
     from winkler.study.batch.journal import Journal
-    from winkler.study.report import fit_writing
+    from winkler.study.report import writing
 
     (here / "gel" / "curve2.csv").write_text("?\n", encoding="utf-8")  # no answer, but its reason
     made = fit_run.provenance("", 1.0, "gel.toml")
@@ -237,7 +237,7 @@ def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, mom
                     Journal, "_write", lambda self, text: torn(self) if "curve2" in text else write(self, text)
                 )
             elif moment == "at the end":
-                monkeypatch.setattr(fit_writing, "write_provenance", lambda *_, **__: killed())
+                monkeypatch.setattr(writing, "write_provenance", lambda *_, **__: killed())
             else:
                 stopping(monkeypatch, f"curve{done + 1}.csv", killed)
             main(["fit", "gel.toml", "--quiet"])
@@ -350,7 +350,7 @@ def test_workers_change_no_number_and_ctrl_c_leaves_none_behind(here):
     """Interrupted with two workers, and gone on with: the numbers are those of one worker in peace."""
     for number in range(4, 41):
         write_curve(here / "gel" / f"curve{number}.csv", 4e3, number)
-    command = [sys.executable, "-m", "winkler.cli", "fit", "gel.toml", "--quiet", "--output"]
+    command = [sys.executable, "-m", "winkler", "fit", "gel.toml", "--quiet", "--output"]
     assert subprocess.run([*command, "one"], check=False).returncode == 0
     running = subprocess.Popen([*command, "two", "--workers", "2"], stderr=subprocess.PIPE, text=True)
     journal, deadline = here / ".two.journal", time.monotonic() + 120.0

@@ -63,7 +63,7 @@ def fit(
     from winkler.study.batch.run import named
     from winkler.study.batch.stopping import answered
     from winkler.study.language.fit_reading import read_fit_study
-    from winkler.study.report.fit_writing import write_fits
+    from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
@@ -98,7 +98,7 @@ def fit(
             outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
         except WinklerError as error:
             raise named(error, study.name) from None
-        write_fits(outcome, files.partial)
+        write_outcome(outcome, files.partial)
         files.complete = not left
     if as_json:
         _print_json(outcome, folder)

@@ -18,8 +18,9 @@ from winkler.fitting.response import Answer, Response, response
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, states_of
+from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import Indentation
 
 __all__ = ["Held", "Model", "Run", "attached", "comparable", "held_contact", "moved_force", "runs_of", "states_for"]

@@ -25,13 +25,12 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import Column
 from winkler.study.report.archive import write_netcdf, write_table
 from winkler.study.report.netcdf import netcdf_attributes
-from winkler.study.report.writing import write_all
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_fits", "write_numbers"]
+__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_numbers"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 FEW = 24
@@ -49,13 +48,6 @@ POINTS = {
     "fitted_depth": Word("d", "m", "depth of the model"),
     "fitted_radius": Word("a", "m", "contact radius of the model"),
 }
-
-
-def write_fits(outcome: FitOutcome, folder: Path) -> None:
-    """Write everything that fits came to into an existing, empty `folder`."""
-    from winkler.study.report.fit_report import write as write_report
-
-    write_all(outcome, folder, write_numbers, write_report)
 
 
 def write_numbers(outcome: FitOutcome, folder: Path) -> None:

@@ -12,15 +12,15 @@ import json
 import os
 import shutil
 import uuid
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import shown
+from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.batch.stopping import held, keeping, look
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.reading import study_text
 
 __all__ = [
@@ -31,7 +31,6 @@ __all__ = [
     "missing",
     "placed",
     "unwritable",
-    "write_all",
     "write_outcome",
     "write_provenance",
 ]
@@ -44,30 +43,34 @@ PARTIAL, OLD = ".partial", ".old"
 """How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
 
 
-def write_outcome(outcome: Outcome, folder: Path) -> None:
+def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
     """Write everything that a study came to into an existing, empty `folder`.
 
     Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
     numbers), and provenance.json.
     """
-    from winkler.study.report.archive import write as write_numbers
-    from winkler.study.report.report import write as write_report
+    shown = outcome.study.output.report or outcome.study.output.figures
+    if isinstance(outcome, FitOutcome):
+        from winkler.study.report.fit_writing import write_numbers
 
-    write_all(outcome, folder, write_numbers, write_report)
+        write_numbers(outcome, folder)
+        if shown:
+            from winkler.study.report import fit_report
 
+            fit_report.write(outcome, folder)
+        text, left = outcome.study.text, outcome.left
+    else:
+        from winkler.study.report import archive
 
-Writer = Callable[[Any, Path], None]
+        archive.write(outcome, folder)
+        if shown:
+            from winkler.study.report import report
 
-
-def write_all(outcome: Any, folder: Path, write_numbers: Writer, write_report: Writer) -> None:
-    """Write the results of any study: numbers, the report or figures that it asks for, its own text, and the origin."""
-    study = outcome.study
-    write_numbers(outcome, folder)
-    if study.output.report or study.output.figures:
-        write_report(outcome, folder)
-    if text := study.text if isinstance(study, FitStudy) else study_text(study):
+            report.write(outcome, folder)
+        text, left = study_text(outcome.study), 0
+    if text:
         (folder / "study.toml").write_text(text, encoding="utf-8")
-    write_provenance(outcome.provenance, folder, missing=getattr(outcome, "left", 0))
+    write_provenance(outcome.provenance, folder, missing=left)
 
 
 def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:
