@@ -9,6 +9,7 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report.fit_writing import CSV
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.mathml import symbol
+from winkler.study.report.tables import reason_list
 
 __all__ = ["ROWS", "answers", "counts", "doubts", "failures"]
 
@@ -136,7 +137,5 @@ def failures(outcome: FitOutcome) -> str:
     """Return the curves without an answer, each with its reason; nothing if there are none."""
     if not outcome.refused:
         return ""
-    items = "".join(f"<li>{safe(one.name)}: {safe(one.reason)}</li>" for one in outcome.refused[:ROWS])
-    more = len(outcome.refused) - ROWS
-    rest = f"<p class='small'>… and {more} more; {CSV} holds all.</p>" if more > 0 else ""
-    return section("Curves without an answer", f"<ul>{items}</ul>", rest)
+    reasons = [(one.name, one.reason) for one in outcome.refused]
+    return section("Curves without an answer", *reason_list(reasons, ROWS, CSV))
