@@ -57,8 +57,7 @@ def fit(
     from winkler.cli import terminal
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
-    from winkler.study.batch.fit_recording import recalled_fits
-    from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
+    from winkler.study.batch.fit_run import Fits, gather_fits, pieces
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import named
     from winkler.study.batch.stopping import answered
@@ -78,15 +77,11 @@ def fit(
     under_way = _UnderWay(asked)
     journal = Journal.beside(folder, asked)
     with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as files:
-        known = recalled_fits(asked, todo, journal)
-        kept = journal if len(todo) > 1 else None
-        stream = fit_curves(asked, todo, workers=workers, watch=under_way.watch, known=known, journal=kept)
-        hidden = quiet or as_json
+        fits = Fits(asked, todo, journal if len(todo) > 1 else None)
+        known, hidden = len(fits.known), quiet or as_json
+        stream = fits.results(workers=workers, watch=under_way.watch)
         try:
-            for place, results in terminal.tracked(
-                stream, len(todo), hidden=hidden, doing=under_way.told, before=len(known)
-            ):
-                found[place] = results
+            found.update(terminal.tracked(stream, len(todo), hidden=hidden, doing=under_way.told, before=known))
         except KeyboardInterrupt:
             if not found and under_way.state is not None:
                 raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
@@ -105,7 +100,7 @@ def fit(
     elif not quiet:
         _print(outcome, folder)
         if known:
-            say(f"{len(known)} of {many} were known from the run before.")
+            say(f"{known} of {many} were known from the run before.")
     if left:
         raise Interrupted(
             f"interrupted; {len(outcome.results)} curves were done and are in {folder}, {left} of {many} are missing; "

@@ -58,7 +58,7 @@ def run(
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import gather, named
-    from winkler.study.batch.sweep import journaled, solve_points
+    from winkler.study.batch.sweep import solve_points
     from winkler.study.language.reading import read_study
     from winkler.study.report.writing import write_outcome
 
@@ -73,10 +73,7 @@ def run(
         before = journal.count
         who = Cluster(cluster) if cluster else Machine() if workers is None else workers
         watch = terminal.marching(hidden=hidden or many > 1)
-        if many > 1:
-            points = journaled(asked, journal, workers=who, watch=watch, keep=keep)
-        else:
-            points = solve_points(asked, workers=who, watch=watch, keep=keep)
+        points = solve_points(asked, journal if many > 1 else None, workers=who, watch=watch, keep=keep)
         watched = terminal.tracked(points, many, hidden=hidden, before=before)
         try:
             outcome = gather(asked, watched, started=started, source=study.name)

@@ -12,9 +12,8 @@ import math
 import operator
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 
@@ -38,42 +37,54 @@ from winkler.study.batch.fit_recording import (
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.run import ERRORS, provenance, resumed
-from winkler.study.batch.stream import Batch, results
+from winkler.study.batch.stream import Batch
 from winkler.study.language.canonical import how_fitted
 from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
-
-NOTHING: Mapping[int, Results] = MappingProxyType({})
+__all__ = ["Fits", "Watch", "fit_study", "gather_fits", "pieces"]
 
 Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
 """Passes on how far a fit has come, state after state, and last what it has found."""
 
 
-class _Fits(Batch[Piece, Results]):
-    """The files of a study, or the curves of its only file."""
+class Fits(Batch[Piece, Results]):
+    """The fits of a study.
 
-    none = "No curve was fitted."
+    Parameters
+    ----------
+    study
+        The model, and what is free.
+    todo
+        Files or curves, from `pieces`.
+    journal
+        Where fits are kept.
+    """
 
-    def __init__(self, study: FitStudy, todo: Sequence[Piece], known: Mapping[int, Results]) -> None:
-        super().__init__(todo, functools.partial(_marked, study))
-        self.kept = f"{'files' if len(study.sources) > 1 else 'curves'} are kept"
-        self._known = known
+    done = "fitted"
 
-    def known(self, journal: Journal | None) -> Iterable[tuple[int, Results]]:
-        return self._known.items()
+    def __init__(self, study: FitStudy, todo: Sequence[Piece], journal: Journal | None = None) -> None:
+        super().__init__(todo, functools.partial(_marked, study), journal)
+        self.tasks = "files" if len(study.sources) > 1 else "curves"
+        self.known = {} if journal is None else recalled_fits(study, todo, journal)
+
+    def recalled(self) -> Iterable[tuple[int, Results]]:
+        """Return what an earlier run found of curves that are the same."""
+        return self.known.items()
 
     def without(self, done: Array) -> list[Piece]:
+        """Return the files or curves that are left."""
         return [self.todo[place] for place in np.flatnonzero(~done).tolist()]
 
-    def written(self, computed: tuple[str, Results], journal: Journal | None) -> Results:
-        if journal is not None:
-            journal.write(written_fits(*computed))
+    def result(self, computed: tuple[str, Results]) -> Results:
+        """Return what came of the curves of a file."""
+        if self.journal is not None:
+            self.journal.write(written_fits(*computed))
         return computed[1]
 
     def useful(self, result: Results) -> bool:
+        """Return whether a curve was fitted."""
         return any(isinstance(one, Fitted) for one in result)
 
 
@@ -94,42 +105,16 @@ def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = ""
     """
     started = time.perf_counter()
     todo = pieces(study)
-
-    def fitted(kept: Journal | None) -> FitOutcome:
-        known = recalled_fits(study, todo, kept) if kept is not None else NOTHING
-        return gather_fits(study, fit_curves(study, todo, workers=workers, known=known, journal=kept), started=started)
-
-    return resumed(study, journal, fitted)
+    return resumed(
+        study,
+        journal,
+        lambda kept: gather_fits(study, Fits(study, todo, kept).results(workers=workers), started=started),
+    )
 
 
 def pieces(study: FitStudy) -> list[Piece]:
     """Return what workers share: the files of a study, or the curves of its only file."""
     return list(study.sources) if len(study.sources) > 1 else list(_read(study, study.sources[0]))
-
-
-def fit_curves(
-    study: FitStudy,
-    todo: Sequence[Piece],
-    *,
-    workers: Workers = 1,
-    watch: Watch | None = None,
-    known: Mapping[int, Results] = NOTHING,
-    journal: Journal | None = None,
-) -> Iterator[tuple[int, Results]]:
-    """Yield the place of every piece and what came of it, first what is known, then others as they are fitted.
-
-    Parameters
-    ----------
-    study
-        The model, and what is free.
-    todo
-        Files or curves, from `pieces`.
-    workers, watch, journal
-        As for `winkler.study.batch.stream.results`; a watch sees every fit while it runs.
-    known
-        What an earlier run found, by place, from `recalled_fits`.
-    """
-    return results(_Fits(study, todo, known), workers=workers, watch=watch, journal=journal)
 
 
 def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[str, Results]:
@@ -147,7 +132,7 @@ def gather_fits(
     study
         What was asked.
     found
-        What `fit_curves` yields, in any order.
+        What `Fits.results` yields, in any order.
     started, source
         As for `winkler.study.batch.run.gather`.
     left

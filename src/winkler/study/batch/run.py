@@ -15,7 +15,7 @@ from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity,
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Outcome, Point, Provenance, Solved, Verdict
 from winkler.study.batch.pool import Workers
-from winkler.study.batch.sweep import journaled, solve_points
+from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import judge
 from winkler.study.language.canonical import digest
 from winkler.study.language.fit_study import FitStudy
@@ -54,12 +54,9 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
         If no point of the study has an answer: the reason of the first, or of the first mistake of winkler's own.
     """
     started = time.perf_counter()
-
-    def solved(kept: Journal | None) -> Outcome:
-        points = solve_points(study, workers=workers) if kept is None else journaled(study, kept, workers=workers)
-        return gather(study, points, started=started)
-
-    return resumed(study, journal, solved)
+    return resumed(
+        study, journal, lambda kept: gather(study, solve_points(study, kept, workers=workers), started=started)
+    )
 
 
 def resumed(study: Study | FitStudy, path: str | Path, outcome: Callable[[Journal | None], Found]) -> Found:
@@ -80,7 +77,7 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
     study
         What was asked.
     points
-        What `solve_points` or `journaled` yields, in any order.
+        What `solve_points` yields, in any order.
     started
         ``time.perf_counter()`` when the run began.
     source

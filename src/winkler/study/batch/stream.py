@@ -21,14 +21,14 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
 from winkler.study.batch.stopping import INTERRUPTED, look
 
-__all__ = ["Batch", "results"]
+__all__ = ["Batch"]
 
 T = TypeVar("T")
 R = TypeVar("R")
 
 
 class Batch(ABC, Generic[T, R]):
-    """What is computed, and what a journal keeps of it.
+    """What is computed, and the journal that keeps it.
 
     Parameters
     ----------
@@ -36,91 +36,79 @@ class Batch(ABC, Generic[T, R]):
         The tasks.
     compute
         Takes a task, and as `watch` what sees its progress in this process; can be sent to others.
+    journal
+        Where results are written, and those of an earlier run are found.
     """
 
-    kept = "points are kept"
-    """What the tasks are called in a sentence."""
-    none = "No point was solved."
+    tasks, done = "points", "solved"
+    """What tasks are called in a sentence, and what is done with them."""
 
-    def __init__(self, todo: Sequence[T], compute: Callable[..., Any]) -> None:
-        self.todo = todo
-        self.compute = compute
+    def __init__(self, todo: Sequence[T], compute: Callable[..., Any], journal: Journal | None) -> None:
+        self.todo, self.compute, self.journal = todo, compute, journal
 
     @abstractmethod
-    def known(self, journal: Journal | None) -> Iterable[tuple[int, R]]:
-        """Return what an earlier run found: places of tasks, and what came of them."""
+    def recalled(self) -> Iterable[tuple[int, R]]:
+        """Return places of tasks whose result is known, and these."""
 
     @abstractmethod
     def without(self, done: Array) -> Sequence[T]:
         """Return the tasks at all places but those where `done` is true."""
 
     @abstractmethod
-    def written(self, computed: Any, journal: Journal | None) -> R:
-        """Return what comes of a task from what was computed, and write it into the journal."""
+    def result(self, computed: Any) -> R:
+        """Return the result of what was computed, which is written into the journal."""
 
     @abstractmethod
     def useful(self, result: R) -> bool:
         """Return whether anything was answered."""
 
+    def results(self, *, workers: Workers = 1, watch: Any = None) -> Iterator[tuple[int, R]]:
+        """Yield the place of every task and its result, first what is known, then others as they are computed.
 
-def results(
-    batch: Batch[T, R], *, workers: Workers = 1, watch: Any = None, journal: Journal | None = None
-) -> Iterator[tuple[int, R]]:
-    """Yield the place of every task and what comes of it, first what is known, then others as they are computed.
+        Parameters
+        ----------
+        workers
+            Number of processes, a cluster, or the `Machine`; 1 computes in this one.
+        watch
+            Sees the progress of the tasks that this process computes.
 
-    Parameters
-    ----------
-    batch
-        What to compute.
-    workers
-        Number of processes, a cluster, or the `Machine`; 1 computes in this one.
-    watch
-        Sees the progress of the tasks that this process computes.
-    journal
-        Where results are written; it is removed if there is no useful one, for then the study has to be changed.
+        Raises
+        ------
+        NotConverged
+            If workers died: how many results are kept.
+        """
+        checked_workers(workers)
+        done, useful, journal = np.zeros(len(self.todo), dtype=bool), False, self.journal
+        for place, result in self.recalled():
+            done[place] = True
+            useful = useful or self.useful(result)
+            yield place, result
+        places = np.flatnonzero(~done)
+        for nth, computed in self._counted(_computed(self.compute, self.without(done), workers, watch)):
+            look()  # a library may have made a failed one of it
+            if _interrupted(computed) and journal is not None and journal.count:  # the run goes on from what is kept
+                raise KeyboardInterrupt
+            result = self.result(computed)
+            useful = useful or self.useful(result)
+            yield int(places[nth]), result
+        if journal is not None and not useful:  # the study has to be changed
+            journal.remove()
 
-    Raises
-    ------
-    InvalidInput
-        If the journal does not fit the study.
-    NotConverged
-        If workers died: how many results are kept.
-    """
-    checked_workers(workers)
-    done, useful = np.zeros(len(batch.todo), dtype=bool), False
-    for place, result in batch.known(journal):
-        done[place] = True
-        useful = useful or batch.useful(result)
-        yield place, result
-    places = np.flatnonzero(~done)
-    computed = _computed(batch.compute, batch.without(done), workers, watch)
-    for nth, content in _counted(computed, batch, journal):
-        look()  # a library may have made a failed one of it
-        if _interrupted(content) and journal is not None and journal.count:  # the run goes on from what is kept
-            raise KeyboardInterrupt
-        result = batch.written(content, journal)
-        useful = useful or batch.useful(result)
-        yield int(places[nth]), result
-    if journal is not None and not useful:
-        journal.remove()
-
-
-def _interrupted(content: Any) -> bool:
-    return getattr(content, "code", 0) == INTERRUPTED
+    def _counted(self, computed: Iterator[tuple[int, Any]]) -> Iterator[tuple[int, Any]]:
+        """Yield what is computed; if nobody is left to do it, say how much is kept."""
+        try:
+            yield from computed
+        except NotConverged as error:
+            if self.journal is None:
+                raise
+            count = f"{self.journal.count} of {len(self.todo)} {self.tasks} are kept in '{self.journal.path}'"
+            kept = f"{count}, and the same run goes on from there."
+            nothing = f"No {self.tasks.removesuffix('s')} was {self.done}."
+            raise NotConverged(f"{error} {kept if self.journal.count else nothing}") from None
 
 
-def _counted(
-    computed: Iterator[tuple[int, Any]], batch: Batch[T, R], journal: Journal | None
-) -> Iterator[tuple[int, Any]]:
-    """Yield what is computed; if nobody is left to do it, say how much is kept."""
-    try:
-        yield from computed
-    except NotConverged as error:
-        if journal is None:
-            raise
-        count = f"{journal.count} of {len(batch.todo)} {batch.kept}"
-        kept = f"{count} in '{journal.path}', and the same run goes on from there."
-        raise NotConverged(f"{error} {kept if journal.count else batch.none}") from None
+def _interrupted(computed: Any) -> bool:
+    return getattr(computed, "code", 0) == INTERRUPTED
 
 
 def _computed(

@@ -22,11 +22,11 @@ from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import light, recalled, written
 from winkler.study.batch.stopping import INTERRUPTED
-from winkler.study.batch.stream import Batch, results
+from winkler.study.batch.stream import Batch
 from winkler.study.batch.tasks import Task, Tasks, tasks
 from winkler.study.language.study import Expectation, Study
 
-__all__ = ["journaled", "solve_points", "solved"]
+__all__ = ["solve_points", "solved"]
 
 WHOLE = 256
 """Of sweeps with more points the solutions are not kept, only what tables and archives tell of them."""
@@ -62,43 +62,53 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
 class _Sweep(Batch[Task, Point]):
     """The points of a study; of a long sweep without their solutions."""
 
-    def __init__(self, study: Study, keep: Keep) -> None:
+    def __init__(self, study: Study, journal: Journal | None, keep: Keep) -> None:
         alone = study.size == 1  # its error ends the run, and shows where it came from
         whole = study.size <= WHOLE
         compute = functools.partial(
             _slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole, alone=alone
         )
-        self.study, self.tasks = study, tasks(study)
-        super().__init__(self.tasks, compute)
+        self.study, self.points = study, tasks(study)
+        super().__init__(self.points, compute, journal)
 
-    def known(self, journal: Journal | None) -> Iterator[tuple[int, Point]]:
-        study = self.study
-        for content in journal.recalled() if journal is not None else ():
+    def recalled(self) -> Iterator[tuple[int, Point]]:
+        shape = self.study.shape
+        for content in self.journal.recalled() if self.journal is not None else ():
             if settled(content):
-                place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
-                yield place, recalled(content, self.tasks[place], study.expect)
+                place = int(np.ravel_multi_index(content["at"], shape)) if shape else 0
+                yield place, recalled(content, self.points[place], self.study.expect)
 
     def without(self, done: Array) -> Tasks:
-        return self.tasks.without(done)
+        return self.points.without(done)
 
-    def written(self, computed: Point, journal: Journal | None) -> Point:
-        if journal is None or (not isinstance(computed, Failed) and computed.code == INTERRUPTED):
+    def result(self, computed: Point) -> Point:
+        if self.journal is None or (not isinstance(computed, Failed) and computed.code == INTERRUPTED):
             return computed
         slim = _slim(computed, self.study.expect, self.study.shape)
-        journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
+        self.journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
         return slim if isinstance(slim, Failed) else computed
 
     def useful(self, result: Point) -> bool:
         return not isinstance(result, Failed)
 
 
-def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW) -> Iterator[Point]:
-    """Yield the points of a study as they are solved, in the order of its sweep.
+def solve_points(
+    study: Study,
+    journal: Journal | None = None,
+    *,
+    workers: Workers = 1,
+    watch: Watch = unwatched,
+    keep: Keep = ANEW,
+) -> Iterator[Point]:
+    """Yield the points of a study as they are solved.
 
     Parameters
     ----------
     study
         What to solve.
+    journal
+        Where points are kept: those that it has come first, then the others in any order.  Without one they come in the
+        order of the sweep.
     workers
         Number of processes, a cluster, or the `Machine`; 1 solves in this one.
     watch
@@ -110,38 +120,20 @@ def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched
     Raises
     ------
     InvalidInput
-        Before the first point, if one of them cannot be asked.
-    """
-    early: dict[int, Point] = {}
-    due = 0
-    for place, point in results(_Sweep(study, keep), workers=workers, watch=watch):
-        early[place] = point
-        while due in early:
-            yield early.pop(due)
-            due += 1
-
-
-def journaled(
-    study: Study, journal: Journal, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW
-) -> Iterator[Point]:
-    """Yield the points of a study, first those in its journal, then others as soon as they are solved and written.
-
-    Parameters
-    ----------
-    study, workers, watch, keep
-        As for `solve_points`.
-    journal
-        Where points are kept.
-
-    Raises
-    ------
-    InvalidInput
         Before the first point, if one of them cannot be asked, or the journal is of another study.
     NotConverged
         If workers died: how many points are kept.
     """
-    for _, point in results(_Sweep(study, keep), workers=workers, watch=watch, journal=journal):
-        yield point
+    early: dict[int, Point] = {}
+    due = 0
+    for place, point in _Sweep(study, journal, keep).results(workers=workers, watch=watch):
+        if journal is not None:
+            yield point
+            continue
+        early[place] = point
+        while due in early:
+            yield early.pop(due)
+            due += 1
 
 
 def _slimmed(
