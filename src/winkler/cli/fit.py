@@ -172,21 +172,19 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
 
 def _table(outcome: FitOutcome, out: Any) -> None:
     """Show a list for one curve, a table of numbers and errors for many."""
-    import numpy as np
     from rich import box
     from rich.table import Table
 
-    from winkler.plot.series import middle_scale, told
+    from winkler.cli import terminal
+    from winkler.plot.series import told
     from winkler.study.language.explain import plain_symbol
+    from winkler.study.report.fit_tables import curve_texts, number_texts
 
     study = outcome.study
     if len(outcome.results) == 1:
         fit = outcome.fitted[0].fit
         table = Table("free", "symbol", "fitted", "standard error", "95 % interval", box=box.SIMPLE_HEAD)
-        for free in study.free:
-            word = study.word(free.key)
-            low, high = (told(end, word.unit, 5) for end in fit.interval(free.path))
-            number, error = told(fit.value(free.path), word.unit, 5), told(fit.error(free.path), word.unit, 3)
+        for free, word, number, error, low, high in number_texts(outcome, fit):
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
         out.print(
@@ -197,26 +195,14 @@ def _table(outcome: FitOutcome, out: Any) -> None:
         )
         return
     table = Table("curve", box=box.SIMPLE_HEAD)
-    columns = []
+    columns = [[result.name for result in outcome.results]]
     for free in study.free:
-        numbers, errors = outcome.numbers(free), outcome.errors(free)
-        scale = middle_scale(study.word(free.key).unit, np.fmax(np.abs(numbers), errors))
-        unit = f"\n[{scale.unit}]" if scale.unit else ""
-        table.add_column(f"{free.label}{unit}", justify="right")
-        columns.append(
-            [
-                f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "-"
-                for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
-            ]
-        )
+        unit, texts = curve_texts(outcome, free, "-")
+        table.add_column(f"{free.label}\n[{unit}]" if unit else free.label, justify="right")
+        columns.append(texts)
     table.add_column("flags")
-    rows = len(outcome.results)
-    for row, result in enumerate(outcome.results):
-        if rows > SHOWN and row == SHOWN // 2:
-            table.add_row("...")
-        if rows <= SHOWN or row < SHOWN // 2 or row >= rows - SHOWN // 2:
-            flags = ", ".join(flag.name for flag in result.fit.flags) if hasattr(result, "fit") else "no answer"
-            table.add_row(result.name, *(column[row] for column in columns), flags)
+    columns.append(outcome.flags(", ", "no answer"))
+    terminal.add_rows(table, columns)
     out.print(table)
 
 

@@ -18,7 +18,7 @@ from winkler.study.language.study import Axis, Expectation, Output, Study
 from winkler.study.report import figures, report
 from winkler.study.report.citing import cite
 from winkler.study.report.figures import CAPTIONS
-from winkler.study.report.page import REPORT
+from winkler.study.report.page_parts import REPORT
 from winkler.validity import Standing
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}

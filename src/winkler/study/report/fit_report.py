@@ -18,13 +18,13 @@ from winkler.study.batch.fit_recording import seen_from
 from winkler.study.chapters.formulas import formulas_of
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
+from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
 from winkler.study.report.figures import Shown, drawn
 from winkler.study.report.fit_tables import ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, FEW, MAPS, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
-from winkler.study.report.page import figure_elements, folded, formula_list, framed, origin, papers, trust, write_page
 from winkler.study.report.tables import given_rows
 
 __all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps", "write"]
@@ -39,7 +39,7 @@ MANY = 3
 
 def write(outcome: FitOutcome, folder: Path) -> None:
     """Write the figures of fits into ``folder/figures``, and the report into ``report.html``, as the study asks."""
-    write_page(outcome, folder, figures_of(outcome), page)
+    parts.write_page(outcome, folder, figures_of(outcome), page)
 
 
 def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
@@ -96,15 +96,15 @@ def page(outcome: FitOutcome, shown: tuple[Shown, ...] | None = None) -> str:
         answers(outcome),
         doubts(outcome),
         failures(outcome),
-        section("Figures", figure_elements(shown)) if shown else "",
+        section("Figures", parts.figure_elements(shown)) if shown else "",
         _asked(outcome),
         steps(outcome),
         _formulas(study),
-        trust(outcome.validity),
-        papers(study.problem),
+        parts.trust(outcome.validity),
+        parts.papers(study.problem),
         _made(outcome),
     ]
-    return framed(title, outcome.provenance.version, body)
+    return parts.framed(title, outcome.provenance.version, body)
 
 
 def _asked(outcome: FitOutcome) -> str:
@@ -136,14 +136,14 @@ def _asked(outcome: FitOutcome) -> str:
 
 def _in_words(study: FitStudy) -> str:
     relaxing = isinstance(study.problem, ViscoelasticIndentation)
-    parts = {
+    motions = {
         "approach": "the way in",
         "hold": "the way in with the hold",
         "retract": "the way out",
         "both": "the way in, the hold and the way out" if relaxing else "both ways, held points left out,",
     }
     many = f"{len(study.sources)} files" if len(study.sources) != 1 else Path(study.sources[0]).name
-    facts = [f"Of {many}, {parts[study.part]} was fitted."]
+    facts = [f"Of {many}, {motions[study.part]} was fitted."]
     if study.fitted == "position":
         facts.append("The measured forces drive the contact, and the positions were fitted.")
     if study.spring_constant:
@@ -195,18 +195,18 @@ def _formulas(study: FitStudy) -> str:
         "<p>The machine of the stiffness k<sub>m</sub> gives way; least squares make the residuals e small, and their "
         "own memory tells how sure the numbers are.</p>"
     )
-    return section("The formulas", text, lead, formula_list(found))
+    return section("The formulas", text, lead, parts.formula_list(found))
 
 
 def _made(outcome: FitOutcome) -> str:
     study = outcome.study
     sources = ", ".join(seen_from(study, path) for path in study.sources[:ROWS])
     grid = f", {MAPS} (maps)" if isinstance(map_grid(outcome), Grid) else ""
-    return origin(
+    return parts.origin(
         outcome.provenance,
         "the question with its curves",
         f"<p class='small'>Curves: {safe(sources)}</p>",
-        folded("The study file, word for word", study.text) if study.text else "",
+        parts.folded("The study file, word for word", study.text) if study.text else "",
         f"<p class='small'>All numbers with all digits: {CSV}, {NETCDF} (with every curve, model and residual){grid}, "
         f"and as text the first {FEW} curves in the folder curves, beside this page.</p>",
     )

@@ -24,21 +24,10 @@ from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.answer_curves import WITHOUT_CONTACT
 from winkler.study.chapters.formulas import formulas_of
 from winkler.study.language.reading import study_text
+from winkler.study.report import page_parts as parts
 from winkler.study.report.archive import CSV, NETCDF
 from winkler.study.report.figures import Shown, figures_of, shown_contact, shown_point
 from winkler.study.report.markup import safe, section
-from winkler.study.report.page import (
-    MEANINGS,
-    badge,
-    figure_elements,
-    folded,
-    formula_list,
-    framed,
-    origin,
-    papers,
-    trust,
-    write_page,
-)
 from winkler.study.report.tables import answered, asked, expected, failures, settings_told
 from winkler.validity import Standing, worst
 
@@ -74,7 +63,7 @@ def write(outcome: Outcome, folder: Path) -> None:
         Must exist. Figures go into its folder ``figures``, in the formats that the study's output names; the report,
         unless the study's output declines it, into ``report.html``.
     """
-    write_page(outcome, folder, figures_of(outcome), page)
+    parts.write_page(outcome, folder, figures_of(outcome), page)
 
 
 def page(outcome: Outcome, shown: tuple[Shown, ...] | None = None) -> str:
@@ -99,19 +88,19 @@ def page(outcome: Outcome, shown: tuple[Shown, ...] | None = None) -> str:
         expected(outcome),
         _pictures(outcome, pictures),
         _formulas(outcome),
-        trust(notes),
-        papers(outcome.study),
+        parts.trust(notes),
+        parts.papers(outcome.study),
         _provenance(outcome),
     ]
-    return framed(title, outcome.provenance.version, body)
+    return parts.framed(title, outcome.provenance.version, body)
 
 
 def _standing_line(outcome: Outcome, standing: Standing) -> str:
     made = outcome.provenance
     counts = f"{len(outcome.points)} points" if len(outcome.points) > 1 else "one point"
     return (
-        f"<p>{badge(standing)} <span class='small'>{MEANINGS[standing]} (the worst of all statements below). Solved "
-        f"with winkler {safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
+        f"<p>{parts.badge(standing)} <span class='small'>{parts.MEANINGS[standing]} (the worst of all statements "
+        f"below). Solved with winkler {safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
     )
 
 
@@ -121,19 +110,19 @@ def _standing_line(outcome: Outcome, standing: Standing) -> str:
 def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
     answers = [one for one in shown if not one.of_method]
     method = [one for one in shown if one.of_method]
-    parts = []
+    sections = []
     if answers:
-        parts.append(section("The answers as curves", figure_elements(answers)))
+        sections.append(section("The answers as curves", parts.figure_elements(answers)))
     if method:
-        parts.append(section("The method in pictures", _which(outcome), figure_elements(method)))
+        sections.append(section("The method in pictures", _which(outcome), parts.figure_elements(method)))
     point = shown_point(outcome)
     if shown_contact(point) is None and not isinstance(point.solution, WITHOUT_CONTACT):
         kind = type(point.problem).__name__
         sentence = (
             f"There are no pictures of the method for {kind}: its answer does not tell how the springs are pressed."
         )
-        parts.append(section("The method in pictures", f'<p class="missing">{safe(sentence)}</p>'))
-    return "\n".join(parts)
+        sections.append(section("The method in pictures", f'<p class="missing">{safe(sentence)}</p>'))
+    return "\n".join(sections)
 
 
 def _which(outcome: Outcome) -> str:
@@ -157,7 +146,7 @@ def _formulas(outcome: Outcome) -> str:
         return section(
             "The formulas", "<p>For this problem the report knows no formulas; the papers below have them.</p>"
         )
-    return section("The formulas", formula_list(found))
+    return section("The formulas", parts.formula_list(found))
 
 
 def _readable(text: str) -> str:
@@ -166,6 +155,6 @@ def _readable(text: str) -> str:
 
 
 def _provenance(outcome: Outcome) -> str:
-    text = folded("The study as a file; it gives the same numbers again", _readable(study_text(outcome.study)))
+    text = parts.folded("The study as a file; it gives the same numbers again", _readable(study_text(outcome.study)))
     files = f"<p class='small'>All numbers with all digits: {CSV} and {NETCDF}, beside this page.</p>"
-    return origin(outcome.provenance, "the question", text, files)
+    return parts.origin(outcome.provenance, "the question", text, files)

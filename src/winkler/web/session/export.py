@@ -11,7 +11,7 @@ from typing import NamedTuple
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
-from winkler.study.report.page import REPORT
+from winkler.study.report.page_parts import REPORT
 
 __all__ = ["File", "exported"]
 
