@@ -57,7 +57,8 @@ def fit(
     from winkler.cli import terminal
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
-    from winkler.study.batch.fit_run import Fits, gather_fits, pieces
+    from winkler.study.batch.fit_recording import recalled_fits
+    from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import named
     from winkler.study.batch.stopping import answered
@@ -77,9 +78,9 @@ def fit(
     under_way = _UnderWay(asked)
     journal = Journal.beside(folder, asked)
     with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as files:
-        fits = Fits(asked, todo, journal if len(todo) > 1 else None)
-        known, hidden = len(fits.known), quiet or as_json
-        stream = fits.results(workers=workers, watch=under_way.watch)
+        before, kept = recalled_fits(asked, todo, journal), journal if len(todo) > 1 else None
+        known, hidden = len(before), quiet or as_json
+        stream = fit_curves(asked, todo, before, workers=workers, watch=under_way.watch, journal=kept)
         try:
             found.update(terminal.tracked(stream, len(todo), hidden=hidden, doing=under_way.told, before=known))
         except KeyboardInterrupt:

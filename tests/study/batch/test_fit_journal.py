@@ -14,8 +14,8 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.study.batch import fit_run
 from winkler.study.batch.fit_outcome import Fitted, Refused
-from winkler.study.batch.fit_recording import fingerprint
-from winkler.study.batch.fit_run import Fits, fit_study
+from winkler.study.batch.fit_recording import fingerprint, recalled_fits
+from winkler.study.batch.fit_run import fit_curves, fit_study
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.language.fit_reading import read_fit_study
@@ -55,13 +55,13 @@ def counted(monkeypatch):
 def kept(path, study=STUDY, todo=MAP, count=None):
     """Fit the first curves with a journal; return what is known before, and all that came."""
     with Journal(path, study) as journal:
-        fits = Fits(study, todo, journal)
-        stream = fits.results()
-        return fits.known, dict(stream) if count is None else dict(next(stream) for _ in range(count))
+        known = recalled_fits(study, todo, journal)
+        stream = fit_curves(study, todo, known=known, journal=journal)
+        return known, dict(stream) if count is None else dict(next(stream) for _ in range(count))
 
 
 def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, counted):
-    whole = dict(Fits(STUDY, MAP).results())
+    whole = dict(fit_curves(STUDY, MAP))
     del counted[:]
     kept(tmp_path / "x", count=3)
     known, found = kept(tmp_path / "x")
@@ -176,7 +176,7 @@ def test_a_line_that_does_not_fit_is_refused(tmp_path):
         pytest.raises(InvalidInput, match=r"holds a line that does not fit the study .*; add --anew"),
         Journal(tmp_path / "x", STUDY) as journal,
     ):
-        Fits(STUDY, MAP, journal)
+        recalled_fits(STUDY, MAP, journal)
 
 
 def test_only_known_classes_are_made_again():

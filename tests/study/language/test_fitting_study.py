@@ -16,7 +16,7 @@ from winkler.fitting.fit import fit
 from winkler.io.curves import PlacedCurve, read_curve
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import Fitted, Refused
-from winkler.study.batch.fit_run import Fits, fit_study, gather_fits
+from winkler.study.batch.fit_run import fit_curves, fit_study, gather_fits
 from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
 from winkler.study.language.reading import parse_study
@@ -263,7 +263,7 @@ def test_a_force_map_is_laid_on_its_grid(here):
         for column in (2, 0, 1)
         for row in (1, 0)
     ]
-    outcome = gather_fits(study, Fits(study, todo).results(), started=0.0)
+    outcome = gather_fits(study, fit_curves(study, todo), started=0.0)
     grid = map_grid(outcome)
     assert isinstance(grid, Grid)
     assert np.allclose(grid.laid(outcome.numbers(study.free[0])), truth, rtol=0.02)

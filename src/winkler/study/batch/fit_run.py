@@ -12,8 +12,9 @@ import math
 import operator
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
@@ -23,7 +24,6 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
 from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
-from winkler.numerics.types import Array
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import (
     MISTAKE,
@@ -37,55 +37,17 @@ from winkler.study.batch.fit_recording import (
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.run import ERRORS, provenance, resumed
-from winkler.study.batch.stream import Batch
+from winkler.study.batch.stream import results
 from winkler.study.language.canonical import how_fitted
 from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["Fits", "Watch", "fit_study", "gather_fits", "pieces"]
+__all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
 
+NOTHING: Mapping[int, Results] = MappingProxyType({})
 Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
 """Passes on how far a fit has come, state after state, and last what it has found."""
-
-
-class Fits(Batch[Piece, Results]):
-    """The fits of a study.
-
-    Parameters
-    ----------
-    study
-        The model, and what is free.
-    todo
-        Files or curves, from `pieces`.
-    journal
-        Where fits are kept.
-    """
-
-    done = "fitted"
-
-    def __init__(self, study: FitStudy, todo: Sequence[Piece], journal: Journal | None = None) -> None:
-        super().__init__(todo, functools.partial(_marked, study), journal)
-        self.tasks = "files" if len(study.sources) > 1 else "curves"
-        self.known = {} if journal is None else recalled_fits(study, todo, journal)
-
-    def recalled(self) -> Iterable[tuple[int, Results]]:
-        """Return what an earlier run found of curves that are the same."""
-        return self.known.items()
-
-    def without(self, done: Array) -> list[Piece]:
-        """Return the files or curves that are left."""
-        return [self.todo[place] for place in np.flatnonzero(~done).tolist()]
-
-    def result(self, computed: tuple[str, Results]) -> Results:
-        """Return what came of the curves of a file."""
-        if self.journal is not None:
-            self.journal.write(written_fits(*computed))
-        return computed[1]
-
-    def useful(self, result: Results) -> bool:
-        """Return whether a curve was fitted."""
-        return any(isinstance(one, Fitted) for one in result)
 
 
 def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = "") -> FitOutcome:
@@ -105,16 +67,59 @@ def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = ""
     """
     started = time.perf_counter()
     todo = pieces(study)
-    return resumed(
-        study,
-        journal,
-        lambda kept: gather_fits(study, Fits(study, todo, kept).results(workers=workers), started=started),
-    )
+
+    def outcome(kept: Journal | None) -> FitOutcome:
+        known = NOTHING if kept is None else recalled_fits(study, todo, kept)
+        return gather_fits(study, fit_curves(study, todo, known, workers=workers, journal=kept), started=started)
+
+    return resumed(study, journal, outcome)
 
 
 def pieces(study: FitStudy) -> list[Piece]:
     """Return what workers share: the files of a study, or the curves of its only file."""
     return list(study.sources) if len(study.sources) > 1 else list(_read(study, study.sources[0]))
+
+
+def fit_curves(
+    study: FitStudy,
+    todo: Sequence[Piece],
+    known: Mapping[int, Results] = NOTHING,
+    *,
+    workers: Workers = 1,
+    watch: Watch | None = None,
+    journal: Journal | None = None,
+) -> Iterator[tuple[int, Results]]:
+    """Yield the place of every piece and what came of it, first what is known, then others as they are fitted.
+
+    Parameters
+    ----------
+    study
+        The model, and what is free.
+    todo
+        Files or curves, from `pieces`.
+    known
+        What an earlier run found, by place, from `recalled_fits`.
+    workers, watch, journal
+        As for `winkler.study.batch.stream.results`.
+    """
+
+    def kept(computed: tuple[str, Results]) -> Results:
+        if journal is not None:
+            journal.write(written_fits(*computed))
+        return computed[1]
+
+    return results(
+        todo,
+        functools.partial(_marked, study),
+        known=known.items(),
+        left=lambda done: [todo[place] for place in np.flatnonzero(~done).tolist()],
+        result=kept,
+        useful=lambda curves: any(isinstance(one, Fitted) for one in curves),
+        journal=journal,
+        names=("files" if len(study.sources) > 1 else "curves", "fitted"),
+        workers=workers,
+        watch=watch,
+    )
 
 
 def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[str, Results]:
@@ -132,7 +137,7 @@ def gather_fits(
     study
         What was asked.
     found
-        What `Fits.results` yields, in any order.
+        What `fit_curves` yields, in any order.
     started, source
         As for `winkler.study.batch.run.gather`.
     left

@@ -8,9 +8,8 @@ written is not computed again.
 from __future__ import annotations
 
 import time
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, Generic, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -21,90 +20,78 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
 from winkler.study.batch.stopping import INTERRUPTED, look
 
-__all__ = ["Batch"]
+__all__ = ["results"]
 
 T = TypeVar("T")
 R = TypeVar("R")
 
 
-class Batch(ABC, Generic[T, R]):
-    """What is computed, and the journal that keeps it.
+def results(
+    todo: Sequence[T],
+    compute: Callable[..., Any],
+    *,
+    known: Iterable[tuple[int, R]],
+    left: Callable[[Array], Sequence[T]],
+    result: Callable[[Any], R],
+    useful: Callable[[R], bool],
+    journal: Journal | None,
+    names: tuple[str, str],
+    workers: Workers,
+    watch: Any,
+) -> Iterator[tuple[int, R]]:
+    """Yield the place of every task and its result, first what is known, then others as they are computed.
 
     Parameters
     ----------
-    todo : sequence
+    todo
         The tasks.
     compute
         Takes a task, and as `watch` what sees its progress in this process; can be sent to others.
+    known
+        What an earlier run found.
+    left
+        Takes what is known of every place, and gives the other tasks.
+    result
+        Makes the result of what was computed, and writes it into the journal.
+    useful
+        Tells whether a result answers anything; if none does, the journal is removed, for the study has to be changed.
     journal
-        Where results are written, and those of an earlier run are found.
+        Where results are written.
+    names
+        What many tasks are called, and what is done with one.
+    workers
+        Number of processes, a cluster, or the `Machine`; 1 computes in this one.
+    watch
+        Sees the progress of the tasks that this process computes.
+
+    Raises
+    ------
+    NotConverged
+        If workers died: how many results are kept.
     """
-
-    tasks, done = "points", "solved"
-    """What tasks are called in a sentence, and what is done with them."""
-
-    def __init__(self, todo: Sequence[T], compute: Callable[..., Any], journal: Journal | None) -> None:
-        self.todo, self.compute, self.journal = todo, compute, journal
-
-    @abstractmethod
-    def recalled(self) -> Iterable[tuple[int, R]]:
-        """Return places of tasks whose result is known, and these."""
-
-    @abstractmethod
-    def without(self, done: Array) -> Sequence[T]:
-        """Return the tasks at all places but those where `done` is true."""
-
-    @abstractmethod
-    def result(self, computed: Any) -> R:
-        """Return the result of what was computed, which is written into the journal."""
-
-    @abstractmethod
-    def useful(self, result: R) -> bool:
-        """Return whether anything was answered."""
-
-    def results(self, *, workers: Workers = 1, watch: Any = None) -> Iterator[tuple[int, R]]:
-        """Yield the place of every task and its result, first what is known, then others as they are computed.
-
-        Parameters
-        ----------
-        workers
-            Number of processes, a cluster, or the `Machine`; 1 computes in this one.
-        watch
-            Sees the progress of the tasks that this process computes.
-
-        Raises
-        ------
-        NotConverged
-            If workers died: how many results are kept.
-        """
-        checked_workers(workers)
-        done, useful, journal = np.zeros(len(self.todo), dtype=bool), False, self.journal
-        for place, result in self.recalled():
-            done[place] = True
-            useful = useful or self.useful(result)
-            yield place, result
-        places = np.flatnonzero(~done)
-        for nth, computed in self._counted(_computed(self.compute, self.without(done), workers, watch)):
+    checked_workers(workers)
+    done, answered = np.zeros(len(todo), dtype=bool), False
+    for place, found in known:
+        done[place] = True
+        answered = answered or useful(found)
+        yield place, found
+    places = np.flatnonzero(~done)
+    try:
+        for nth, computed in _computed(compute, left(done), workers, watch):
             look()  # a library may have made a failed one of it
             if _interrupted(computed) and journal is not None and journal.count:  # the run goes on from what is kept
                 raise KeyboardInterrupt
-            result = self.result(computed)
-            useful = useful or self.useful(result)
-            yield int(places[nth]), result
-        if journal is not None and not useful:  # the study has to be changed
-            journal.remove()
-
-    def _counted(self, computed: Iterator[tuple[int, Any]]) -> Iterator[tuple[int, Any]]:
-        """Yield what is computed; if nobody is left to do it, say how much is kept."""
-        try:
-            yield from computed
-        except NotConverged as error:
-            if self.journal is None:
-                raise
-            count = f"{self.journal.count} of {len(self.todo)} {self.tasks} are kept in '{self.journal.path}'"
-            kept = f"{count}, and the same run goes on from there."
-            nothing = f"No {self.tasks.removesuffix('s')} was {self.done}."
-            raise NotConverged(f"{error} {kept if self.journal.count else nothing}") from None
+            found = result(computed)
+            answered = answered or useful(found)
+            yield int(places[nth]), found
+    except NotConverged as error:
+        if journal is None:
+            raise
+        kept = f"{journal.count} of {len(todo)} {names[0]} are kept in '{journal.path}', and the same run goes on"
+        kept = f"{kept} from there." if journal.count else f"No {names[0].removesuffix('s')} was {names[1]}."
+        raise NotConverged(f"{error} {kept}") from None
+    if journal is not None and not answered:
+        journal.remove()
 
 
 def _interrupted(computed: Any) -> bool:

@@ -14,7 +14,6 @@ import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 from winkler.fields import restore
-from winkler.numerics.types import Array
 from winkler.study.batch.checkpoint import Keep
 from winkler.study.batch.journal import Journal, settled
 from winkler.study.batch.marching import ANEW, March, Watch, is_march, marched, unwatched
@@ -22,7 +21,7 @@ from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import light, recalled, written
 from winkler.study.batch.stopping import INTERRUPTED
-from winkler.study.batch.stream import Batch
+from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import Task, Tasks, tasks
 from winkler.study.language.study import Expectation, Study
 
@@ -59,39 +58,6 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
         return Failed(index, settings, problem, str(error), error.exit_code)
 
 
-class _Sweep(Batch[Task, Point]):
-    """The points of a study; of a long sweep without their solutions."""
-
-    def __init__(self, study: Study, journal: Journal | None, keep: Keep) -> None:
-        alone = study.size == 1  # its error ends the run, and shows where it came from
-        whole = study.size <= WHOLE
-        compute = functools.partial(
-            _slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole, alone=alone
-        )
-        self.study, self.points = study, tasks(study)
-        super().__init__(self.points, compute, journal)
-
-    def recalled(self) -> Iterator[tuple[int, Point]]:
-        shape = self.study.shape
-        for content in self.journal.recalled() if self.journal is not None else ():
-            if settled(content):
-                place = int(np.ravel_multi_index(content["at"], shape)) if shape else 0
-                yield place, recalled(content, self.points[place], self.study.expect)
-
-    def without(self, done: Array) -> Tasks:
-        return self.points.without(done)
-
-    def result(self, computed: Point) -> Point:
-        if self.journal is None or (not isinstance(computed, Failed) and computed.code == INTERRUPTED):
-            return computed
-        slim = _slim(computed, self.study.expect, self.study.shape)
-        self.journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
-        return slim if isinstance(slim, Failed) else computed
-
-    def useful(self, result: Point) -> bool:
-        return not isinstance(result, Failed)
-
-
 def solve_points(
     study: Study,
     journal: Journal | None = None,
@@ -124,9 +90,24 @@ def solve_points(
     NotConverged
         If workers died: how many points are kept.
     """
+    points, expect, shape = tasks(study), study.expect, study.shape
+    alone = study.size == 1  # its error ends the run, and shows where it came from
+    whole = study.size <= WHOLE
+    stream = results(
+        points,
+        functools.partial(_slimmed, expect=expect, shape=shape, keep=keep, whole=whole, alone=alone),
+        known=() if journal is None else _known(study, points, journal),
+        left=points.without,
+        result=functools.partial(_kept, journal, expect, shape),
+        useful=lambda point: not isinstance(point, Failed),
+        journal=journal,
+        names=("points", "solved"),
+        workers=workers,
+        watch=watch,
+    )
     early: dict[int, Point] = {}
     due = 0
-    for place, point in _Sweep(study, journal, keep).results(workers=workers, watch=watch):
+    for place, point in stream:
         if journal is not None:
             yield point
             continue
@@ -134,6 +115,22 @@ def solve_points(
         while due in early:
             yield early.pop(due)
             due += 1
+
+
+def _known(study: Study, points: Tasks, journal: Journal) -> Iterator[tuple[int, Point]]:
+    for content in journal.recalled():
+        if settled(content):
+            place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
+            yield place, recalled(content, points[place], study.expect)
+
+
+def _kept(journal: Journal | None, expect: tuple[Expectation, ...], shape: tuple[int, ...], point: Point) -> Point:
+    """Return a point that was computed, and write it into the journal if it was not interrupted."""
+    if journal is None or (not isinstance(point, Failed) and point.code == INTERRUPTED):
+        return point
+    slim = _slim(point, expect, shape)
+    journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
+    return slim if isinstance(slim, Failed) else point
 
 
 def _slimmed(
