@@ -77,7 +77,7 @@ def fit(
     found: dict[int, Any] = {}
     under_way = _UnderWay(asked)
     journal = Journal.beside(folder, asked)
-    with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as files:
+    with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as partial:
         before, kept = recalled_fits(asked, todo, journal), journal if len(todo) > 1 else None
         known, hidden = len(before), quiet or as_json
         stream = fit_curves(asked, todo, before, workers=workers, watch=under_way.watch, journal=kept)
@@ -94,8 +94,8 @@ def fit(
             outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
         except WinklerError as error:
             raise named(error, study.name) from None
-        write_outcome(outcome, files.partial)
-        files.complete = not left
+        write_outcome(outcome, partial)
+        journal.complete = not left
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:

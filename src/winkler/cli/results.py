@@ -18,28 +18,14 @@ if TYPE_CHECKING:
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.outcome import Outcome
 
-__all__ = ["Results", "resumed", "say_outcome"]
-
-
-class Results:
-    """Where a command writes, and whether everything that its study asks for is done.
-
-    Parameters
-    ----------
-    partial
-        An empty folder, which becomes the folder of results.
-    """
-
-    def __init__(self, partial: Path) -> None:
-        self.partial = partial
-        self.complete = True
+__all__ = ["resumed", "say_outcome"]
 
 
 @contextlib.contextmanager
 def resumed(
     folder: Path, journal: Journal, keep: Keep | None = None, *, many: str, overwrite: bool, anew: bool
-) -> Iterator[Results]:
-    """Give a place to write results into; what earlier runs have left is known, and forgotten when it is complete.
+) -> Iterator[Path]:
+    """Give an empty folder to write results into; what earlier runs have left is forgotten if they are complete.
 
     Parameters
     ----------
@@ -77,14 +63,13 @@ def resumed(
                 overwrite = journal.count > 0 or _may_overwrite(folder)
             try:
                 with placed(folder, overwrite=overwrite) as partial:
-                    results = Results(partial)
-                    yield results
+                    yield partial
             except KeyboardInterrupt:
                 if not journal.count:
                     raise
                 kept = f"{journal.count} of {many} are kept beside {folder}"
                 raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
-            if results.complete:
+            if journal.complete:
                 with held():
                     _forget(journal, keep)
 

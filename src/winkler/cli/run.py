@@ -69,7 +69,7 @@ def run(
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     many, hidden = math.prod(asked.shape), quiet or as_json
     journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
-    with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as results:
+    with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
         before = journal.count
         who = Cluster(cluster) if cluster else Machine() if workers is None else workers
         watch = terminal.marching(hidden=hidden or many > 1)
@@ -77,11 +77,11 @@ def run(
         watched = terminal.tracked(points, many, hidden=hidden, before=before)
         try:
             outcome = gather(asked, watched, started=started, source=study.name)
-            write_outcome(outcome, results.partial)
+            write_outcome(outcome, partial)
         except WinklerError as error:
             raise named(error, study.name) from None
         code = _code(outcome)
-        results.complete = code != Interrupted.exit_code
+        journal.complete = code != Interrupted.exit_code
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
