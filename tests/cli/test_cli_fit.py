@@ -205,6 +205,8 @@ def test_another_fit_is_refused_until_it_is_told_to_begin_anew(here, monkeypatch
     capsys.readouterr()
     assert main(["fit", "gel.toml", "--output", "out", "--overwrite"]) == 2
     assert "holds curves of another study, or of another version of this one; add --anew" in capsys.readouterr().err
+    assert main(["fit", "gel.toml", "--output", "out", "--anew"]) == 2
+    assert (here / ".out.journal").exists()  # nothing is forgotten before the folder may be written
     assert main(["fit", "gel.toml", "--output", "out", "--overwrite", "--anew"]) == 0
     assert not (here / ".out.journal").exists()
     assert "known from the run before" not in capsys.readouterr().out
