@@ -82,7 +82,7 @@ def fit(
         known, hidden = len(before), quiet or as_json
         stream = fit_curves(asked, todo, before, workers=workers, watch=under_way.watch, journal=kept)
         try:
-            found.update(terminal.tracked(stream, len(todo), hidden=hidden, doing=under_way.told, before=known))
+            found.update(terminal.tracked(stream, len(todo), hidden=hidden, doing=under_way.progress, before=known))
         except KeyboardInterrupt:
             if not found and under_way.state is not None:
                 raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
@@ -127,7 +127,7 @@ class _UnderWay:
             self.state = state if isinstance(state, FitState) else None
             yield state
 
-    def told(self) -> str:
+    def progress(self) -> str:
         """Return how far it has come, in a few words."""
         return f"fitting: {_course(self.state, self.study)}" if self.state is not None else "fitting"
 

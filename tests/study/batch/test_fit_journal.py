@@ -151,8 +151,8 @@ def test_a_batch_without_any_answer_leaves_no_journal(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize(("before", "told"), [(2, "2 of 4 curves are kept in '{}'"), (0, "No curve was fitted.")])
-def test_when_workers_die_it_is_said_what_is_kept(before, told, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("before", "sentence"), [(2, "2 of 4 curves are kept in '{}'"), (0, "No curve was fitted.")])
+def test_when_workers_die_it_is_said_what_is_kept(before, sentence, tmp_path, monkeypatch):
     def dead(*_):
         raise NotConverged("workers: a worker process ended before its time.")
 
@@ -160,7 +160,7 @@ def test_when_workers_die_it_is_said_what_is_kept(before, told, tmp_path, monkey
     if before:
         kept(path, count=before)
     monkeypatch.setattr(fit_run, "fingerprint", dead)
-    with pytest.raises(NotConverged, match=re.escape(f"ended before its time. {told.format(path)}")):
+    with pytest.raises(NotConverged, match=re.escape(f"ended before its time. {sentence.format(path)}")):
         kept(path)
 
 

@@ -18,7 +18,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from winkler.errors import InvalidInput, WinklerError
+from winkler.errors import InvalidInput, Mistake, WinklerError
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
@@ -26,7 +26,6 @@ from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import (
-    MISTAKE,
     Piece,
     Results,
     fingerprint,
@@ -186,7 +185,7 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         return Refused(name, one.x, one.y, str(error), error.exit_code)
     except Exception as error:  # it costs this curve, not the batch
         reason = " ".join(str(error).split())
-        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {reason}", MISTAKE)
+        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {reason}", Mistake.exit_code)
 
 
 def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:
