@@ -14,14 +14,16 @@ import shutil
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import shown
-from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.batch.stopping import held, keeping, look
 from winkler.study.language.reading import study_text
+
+if TYPE_CHECKING:
+    from winkler.study.batch.fit_outcome import FitOutcome
 
 __all__ = [
     "OLD",
@@ -50,16 +52,7 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
     numbers), and provenance.json.
     """
     shown = outcome.study.output.report or outcome.study.output.figures
-    if isinstance(outcome, FitOutcome):
-        from winkler.study.report.fit_writing import write_numbers
-
-        write_numbers(outcome, folder)
-        if shown:
-            from winkler.study.report import fit_report
-
-            fit_report.write(outcome, folder)
-        text, left = outcome.study.text, outcome.left
-    else:
+    if isinstance(outcome, Outcome):
         from winkler.study.report import archive
 
         archive.write(outcome, folder)
@@ -68,6 +61,15 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
 
             report.write(outcome, folder)
         text, left = study_text(outcome.study), 0
+    else:
+        from winkler.study.report import fit_writing
+
+        fit_writing.write_numbers(outcome, folder)
+        if shown:
+            from winkler.study.report import fit_report
+
+            fit_report.write(outcome, folder)
+        text, left = outcome.study.text, outcome.left
     if text:
         (folder / "study.toml").write_text(text, encoding="utf-8")
     write_provenance(outcome.provenance, folder, missing=left)
