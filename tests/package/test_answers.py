@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from winkler import study
-from winkler.plot import draw
+from winkler.plot import sheet_of
 from winkler.problems.answer import March
 from winkler.study.batch.outcome import _numbers_of
 from winkler.study.chapters.answer import Answer, Contact
@@ -53,7 +53,7 @@ def missing(name: str, answer: Answer, manual: str, cases: set[str]) -> list[str
     drawn = {word for pair in answer.curves for word in pair} | set(answer.compared)
     marches = hasattr(problem, "steps") or "states" in fields
     checks = {
-        "a picture, registered with winkler.plot.draw": draw.dispatch(solution) is not draw.dispatch(object),
+        "a picture, registered with winkler.plot.draw": sheet_of.dispatch(solution) is not sheet_of.dispatch(object),
         "a caption, of its own or of a contact that is shown": answer.picture or answer.contact is not Contact.NONE,
         "formulas": answer.formulas(build(example_study(name)["problem"])),
         "words for the contact that the report shows": answer.contact is not Contact.PATH or answer.contact_shown,

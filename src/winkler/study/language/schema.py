@@ -109,7 +109,6 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
     raise TypeError(f"{owner.__name__}.{field}: a study file cannot hold {hint}.")
 
 
-@functools.cache
 def allowed_kinds(hint: Any) -> tuple[str, ...]:
     """Return the kinds that may stand where a class asks for `hint`; none if it does not ask for one.
 
@@ -120,7 +119,13 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
     if typing.get_origin(hint) in (Union, types.UnionType):
         parts = [allowed_kinds(part) for part in typing.get_args(hint) if path_of(part) not in UNWRITTEN]
         return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
-    return tuple(name for name in kinds() if _may_stand(name, hint))
+    return _kinds_of(hint) if isinstance(hint, type) else ()
+
+
+@functools.cache  # of one class only: unions of the same classes in another order are equal
+def _kinds_of(cls: type) -> tuple[str, ...]:
+    """Return the kinds of a class and of those derived from it."""
+    return tuple(name for name, line in kinds().items() if issubclass(line.cls, cls))
 
 
 def _may_stand(name: str, hint: Any) -> bool:
