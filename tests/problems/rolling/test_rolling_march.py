@@ -17,8 +17,8 @@ from winkler.media.halfspace import HalfSpace
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.rolling.calibration import Kalker
 from winkler.problems.rolling.creepage import Creepage
-from winkler.problems.rolling.oscillating import OscillatingRolling, OscillatingRollingSolution
-from winkler.problems.rolling.start import RollingStart, RollingStartSolution
+from winkler.problems.rolling.oscillating import OscillatingRolling
+from winkler.problems.rolling.start import RollingStart
 from winkler.profiles.conical import Cone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid
@@ -135,7 +135,7 @@ class TestStart:
         problem = start(0.4, 0.2 * MU * FORCE, count=100)
         states = list(problem.steps())
         whole = problem.solve()
-        assert RollingStartSolution.of(problem, states) == whole
+        assert problem.gathered(states) == whole
         assert whole.states[5].shear_force == whole.shear_force[5]
         assert np.max(np.abs(states[0].shear_load - states[-1].shear_load)) > 0.0
 
@@ -251,7 +251,7 @@ class TestRocking:
     def test_one_at_a_time(self):
         problem = rocked(0.72, cycles=4, count=50)
         states = list(problem.steps())
-        assert OscillatingRollingSolution.of(problem, states) == problem.solve()
+        assert problem.gathered(states) == problem.solve()
         assert [state.cycle for state in states] == [0, 1, 2, 3, 4]
 
     @pytest.mark.parametrize(

@@ -109,7 +109,8 @@ def variables(found: tuple[Indices, ...], keys: list[str]) -> tuple[dict[str, An
         )
         for name, (symbol, meaning) in MEANINGS.items()
     }
-    return content, {"answer": np.array([one.answer for one in found]), "key": np.array(keys)}
+    answers = np.array([one.answer for one in found])
+    return content, {"answer": (("answer",), answers, {}), "key": (("key",), np.array(keys), {})}
 
 
 def write(found: tuple[Indices, ...], keys: list[str], path: Path) -> None:
