@@ -42,7 +42,7 @@ def many():
         wk.Sphere(0.01),
         wk.Elastic(1e9, 0.3),
         BED,
-        wk.Indentation(BED, wk.Force(100.0)),
+        wk.Indentation(wk.Foundation(wk.Sphere(0.01), wk.HalfSpace(STEEL)), wk.Force(100.0)),
         wk.Paraboloid(1.0) + wk.Cone(1.0),
         wk.CoatedHalfSpace([wk.Layer(STEEL, 1e-6)], on=wk.Rigid()),
         wk.AreaFunction([24.5, 1e-7]),

@@ -6,6 +6,7 @@ import copy
 import dataclasses
 import inspect
 import pickle
+import re
 
 import pytest
 
@@ -13,6 +14,7 @@ import winkler
 import winkler as wk
 from winkler.errors import nearest, suggest
 from winkler.public import __all__ as PUBLIC
+from winkler.study.language.reading import parse_study
 from winkler.synonyms import SYNONYMS
 from winkler.values import value
 from winkler.vocabulary import GLOSSARY
@@ -133,6 +135,22 @@ def test_synonyms_lead_to_words_of_winkler(wrong):
     known = {*GLOSSARY, *PUBLIC, "first", "second", "law", "on", "normal", "stroke"}
     assert known.issuperset(SYNONYMS[wrong])
     assert wrong not in SYNONYMS[wrong]
+
+
+def test_a_study_knows_the_usual_words_too():
+    text = """
+        title = "a ball"
+        problem.kind = "indentation"
+        problem.load = { kind = "force", load = "1 N" }
+        problem.bed.kind = "foundation"
+        problem.bed.profile = { kind = "sphere", radius = "10 mm" }
+        problem.bed.medium = { kind = "half_space", first = { kind = "elastic", E = "210 GPa", nu = 0.3 } }
+    """
+    with pytest.raises(wk.WinklerError) as caught:
+        parse_study(text, file="ball.toml")
+    found = re.findall(r"(\w+) is not known \(did you mean '(\w+)'\?\)", str(caught.value))
+    assert dict(found) == {"load": "force", "radius": "curvature_radius", "E": "young", "nu": "poisson"}
+    assert "add it" not in str(caught.value)  # what was meant is not missing as well
 
 
 def test_what_is_like_nothing_gets_no_suggestion():

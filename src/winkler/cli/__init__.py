@@ -54,11 +54,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _command(words: list[str]) -> int:
-    from winkler.cli.app import app
+    from winkler.cli.app import command
 
     stopping.look()  # what is imported may swallow a signal
     gc.set_threshold(100_000)  # what is loaded stays: to look through it for garbage takes a tenth of a short run
-    answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
+    answer = command(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
     stopping.look()
     if answer == stopping.INTERRUPTED:  # what typer makes of Ctrl-C
         raise KeyboardInterrupt

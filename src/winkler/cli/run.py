@@ -6,12 +6,13 @@ import dataclasses
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
 from winkler.cli.options import Output, Overwrite, Quiet
-from winkler.cli.saying import read_or_not, safe, say, say_json
+from winkler.cli.results import resumed, say_outcome
+from winkler.cli.saying import read_or_not, say
 
 if TYPE_CHECKING:
     from winkler.errors import WinklerError
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from winkler.study.batch.pool import Workers
     from winkler.study.language.study import Study
 
-__all__ = ["may_overwrite", "run"]
+__all__ = ["run"]
 
 MISSED = 1
 
@@ -75,18 +76,18 @@ def run(
     who = Cluster(cluster) if cluster else Machine() if workers is None else workers
     job = _Job(content, study.name, who, started, hidden=quiet or as_json)
     if as_json and output is None:
-        folder, known, outcome = None, 0, _answered(job)
+        folder, before, outcome = None, 0, _answered(job)
         place = "shown on stdout"
     else:
         folder = output or Path(content.output.folder or Path("results") / study.stem)
-        known, outcome = _written(job, folder, overwrite=overwrite, anew=anew)
+        before, outcome = _written(job, folder, overwrite=overwrite, anew=anew)
         place = f"in {folder}"
     if as_json:
         _print_json(outcome, folder)
     elif folder is not None and not quiet:
         _print(outcome, folder)
-        if known:
-            say(f"{known} of {job.many} points were known from the run before.")
+        if before:
+            say(f"{before} of {job.many} points were known from the run before.")
     code = _code(outcome)
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are {'kept ' if folder else ''}{place}.")
@@ -142,61 +143,23 @@ def _written(job: _Job, folder: Path, *, overwrite: bool, anew: bool) -> tuple[i
     from winkler.study.batch.checkpoint import Keep
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import gather, named
-    from winkler.study.batch.stopping import held
-    from winkler.study.batch.sweep import journaled, solve_points
-    from winkler.study.report.reserving import reserved
-    from winkler.study.report.writing import holds_results, placed, write_outcome
+    from winkler.study.batch.sweep import solve_points
+    from winkler.study.report.writing import write_outcome
 
-    study, name, who, started, hidden = job
-    many = job.many
-    with reserved(folder):
-        if holds_results(folder) and not overwrite:
-            overwrite = may_overwrite(folder)
-        journal, keep = Journal.beside(folder, study), Keep.beside(folder)
-        if anew:
-            journal.remove()
-            keep.forget()
-        with journal:
-            before = journal.count
-            watch = terminal.marching(hidden=hidden or many > 1)
-            try:
-                with placed(folder, overwrite=overwrite) as partial:
-                    if many > 1:
-                        points = journaled(study, journal, workers=who, watch=watch, keep=keep)
-                    else:
-                        points = solve_points(study, workers=who, watch=watch, keep=keep)
-                    watched = terminal.tracked(points, many, hidden=hidden, before=before)
-                    try:
-                        outcome = gather(study, watched, started=started, source=name)
-                        write_outcome(outcome, partial)
-                    except WinklerError as error:
-                        raise named(error, name) from None
-            except KeyboardInterrupt:
-                if not journal.count:
-                    raise
-                kept = f"{journal.count} of {many} points are kept beside {folder}"
-                raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
-            if _code(outcome) != Interrupted.exit_code:
-                with held():
-                    journal.remove()
-                    keep.forget()
+    study, many = job.study, job.many
+    journal, keep = Journal.beside(folder, study), Keep.beside(folder)
+    with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
+        before = journal.count
+        watch = terminal.marching(hidden=job.hidden or many > 1)
+        points = solve_points(study, journal if many > 1 else None, workers=job.workers, watch=watch, keep=keep)
+        watched = terminal.tracked(points, many, hidden=job.hidden, before=before)
+        try:
+            outcome = gather(study, watched, started=job.started, source=job.name)
+            write_outcome(outcome, partial)
+        except WinklerError as error:
+            raise named(error, job.name) from None
+        journal.complete = _code(outcome) != Interrupted.exit_code
     return before, outcome
-
-
-def may_overwrite(folder: Path) -> bool:
-    """Ask whether the results in `folder` may be replaced; refuse where nobody can answer."""
-    import sys
-
-    from winkler.errors import InvalidInput
-
-    if not sys.stdin.isatty():
-        raise InvalidInput(
-            f"output: '{folder}' already holds results; add --overwrite to replace them, or give another folder with "
-            "--output."
-        )
-    if typer.confirm(safe(f"'{folder}' already holds results. Replace them?"), err=True):
-        return True
-    raise InvalidInput(f"output: '{folder}' was kept; give another folder with --output.")
 
 
 def _code(outcome: Outcome) -> int:
@@ -248,27 +211,10 @@ def _print(outcome: Outcome, folder: Path) -> None:
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
 
-    content: dict[str, Any] = {
-        "title": outcome.study.title,
-        "folder": str(folder) if folder else None,
-        "version": outcome.provenance.version,
-        "hash": outcome.provenance.hash,
-        "seconds": outcome.provenance.seconds,
-        "answers": [
-            {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
-        ],
+    more = {
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
-        "validity": [
-            {
-                "assumption": note.assumption.value,
-                "standing": note.standing.value,
-                "statement": note.statement,
-                "source": note.source,
-            }
-            for note in outcome.validity
-        ],
     }
-    say_json(content)
+    say_outcome(outcome, folder, "answers", more)

@@ -13,15 +13,15 @@ from typing import TYPE_CHECKING, Any
 from winkler.caches import with_fonts
 
 if TYPE_CHECKING:
-    from winkler.plot.draw import draw
+    from winkler.plot.draw import draw, sheet_of
 
-__all__ = ["draw"]
+__all__ = ["draw", "sheet_of"]
 
 with_fonts()
 
 
 class _Package(ModuleType):
-    """A package with the function `draw`, which the module of that name does not replace."""
+    """A package with the functions `draw` and `sheet_of`; the module of the first name does not replace it."""
 
     @property
     def draw(self) -> Any:
@@ -32,6 +32,12 @@ class _Package(ModuleType):
     @draw.setter
     def draw(self, module: ModuleType) -> None:
         """Take the module ``winkler.plot.draw``, which Python sets as an attribute when it is imported."""
+
+    @property
+    def sheet_of(self) -> Any:
+        from winkler.plot.registered import sheet_of
+
+        return sheet_of
 
 
 if not TYPE_CHECKING:

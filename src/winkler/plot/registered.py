@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.plot import restored  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
-from winkler.plot.draw import draw
+from winkler.plot.draw import draw, sheet_of
 from winkler.plot.heating import heating  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import lines, roughness  # noqa: F401
@@ -13,4 +13,4 @@ from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # 
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
 from winkler.plot.wear import wear  # noqa: F401
 
-__all__ = ["draw"]
+__all__ = ["draw", "sheet_of"]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from winkler.study.chapters.captions import CAPTIONS
 
 if TYPE_CHECKING:
+    from winkler.plot.panel import Sheet
     from winkler.plot.picture import Picture
 
 __all__ = ["Shown", "capital", "drawn"]
@@ -43,8 +44,11 @@ class Shown(NamedTuple):
         return self.name in CAPTIONS
 
 
-def drawn(name: str, title: str, sentence: str, picture: Picture) -> Shown:
+def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> Shown:
     """Return a figure with its text, laid out once for all formats."""
+    from winkler.plot.render import render  # matplotlib is loaded by the first figure
+
+    picture = render(sheet)
     _lay_out(picture)
     store = io.BytesIO()
     picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
@@ -55,7 +59,7 @@ def _lay_out(picture: Picture) -> None:
     """Put the axes of a figure in their places, by the letters of SVG; each format is then drawn once."""
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
-    from winkler.plot.style import styled
+    from winkler.plot.picture import styled
 
     engine, canvas, dpi = picture.get_layout_engine(), picture.canvas, picture.dpi
     if engine is None:
