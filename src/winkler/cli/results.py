@@ -102,7 +102,7 @@ def say_outcome(outcome: Outcome | FitOutcome, folder: Path | None, columns: str
     outcome
         What a study came to.
     folder
-        Where it was written; None if it was not.
+        Where it was written; None if nowhere.
     columns
         What its table is called.
     more

@@ -76,18 +76,18 @@ def run(
     who = Cluster(cluster) if cluster else Machine() if workers is None else workers
     job = _Job(content, study.name, who, started, hidden=quiet or as_json)
     if as_json and output is None:
-        folder, known, outcome = None, 0, _answered(job)
+        folder, before, outcome = None, 0, _answered(job)
         place = "shown on stdout"
     else:
         folder = output or Path(content.output.folder or Path("results") / study.stem)
-        known, outcome = _written(job, folder, overwrite=overwrite, anew=anew)
+        before, outcome = _written(job, folder, overwrite=overwrite, anew=anew)
         place = f"in {folder}"
     if as_json:
         _print_json(outcome, folder)
     elif folder is not None and not quiet:
         _print(outcome, folder)
-        if known:
-            say(f"{known} of {job.many} points were known from the run before.")
+        if before:
+            say(f"{before} of {job.many} points were known from the run before.")
     code = _code(outcome)
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are {'kept ' if folder else ''}{place}.")
@@ -146,19 +146,18 @@ def _written(job: _Job, folder: Path, *, overwrite: bool, anew: bool) -> tuple[i
     from winkler.study.batch.sweep import solve_points
     from winkler.study.report.writing import write_outcome
 
-    study, name, who, started, hidden = job
-    many = job.many
+    study, many = job.study, job.many
     journal, keep = Journal.beside(folder, study), Keep.beside(folder)
     with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
         before = journal.count
-        watch = terminal.marching(hidden=hidden or many > 1)
-        points = solve_points(study, journal if many > 1 else None, workers=who, watch=watch, keep=keep)
-        watched = terminal.tracked(points, many, hidden=hidden, before=before)
+        watch = terminal.marching(hidden=job.hidden or many > 1)
+        points = solve_points(study, journal if many > 1 else None, workers=job.workers, watch=watch, keep=keep)
+        watched = terminal.tracked(points, many, hidden=job.hidden, before=before)
         try:
-            outcome = gather(study, watched, started=started, source=name)
+            outcome = gather(study, watched, started=job.started, source=job.name)
             write_outcome(outcome, partial)
         except WinklerError as error:
-            raise named(error, name) from None
+            raise named(error, job.name) from None
         journal.complete = _code(outcome) != Interrupted.exit_code
     return before, outcome
 

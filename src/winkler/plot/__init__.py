@@ -21,7 +21,7 @@ with_fonts()
 
 
 class _Package(ModuleType):
-    """A package with the functions `draw` and `sheet_of`; the module ``draw`` does not replace the former."""
+    """A package with the functions `draw` and `sheet_of`; the module of the first name does not replace it."""
 
     @property
     def draw(self) -> Any:

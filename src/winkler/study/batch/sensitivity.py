@@ -109,8 +109,7 @@ def variables(found: tuple[Indices, ...], keys: list[str]) -> tuple[dict[str, An
         )
         for name, (symbol, meaning) in MEANINGS.items()
     }
-    answers = np.array([one.answer for one in found])
-    return content, {"answer": (("answer",), answers, {}), "key": (("key",), np.array(keys), {})}
+    return content, {"answer": np.array([one.answer for one in found]), "key": np.array(keys)}
 
 
 def write(found: tuple[Indices, ...], keys: list[str], path: Path) -> None:

@@ -122,12 +122,6 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
     return _kinds_of(hint) if isinstance(hint, type) else ()
 
 
-@functools.cache  # of one class only: unions of the same classes in another order are equal
-def _kinds_of(cls: type) -> tuple[str, ...]:
-    """Return the kinds of a class and of those derived from it."""
-    return tuple(name for name, line in kinds().items() if issubclass(line.cls, cls))
-
-
 def _may_stand(name: str, hint: Any) -> bool:
     """Return whether one kind may stand where a class asks for `hint`; no other kind is loaded for it."""
     if isinstance(hint, str) or hint in SLOTS:
@@ -135,6 +129,12 @@ def _may_stand(name: str, hint: Any) -> bool:
     if typing.get_origin(hint) in (Union, types.UnionType):
         return any(_may_stand(name, part) for part in typing.get_args(hint))
     return isinstance(hint, type) and path_of(hint) not in UNWRITTEN and issubclass(kinds()[name].cls, hint)
+
+
+@functools.cache  # of one class only: unions of the same classes in another order are equal
+def _kinds_of(cls: type) -> tuple[str, ...]:
+    """Return the kinds of a class and of those derived from it."""
+    return tuple(name for name, line in kinds().items() if issubclass(line.cls, cls))
 
 
 def allowed_in_list(hint: Any) -> tuple[str, ...]:

@@ -35,13 +35,13 @@ from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
 from winkler.study.report.event_rows import columns_of, found_in
-from winkler.study.report.netcdf import netcdf_attributes, write_netcdf
+from winkler.study.report.netcdf import LARGE, netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write", "write_table"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write", "write_netcdf", "write_table"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -62,7 +62,7 @@ def write(outcome: Outcome, folder: Path) -> None:
     folder
         Must exist; files of the same names are replaced.
     """
-    write_netcdf(folder / NETCDF, *_dataset(outcome))
+    write_variables(folder / NETCDF, *_dataset(outcome))
     write_table(outcome.table(), folder / CSV)
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)
@@ -82,6 +82,12 @@ def heading(name: str, told: Word) -> str:
     ('force [N]', 'failure')
     """
     return name if told.unit is None else f"{name} [{told.unit or '-'}]"
+
+
+def write_netcdf(data: xarray.Dataset, path: Path) -> None:
+    """Write a dataset; long rows of numbers are compressed, without loss."""
+    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
+    data.to_netcdf(path, engine="h5netcdf", encoding=large)
 
 
 def write_table(columns: Iterable[Column], path: Path, *, nothing: str = "nan") -> None:

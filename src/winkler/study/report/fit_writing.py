@@ -23,8 +23,8 @@ from winkler.fitting.viscoelastic.outcome import CreepFit
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import Column
-from winkler.study.report.archive import write_table
-from winkler.study.report.netcdf import LARGE, netcdf_attributes
+from winkler.study.report.archive import write_netcdf, write_table
+from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
@@ -53,10 +53,10 @@ POINTS = {
 def write_numbers(outcome: FitOutcome, folder: Path) -> None:
     """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
     write_table(outcome.table(), folder / CSV, nothing="")
-    _write_netcdf(dataset(outcome), folder / NETCDF)
+    write_netcdf(dataset(outcome), folder / NETCDF)
     grid = map_grid(outcome)
     if isinstance(grid, Grid):
-        _write_netcdf(maps(outcome, grid), folder / MAPS)
+        write_netcdf(maps(outcome, grid), folder / MAPS)
     _write_curves(outcome, folder / "curves")
 
 
@@ -91,12 +91,6 @@ def _write_curves(outcome: FitOutcome, folder: Path) -> None:
         name = next(name for name in (stem, *(f"{stem}_{count}" for count in range(2, FEW + 2))) if name not in taken)
         taken.add(name)
         write_table(_points(result), folder / f"{name}.csv", nothing="")
-
-
-def _write_netcdf(data: xarray.Dataset, path: Path) -> None:
-    """Write a dataset; long rows of numbers are compressed, without loss."""
-    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
-    data.to_netcdf(path, engine="h5netcdf", encoding=large)
 
 
 def dataset(outcome: FitOutcome) -> xarray.Dataset:

@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.vocabulary import Word
 
-__all__ = ["LARGE", "netcdf_attributes", "write_netcdf"]
+__all__ = ["netcdf_attributes", "write_variables"]
 
 LARGE = 1000
 """Arrays of floats with more numbers are compressed, without loss."""
@@ -29,7 +29,7 @@ def netcdf_attributes(told: Word) -> dict[str, str]:
     return found if told.unit is None else {"units": told.unit or "1", **found}
 
 
-def write_netcdf(path: Path, variables: Variables, coords: Variables, attributes: dict[str, Any]) -> None:
+def write_variables(path: Path, variables: Variables, coords: Variables, attributes: dict[str, Any]) -> None:
     """Write variables into a NetCDF file; one that is there is replaced.
 
     Parameters
