@@ -13,6 +13,7 @@ import tempfile
 from pathlib import Path
 
 os.environ["MPLBACKEND"] = "Agg"
+gc.set_threshold(100_000, 10, 10)  # collecting and importing make much that stays: looking less often saves a quarter
 
 import hypothesis
 import pytest
