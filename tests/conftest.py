@@ -13,10 +13,12 @@ import tempfile
 from pathlib import Path
 
 os.environ["MPLBACKEND"] = "Agg"
-gc.set_threshold(100_000, 10, 10)  # collecting and importing make much that stays: looking less often saves a quarter
 
 import hypothesis
 import pytest
+
+# Importing and collecting make much that stays: looking for garbage less often saves a quarter of their time.
+gc.set_threshold(100_000, 10, 10)
 
 ROOT = Path(__file__).resolve().parents[1]
 
