@@ -7,6 +7,7 @@ symbols and units come from the glossary.
 from __future__ import annotations
 
 import itertools
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
