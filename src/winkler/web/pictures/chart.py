@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import Any
 
@@ -11,9 +10,9 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Arrow, Axis, Band, Dots, Line, Map, Panel, Polygon, Rule, Strokes, Text
-from winkler.study.language.explain import plain_symbol
+from winkler.web.pictures.words import spoken_html
 
-__all__ = ["CONFIG", "Chart", "chart", "marked", "spoken_html"]
+__all__ = ["CONFIG", "Chart", "chart"]
 
 Chart = dict[str, Any]
 """``data`` and ``layout`` of a figure."""
@@ -45,39 +44,6 @@ LEGENDED = {
 SYMBOLS = {"o": "circle", ".": "circle", "+": "cross-thin-open", "P": "cross"}
 DOMAINS = ((0.34, 1.0), (0.0, 0.24))
 """Heights of two panels above each other."""
-
-
-def marked(symbol: str) -> str:
-    r"""Return a LaTeX symbol as plotly sets it: italic letters, indices below.
-
-    Examples
-    --------
-    >>> marked("F_N"), marked("E^*"), marked(r"\sigma_{vM}")
-    ('<i>F</i><sub>N</sub>', '<i>E</i><sup>*</sup>', '<i>σ</i><sub>vM</sub>')
-    """
-    if not symbol:
-        return ""
-    found = re.fullmatch(
-        r"(\\?[A-Za-z]+|\\[A-Za-z]+ ?[A-Za-z])('*)(?:_(\{[^{}]*\}|\\?\w+))?(?:\^(\{[^{}]*\}|\*))?", symbol
-    )
-    if found is None:
-        return plain_symbol(symbol)
-    base, primes, below, above = found.groups()
-    text = f"<i>{plain_symbol(base)}</i>{primes}"
-    text += f"<sub>{plain_symbol(below)}</sub>" if below else ""
-    return text + (f"<sup>{plain_symbol(above)}</sup>" if above else "")
-
-
-def spoken_html(text: str) -> str:
-    r"""Return words with LaTeX symbols between dollars as plotly sets them.
-
-    Examples
-    --------
-    >>> spoken_html("area = $F_N$\\n= 10 N")
-    'area = <i>F</i><sub>N</sub><br>= 10 N'
-    """
-    parts = text.split("$")
-    return "".join(marked(part) if place % 2 else part for place, part in enumerate(parts)).replace("\n", "<br>")
 
 
 def chart(*panels: Panel) -> Chart:
