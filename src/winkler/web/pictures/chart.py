@@ -64,7 +64,7 @@ def chart(*panels: Panel) -> Chart:
     for number, panel in enumerate(panels):
         name = f"y{number + 1}" if number else "y"
         place: dict[str, Any] = {"domain": list(DOMAINS[number])} if len(panels) > 1 else {"automargin": True}
-        place |= {"scaleanchor": "x"} if panel.equal else {}
+        place |= {"scaleanchor": "x", "constrain": "domain", "constraintoward": "top"} if panel.equal else {}
         layout[f"yaxis{number + 1 if number else ''}"] = _axis(panel.upright, panel.grid == "both", **place)
         across, upright = panel.across.scale.factor, panel.upright.scale.factor
         for mark in sorted(panel.marks, key=lambda one: getattr(one, "order", 2.0)):
@@ -165,12 +165,16 @@ def _bare(x: Array, y: Array, axis: str, **look: Any) -> dict[str, Any]:
 
 
 def _area(mark: Area, across: float, upright: float, axis: str) -> Parts:
+    colour = _rgba(mark.colour, mark.alpha)
+    if not mark.across and np.ndim(mark.high) == 0 and mark.high == 0.0:
+        look = {"fill": "tozeroy", "fillcolor": colour, "line": {"width": 0}}
+        return [("data", _bare(mark.x / across, mark.low / upright, axis, **look))] if np.any(mark.low) else []
     known = np.isfinite(mark.x) & np.isfinite(mark.low) & np.isfinite(mark.high)
     along = mark.x[known]
     low, high = (np.broadcast_to(np.asarray(end, dtype=float), mark.x.shape)[known] for end in (mark.low, mark.high))
     x, y = np.concatenate([along, along[::-1]]), np.concatenate([low, high[::-1]])
     x, y = (y, x) if mark.across else (x, y)
-    return _filled(x / across, y / upright, _rgba(mark.colour, mark.alpha), axis)
+    return _filled(x / across, y / upright, colour, axis)
 
 
 def _polygon(mark: Polygon, across: float, upright: float, axis: str) -> Parts:
@@ -240,7 +244,11 @@ def _map(mark: Map, across: float, upright: float, axis: str) -> Parts:
     x, y = (part[:, 0] if part.ndim == 2 and turn else np.ravel(part[:1]) if part.ndim == 2 else part
             for part, turn in ((mark.x, True), (mark.y, False)))  # fmt: skip
     unit = mark.bar.scale.unit
-    contours = {"start": 0.0, "end": levels[-1] / factor, "size": 2.0 * (levels[1] - levels[0]) / factor}
+    contours = {
+        "start": 2.0 * levels[1] / factor,
+        "end": levels[-1] / factor,
+        "size": 2.0 * (levels[1] - levels[0]) / factor,
+    }
     look = {
         "type": "contour",
         "x": x / across,

@@ -39,4 +39,5 @@ def spoken_html(text: str) -> str:
     'area = <i>F</i><sub>N</sub><br>= 10 N'
     """
     parts = text.split("$")
-    return "".join(marked(part) if place % 2 else part for place, part in enumerate(parts)).replace("\n", "<br>")
+    shown = (" − ".join(map(marked, part.split(" - "))) if place % 2 else part for place, part in enumerate(parts))
+    return re.sub(r"\^\{?([\w/]+)\}?", r"<sup>\1</sup>", "".join(shown)).replace("\n", "<br>")
