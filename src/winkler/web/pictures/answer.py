@@ -18,7 +18,8 @@ from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.captions import CAPTIONS, STUCK
 from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.report.markup import safe
-from winkler.study.report.report import OF_MANY, papers, trust
+from winkler.study.report.page_parts import papers, trust
+from winkler.study.report.report import OF_MANY
 from winkler.study.report.tables import answered, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories
