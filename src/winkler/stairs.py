@@ -22,11 +22,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Pressed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike
-from winkler.outline import refuse_unless_round
 from winkler.problems.answer import Restorable
 from winkler.values import value
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, TypeVar
 
 import numpy as np
 
-from winkler.contract import keeps
+from winkler.checks.contract import keeps
 
 if TYPE_CHECKING:
     from winkler.foundation.bed import Pressed
