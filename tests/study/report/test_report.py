@@ -67,13 +67,12 @@ FULL = ("one load", "crystal", "no contact", "pinned")
 def written(tmp_path_factory):
     """Every sample, written once: name -> (outcome, folder)."""
     found = {}
-    few = {name: make for name, make in figures.PICTURES.items() if name == "springs"}
     for name, study in SAMPLES.items():
         folder = tmp_path_factory.mktemp("report")
         outcome = run(study)
         with pytest.MonkeyPatch.context() as patch:
             if name not in FULL:
-                patch.setattr(figures, "PICTURES", few)
+                patch.setattr(figures, "pictures_of", lambda contact: ("springs",))
             report.write(outcome, folder)
         found[name] = outcome, folder
     return found
