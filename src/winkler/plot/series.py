@@ -7,6 +7,7 @@ symbols and units come from the glossary.
 from __future__ import annotations
 
 import itertools
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,9 +23,11 @@ __all__ = [
     "Scale",
     "Series",
     "common_scale",
+    "headline",
     "middle_scale",
     "places",
     "pretty_unit",
+    "round_numbers",
     "scale_of",
     "series",
     "spoken",
@@ -46,6 +49,15 @@ SPOKEN = {
     "shear": "shear modulus",
 }
 """Names that are spoken otherwise than they are written."""
+
+
+def headline(solution: Any) -> str:
+    """Return depth, force and contact radius in one line."""
+    parts = [
+        f"${symbol}$ = {told(float(getattr(solution, name)), unit)}"
+        for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
+    ]
+    return "   ".join(parts)
 
 
 def spoken(name: str) -> str:
@@ -131,3 +143,21 @@ def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start
         turn = (np.arange(share) + 0.5) / share
         pieces.append(low + (high - low) * np.sin(0.5 * np.pi * turn) ** 2)
     return np.concatenate(pieces)
+
+
+STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+
+
+def round_numbers(low: float, high: float, parts: int) -> Array:
+    """Return round numbers that enclose a range, about so many parts apart.
+
+    Examples
+    --------
+    >>> round_numbers(0.0, 7.3, 5)
+    array([0., 2., 4., 6., 8.])
+    """
+    least = (high - low) / parts
+    power = 10.0 ** math.floor(math.log10(least))
+    step = power * next((one for one in STEPS if one * power >= least * (1.0 - 1e-12)), STEPS[-1])
+    first, last = math.floor(low / step * (1.0 + 1e-12)), math.ceil(high / step * (1.0 - 1e-12))
+    return step * np.arange(first, last + 1)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 
 import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.study.batch import fit_run
@@ -153,6 +154,19 @@ def test_in_python_the_same_call_goes_on(tmp_path, monkeypatch, counted):
 def test_a_batch_without_any_answer_leaves_no_journal(tmp_path):
     kept(tmp_path / "x", todo=[MAP[1], dataclasses.replace(MAP[1], name="another")])
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("before", "sentence"), [(2, "2 of 4 curves are kept in '{}'"), (0, "No curve was fitted.")])
+def test_when_workers_die_it_is_said_what_is_kept(before, sentence, tmp_path, monkeypatch):
+    def dead(*_):
+        raise NotConverged("workers: a worker process ended before its time.")
+
+    path = tmp_path / "x"
+    if before:
+        kept(path, count=before)
+    monkeypatch.setattr(fit_run, "fingerprint", dead)
+    with pytest.raises(NotConverged, match=re.escape(f"ended before its time. {sentence.format(path)}")):
+        kept(path)
 
 
 def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_path):
