@@ -87,6 +87,7 @@ class FrictionHeating:
     A ball on a plate, both of steel, at Pe = 1 of the plate:
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

@@ -78,6 +78,7 @@ class TransientHeating:
     Under a ball the middle has reached three quarters of its last temperature at the time a^2/kappa.
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

@@ -77,8 +77,10 @@ class FrettingWear:
     --------
     A ball that sticks within half of its contact wears no deeper than this; what bears in the end is the core alone.
 
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.laws.wear import Archard
     >>> from winkler.loading import Depth
+    >>> from winkler.loading import Shift
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
