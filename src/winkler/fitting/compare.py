@@ -18,9 +18,9 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.elastic.contact import Model
+from winkler.fitting.elastic.outcome import Fit
 from winkler.fitting.fit import fit
-from winkler.fitting.outcome import Fit
-from winkler.fitting.prediction import Model
 from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation

@@ -1,42 +1,55 @@
-"""What every fit can be asked about its numbers: values, errors, intervals, and what they are worth against others."""
+"""What all fits have: numbers, their errors and intervals, and the criteria that weigh a fit against others."""
 
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from scipy.special import stdtrit
 
 from winkler.errors import InvalidInput, suggest
+from winkler.fitting.curves.checks import Flag
+from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
+from winkler.values import value
 
 __all__ = ["Estimate"]
 
 LARGEST = math.log(np.finfo(float).max)
 OF_THE_LINE = ("baseline", "tilt", "drag")
-"""Numbers that the free points tell."""
+"""Numbers that follow from the free points."""
 
 
+@value
 class Estimate:
-    """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
+    """Numbers with their errors, which a fit has found; the fields are explained at the kinds of fits."""
 
+    curve: ForceCurve
+    model: Any
     names: tuple[str, ...]
     values: Array
     standard_errors: Array
     correlation: Array
+    lows: Array
+    highs: Array
     noise: float
     weights: Array
+    scatter: float
     effective_count: float
+    predicted: Array
+    radius: Array
+    flags: tuple[Flag, ...]
 
     @property
     def residuals(self) -> Array:
-        """What was measured less what is fitted ``(n,)``."""
-        raise NotImplementedError
+        """Measured less fitted forces [N] ``(n,)``."""
+        return np.asarray(self.curve.force - self.predicted)
 
     @property
     def touched(self) -> Array:
-        """Which points are in contact ``(n,)``."""
-        raise NotImplementedError
+        """Where the tip is in contact ``(n,)``."""
+        return np.asarray(self.radius > 0.0)
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:
@@ -66,7 +79,7 @@ class Estimate:
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
 
-        It ends at zero and infinity where the error is so much greater than the number that no float tells it.
+        It ends at zero and infinity where the error is so much greater than the number that no float holds it.
 
         Parameters
         ----------
@@ -110,7 +123,7 @@ class Estimate:
 
     @property
     def contact_freedom(self) -> int:
-        """How many of them are left over when the numbers of the contact are told."""
+        """How many of them are left over when the numbers of the contact are known."""
         return max(self.contact_count - sum(name not in OF_THE_LINE for name in self.names), 1)
 
     @property

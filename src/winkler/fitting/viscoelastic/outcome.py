@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag
-from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST, outline
+from winkler.fitting.elastic.trust import free_notes
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.trust import free_notes
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -31,28 +29,9 @@ QUASISTATIC = Note(
 class _RelaxingFit(Estimate):
     """What the fit of a contact that relaxes has found, whether forces or positions were fitted."""
 
-    curve: ForceCurve
     model: ViscoelasticIndentation
-    names: tuple[str, ...]
-    values: Array
-    standard_errors: Array
-    correlation: Array
-    lows: Array
-    highs: Array
     logarithmic: tuple[bool, ...]
-    noise: float
-    weights: Array
-    scatter: float
-    effective_count: float
-    predicted: Array
     depth: Array
-    radius: Array
-    flags: tuple[Flag, ...]
-
-    @property
-    def touched(self) -> Array:
-        """Where the tip is in contact ``(n,)``."""
-        return np.asarray(self.radius > 0.0)
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:
@@ -84,8 +63,6 @@ class ViscoelasticFit(_RelaxingFit):
         Of the numbers' errors.
     lows, highs : ndarray, (p,)
         Bounds that were set.
-    logarithmic : tuple of bool, (p,)
-        Of which numbers the logarithm was varied.
     noise : float
         Standard deviation of the forces [N]: as given, else of the free points, else the scatter.
     weights : ndarray, (n,)
@@ -96,16 +73,15 @@ class ViscoelasticFit(_RelaxingFit):
         Number of independent points that the curve is worth.
     predicted : ndarray, (n,)
         Fitted forces with the baseline [N].
-    depth, radius : ndarray, (n,)
-        Fitted d, below zero out of contact, and a [m].
+    radius : ndarray, (n,)
+        Fitted a [m].
     flags : tuple of Flag
         What speaks against the numbers.
+    logarithmic : tuple of bool, (p,)
+        Of which numbers the logarithm was varied.
+    depth : ndarray, (n,)
+        Fitted d, below zero out of contact [m].
     """
-
-    @property
-    def residuals(self) -> Array:
-        """Measured less fitted forces [N]."""
-        return np.asarray(self.curve.force - self.predicted)
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -136,8 +112,6 @@ class CreepFit(_RelaxingFit):
         Of the numbers' errors.
     lows, highs : ndarray, (p,)
         Bounds that were set.
-    logarithmic : tuple of bool, (p,)
-        Of which numbers the logarithm was varied.
     noise : float
         Standard deviation of the positions [m]: as given, else the scatter of those that were fitted.
     weights : ndarray, (n,)
@@ -149,10 +123,14 @@ class CreepFit(_RelaxingFit):
     predicted : ndarray, (n,)
         Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
         the force for one of the position.
-    depth, radius : ndarray, (n,)
-        Fitted d and a [m].
+    radius : ndarray, (n,)
+        Fitted a [m].
     flags : tuple of Flag
         What speaks against the numbers.
+    logarithmic : tuple of bool, (p,)
+        Of which numbers the logarithm was varied.
+    depth : ndarray, (n,)
+        Fitted d [m].
     """
 
     @property

@@ -17,7 +17,7 @@ from winkler.errors import InvalidInput
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.outcome import Fit
+from winkler.fitting.elastic.outcome import Fit
 from winkler.fitting.parameters import changed
 from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.io.curves import PlacedCurve, UnreadCurve

@@ -1,20 +1,18 @@
-"""What a fit has found: numbers, how sure they are, and what speaks against them."""
+"""What the fit of a contact with or without adhesion has found."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag
-from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.elastic.contact import Model
+from winkler.fitting.elastic.trust import fit_notes
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.prediction import Model
-from winkler.fitting.task import Task, task
-from winkler.fitting.trust import fit_notes
+from winkler.fitting.task import FREELY, OF_THE_CURVE, parameters_of
 from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Fit", "task_of"]
+__all__ = ["Fit"]
 
 
 @value
@@ -47,35 +45,23 @@ class Fit(Estimate):
         Number of independent points that the curve is worth.
     predicted : ndarray, (n,)
         Fitted forces with the baseline [N].
-    contact : ndarray of bool, (n,)
-        Where the tip is in contact.
     radius : ndarray, (n,)
         Fitted contact radii [m].
     flags : tuple of Flag
         What speaks against the numbers.
+    contact : ndarray of bool, (n,)
+        Where the tip is in contact.
     """
 
-    curve: ForceCurve
     model: Model
-    names: tuple[str, ...]
-    values: Array
-    standard_errors: Array
-    correlation: Array
-    lows: Array
-    highs: Array
-    noise: float
-    weights: Array
-    scatter: float
-    effective_count: float
-    predicted: Array
     contact: Array
-    radius: Array
-    flags: tuple[Flag, ...]
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:
         """Of which numbers the logarithm was varied ``(p,)``."""
-        return tuple(parameter.logarithmic for parameter in task_of(self).parameters)
+        free = {name: (low, high) for name, low, high in zip(self.names, self.lows, self.highs, strict=True)}
+        scales = dict.fromkeys(OF_THE_CURVE, 1.0)
+        return tuple(parameter.logarithmic for parameter in parameters_of(self.model, free, scales, FREELY))
 
     @property
     def touched(self) -> Array:
@@ -83,20 +69,12 @@ class Fit(Estimate):
         return self.contact
 
     @property
-    def residuals(self) -> Array:
-        """Measured less fitted forces [N]."""
-        return np.asarray(self.curve.force - self.predicted)
-
-    @property
     def depth(self) -> Array:
         """Depths d [m] of the fitted contact; below zero before first touch."""
-        origin = self.value("contact_point") if "contact_point" in self.names else 0.0
-        pull = np.where(self.contact, self.predicted - self._line(), 0.0)
-        return np.asarray(self.curve.position - origin - self.curve.compliance * pull)
-
-    def _line(self) -> Array:
         numbers = dict(zip(self.names, self.values.tolist(), strict=True))
-        return task_of(self).line(numbers)
+        along = self.curve.position - numbers.get("contact_point", 0.0)
+        line = numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * along
+        return np.asarray(along - self.curve.compliance * np.where(self.contact, self.predicted - line, 0.0))
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -104,9 +82,3 @@ class Fit(Estimate):
         error = self.scatter / float(np.ptp(self.curve.force))
         own = fit_notes(self.model, self.curve, self.names, self.contact, float(self.radius.max()), error)
         return (*self.model.solve().validity, *own)
-
-
-def task_of(found: Fit) -> Task:
-    """Return the task that a fit has answered, beginning at the answer."""
-    free = {name: (low, high) for name, low, high in zip(found.names, found.lows, found.highs, strict=True)}
-    return task(found.curve, found.model, free, np.mean(found.weights) / found.weights)

@@ -11,7 +11,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.prediction import Model
+from winkler.fitting.elastic.contact import Model
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
