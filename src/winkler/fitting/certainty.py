@@ -11,7 +11,7 @@ from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.noise import memory, memory_of_fit, spread
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.task import Parameter
+from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
 __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]

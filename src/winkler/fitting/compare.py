@@ -18,18 +18,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.contact import Model
-from winkler.fitting.elastic.outcome import Fit
 from winkler.fitting.fit import fit
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.outcome import AnyFit
+from winkler.fitting.trust import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value
 
 __all__ = ["AnyFit", "Comparison", "compare"]
-
-AnyFit = Fit | ViscoelasticFit | CreepFit
-"""What a fit may have found."""
 
 
 @value

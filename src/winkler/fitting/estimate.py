@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from scipy.special import stdtrit
 
 from winkler.errors import InvalidInput, suggest
-from winkler.fitting.curves.checks import Flag
-from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
-from winkler.values import value
 
 __all__ = ["Estimate"]
 
@@ -21,35 +17,26 @@ OF_THE_LINE = ("baseline", "tilt", "drag")
 """Numbers that follow from the free points."""
 
 
-@value
 class Estimate:
-    """Numbers with their errors, which a fit has found; the fields are explained at the kinds of fits."""
+    """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
 
-    curve: ForceCurve
-    model: Any
     names: tuple[str, ...]
     values: Array
     standard_errors: Array
     correlation: Array
-    lows: Array
-    highs: Array
     noise: float
     weights: Array
-    scatter: float
     effective_count: float
-    predicted: Array
-    radius: Array
-    flags: tuple[Flag, ...]
 
     @property
     def residuals(self) -> Array:
-        """Measured less fitted forces [N] ``(n,)``."""
-        return np.asarray(self.curve.force - self.predicted)
+        """What was measured less what is fitted ``(n,)``."""
+        raise NotImplementedError
 
     @property
     def touched(self) -> Array:
-        """Where the tip is in contact ``(n,)``."""
-        return np.asarray(self.radius > 0.0)
+        """Which points are in contact ``(n,)``."""
+        raise NotImplementedError
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:

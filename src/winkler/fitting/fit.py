@@ -23,16 +23,15 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.contact import Model
-from winkler.fitting.elastic.outcome import Fit
 from winkler.fitting.elastic.task import ElasticTask, elastic_task
 from winkler.fitting.least_squares import solved
+from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
 from winkler.fitting.task import Prediction
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.trust import Model
 from winkler.fitting.viscoelastic.question import driven_task, examined_stroke
-from winkler.fitting.viscoelastic.relaxing_task import RelaxingTask
+from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
 from winkler.numerics.equations.streaming import streamed
 from winkler.numerics.types import Array, Quantity
@@ -75,7 +74,7 @@ def fit(
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
-) -> Fit | ViscoelasticFit | CreepFit:
+) -> AnyFit:
     """Fit numbers of a model to a curve.
 
     Parameters
@@ -133,7 +132,7 @@ def fit_steps(
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
-) -> Iterator[FitState | Fit | ViscoelasticFit | CreepFit]:
+) -> Iterator[FitState | AnyFit]:
     """Yield how far a fit has come after each of its evaluations, and last what it has found.
 
     Parameters and errors are those of `fit`, and so are the numbers.  A stream that is left early ends the fit.
@@ -154,7 +153,7 @@ def fit_steps(
     array([ True])
     """
 
-    def searched(hand_over: Callable[[FitState], None]) -> Fit | ViscoelasticFit | CreepFit:
+    def searched(hand_over: Callable[[FitState], None]) -> AnyFit:
         return _searched(curve, model, free, noise, Search(time_limit, hand_over))
 
     yield from streamed(searched)
@@ -166,7 +165,7 @@ def _searched(
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity,
     search: Search,
-) -> Fit | ViscoelasticFit | CreepFit:
+) -> AnyFit:
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
     task: ElasticTask | RelaxingTask
     if isinstance(model, ViscoelasticIndentation):
@@ -183,7 +182,7 @@ def _searched(
     if count < 3 * many:
         raise InvalidInput(f"fit: {count} points cannot tell {many} numbers; give more, or free fewer.")
     try:
-        found: Fit | ViscoelasticFit | CreepFit = _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
+        found: AnyFit = _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
     return found

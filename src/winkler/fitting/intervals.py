@@ -10,14 +10,13 @@ a bent valley of the misfit, and is the same for a number and its logarithm.
 
 from __future__ import annotations
 
-import dataclasses
 import math
 
 import numpy as np
 
-from winkler.fitting.elastic.outcome import Fit
 from winkler.fitting.elastic.task import ElasticTask, elastic_task
 from winkler.fitting.least_squares import bounds, solved
+from winkler.fitting.outcome import Fit
 from winkler.fitting.search import Search
 from winkler.numerics.types import Array
 
@@ -76,14 +75,14 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
 def _end(task: ElasticTask, best: Array, index: int, step: float, wall: float, least: float, allowed: float) -> float:
     """Return the coordinate at which the sum of squares has grown by what is allowed, or the wall before."""
     parameter = task.parameters[index]
-    rest = dataclasses.replace(task, parameters=task.parameters[:index] + task.parameters[index + 1 :])
+    rest = task._replace(parameters=task.parameters[:index] + task.parameters[index + 1 :])
     others = np.delete(best, index)
     limit = abs(wall - best[index])
 
     def excess(distance: float, begin: Array) -> tuple[float, Array]:
         """Return by how much the root of the growth exceeds the allowed one; nearly linear in the distance."""
         number = parameter.outward(float(best[index]) + math.copysign(distance, step))
-        fixed = dataclasses.replace(rest, fixed=((parameter.name, number),))
+        fixed = rest._replace(fixed=((parameter.name, number),))
         if begin.size:
             begin, misfit = solved(fixed, begin, Search())
         else:

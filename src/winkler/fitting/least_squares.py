@@ -6,7 +6,8 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.search import Search
-from winkler.fitting.task import Parameter, Prediction, Task
+from winkler.fitting.task import Prediction, Task
+from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
 __all__ = ["bounds", "solved"]

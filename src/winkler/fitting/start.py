@@ -8,7 +8,8 @@ from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Outline
 from winkler.fitting.least_squares import solved
 from winkler.fitting.search import Search
-from winkler.fitting.task import Parameter, Task
+from winkler.fitting.task import Task
+from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
 __all__ = ["best_start", "contact_points"]
@@ -28,13 +29,12 @@ def best_start(task: Task, strokes: Outline | None, search: Search) -> Array:
     search : Search
         Counts the evaluations.
     """
-    coarse = task.coarse()
-    begins = task.starts(coarse, strokes)
+    begins = task.starts(strokes)
     if not task.starts_are_trials:
         begins = list(begins)
         if len(begins) == 1:
             return begins[0]
-    starts = []
+    coarse, starts = task.coarse, []
     for begin in begins:
         try:
             starts.append((begin, float(np.sum(coarse.residuals(begin) ** 2))))

@@ -1,88 +1,32 @@
-"""A fit as a problem of least squares: numbers in, residuals and their derivatives out.
+r"""A fit as a problem of least squares: numbers in, residuals and their derivatives out.
 
 Positive quantities are varied by their logarithm.  What a model predicts at given numbers, and where its fit begins, a
 response model says, a subclass of `Task`: `winkler.fitting.elastic.task` for contacts with or without adhesion,
-`winkler.fitting.viscoelastic.motion` and `winkler.fitting.viscoelastic.creep` for bodies that relax.
+`winkler.fitting.viscoelastic.motion` and `winkler.fitting.viscoelastic.creep` for bodies that relax.  In all of them
+
+.. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i
+
+with the contact point :math:`D_0`, the baseline :math:`F_0`, its tilt t and the drag of a liquid on the cantilever.
 """
 
 from __future__ import annotations
 
-import dataclasses
+import functools
 from collections.abc import Iterable
 from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
 from winkler.fitting.curves.checks import Flag, Outline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.parameters import changed, found, unit_of
+from winkler.fitting.parameters import changed
+from winkler.fitting.varied import OF_THE_CURVE, Parameter
 from winkler.numerics.types import Array
 
-__all__ = [
-    "FREELY",
-    "OF_THE_CURVE",
-    "STEP",
-    "Parameter",
-    "Prediction",
-    "Task",
-    "even_weights",
-    "moved",
-    "parameters_of",
-]
+__all__ = ["STEP", "Prediction", "Task", "even_weights", "moved"]
 
-OF_THE_CURVE = ("contact_point", "baseline", "tilt", "drift", "drag")
-"""Names of what a curve itself leaves open; the last two need times."""
 STEP = 1e-5
-FREELY = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
-"""Bounds of numbers that are no positive quantities without end."""
-
-
-class Parameter(NamedTuple):
-    """One number that is varied.
-
-    Parameters
-    ----------
-    name : str
-        Its path, or one of `OF_THE_CURVE`.
-    low, high : float
-        Bounds.
-    start : float
-        Where to begin.
-    given : bool
-        Whether the start was given.
-    logarithmic : bool
-        Whether its logarithm is varied.
-    scale : float
-        What it is measured in, if not by its logarithm.
-    """
-
-    name: str
-    low: float
-    high: float
-    start: float
-    given: bool
-    logarithmic: bool
-    scale: float
-
-    def inward(self, number: float) -> float:
-        """Return the coordinate that is varied."""
-        if self.logarithmic:
-            return float(np.log(number)) if number > 0.0 else -np.inf
-        return number / self.scale
-
-    def outward(self, coordinate: float) -> float:
-        """Return the number at a coordinate."""
-        return float(np.exp(coordinate)) if self.logarithmic else coordinate * self.scale
-
-    def change(self, number: float) -> float:
-        """Return by how much the number changes with the coordinate."""
-        return number if self.logarithmic else self.scale
-
-    def inside(self, number: float) -> float:
-        """Return the number within the bounds that is nearest to one."""
-        return float(np.clip(number, self.low, self.high))
 
 
 class Prediction(NamedTuple):
@@ -93,19 +37,23 @@ class Prediction(NamedTuple):
     contact: Any
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
-class Task:
-    """Everything that a fit needs to know; the subclasses say how a model responds.
+class _Fields(NamedTuple):
+    """What a fit is about.
 
     Parameters
     ----------
     curve : ForceCurve
-        The points that are fitted.
+        The points that are fitted, in the order in which they were measured.
     model : value
         With a placeholder for its load.
     parameters : tuple of Parameter, (p,)
     weights : ndarray, (n,)
         What residuals are multiplied with.
+    velocity : ndarray, (n,)
+        Of the machine [m/s]; zero where no liquid drags.
+    per_force : ndarray, (n,)
+        Where positions are fitted: the position [m/N] that counts as much as a misfit of force, at points whose force
+        is fitted instead; zero at all others.
     fixed : tuple of (str, float)
         Numbers that are not varied, other than the model's own.
     """
@@ -114,7 +62,13 @@ class Task:
     model: Any
     parameters: tuple[Parameter, ...]
     weights: Array
-    fixed: tuple[tuple[str, float], ...] = dataclasses.field(default=(), kw_only=True)
+    velocity: Array
+    per_force: Array
+    fixed: tuple[tuple[str, float], ...] = ()
+
+
+class Task(_Fields):
+    """Everything that a fit needs to know; the subclasses say how a model responds."""
 
     settled: ClassVar[float]
     """Relative change of sum and coordinates at which least squares stop."""
@@ -137,8 +91,8 @@ class Task:
         """Norm of what was measured, weighted."""
         raise NotImplementedError
 
-    def starts(self, coarse: Self, strokes: Outline | None) -> Iterable[Array]:
-        """Return coordinates from which a fit may begin; `coarse` is the task on a part of the points."""
+    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+        """Return coordinates from which a fit may begin."""
         raise NotImplementedError
 
     def some_of(self, stretch: Array) -> Array:
@@ -173,6 +127,12 @@ class Task:
         """Return the fit; `shared` are the fields that all fits have."""
         raise NotImplementedError
 
+    @property
+    def turn(self) -> int:
+        """The first point on the way out; n if there is none."""
+        out = np.flatnonzero(self.curve.direction < 0.0)
+        return int(out[0]) if out.size else self.curve.count
+
     def numbers(self, coordinates: Array) -> dict[str, float]:
         """Return the numbers at coordinates, by name."""
         varied = {p.name: p.outward(float(c)) for p, c in zip(self.parameters, coordinates, strict=True)}
@@ -187,9 +147,15 @@ class Task:
         """Return the measured positions from the contact point on [m]."""
         return np.asarray(self.curve.position - numbers.get("contact_point", 0.0))
 
+    def place(self, numbers: dict[str, float]) -> Array:
+        """Return D from first touch, without drift [m]."""
+        since = self.curve.time - self.curve.time[0]
+        return np.asarray(self.along(numbers) - numbers.get("drift", 0.0) * since)
+
     def line(self, numbers: dict[str, float]) -> Array:
         """Return the part of the force that the contact does not bear [N]."""
-        return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers))
+        drag = numbers.get("drag", 0.0) * self.velocity
+        return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + drag)
 
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
@@ -212,6 +178,8 @@ class Task:
                 return np.ones(self.curve.count)
             case "tilt":
                 return self.along(numbers)
+            case "drag":
+                return self.velocity
             case _:
                 return None
 
@@ -226,10 +194,16 @@ class Task:
 
     def chosen(self, kept: Array) -> Self:
         """Return the task of some of the points, given as indices."""
-        return dataclasses.replace(self, curve=self.curve.chosen(kept), weights=self.weights[kept])
+        return self._replace(
+            curve=self.curve.chosen(kept),
+            weights=self.weights[kept],
+            velocity=self.velocity[kept],
+            per_force=self.per_force[kept],
+        )
 
+    @functools.cached_property
     def coarse(self) -> Self:
-        """Return the task on a part of the points, if there are many."""
+        """The task on a part of the points, if there are many."""
         if self.curve.count <= self.coarse_count:
             return self
         turns = np.flatnonzero(np.diff(self.curve.direction)) + 1
@@ -247,59 +221,3 @@ def moved(coordinates: Array, index: int, step: float) -> Array:
 def even_weights(curve: ForceCurve, noise: Array) -> Array:
     """Return the weights ``(n,)`` of points by their noise, of which only the course matters; zero: all alike."""
     return np.array(np.broadcast_to(np.mean(noise) / noise if noise.any() else 1.0, curve.position.shape))
-
-
-def parameters_of(
-    model: Any, free: dict[str, Any], scales: dict[str, float], freely: dict[str, tuple[float, float]]
-) -> tuple[Parameter, ...]:
-    """Return the numbers that are varied.
-
-    Parameters
-    ----------
-    model : value
-        The paths lead into it.
-    free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
-    scales : dict of str to float
-        Names of what the curve itself leaves open, and what they are measured in.
-    freely : dict of str to (float, float)
-        Paths, or last names, of numbers that are no positive quantities without end, and their bounds.
-
-    Raises
-    ------
-    InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
-    """
-    parameters = []
-    for name, given in free.items():
-        if name in scales:
-            scale, low, high, start, logarithmic = scales[name], -np.inf, np.inf, 0.0, False
-        else:
-            if "." not in name:
-                raise InvalidInput(
-                    f"free: '{name}' is neither a path into the model nor one of {', '.join(scales)}"
-                    f"{suggest(name, scales)}."
-                )
-            start = found(model, name)
-            usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
-            low, high = freely.get(name, freely.get(name.rpartition(".")[2], usual))
-            logarithmic = low == 0.0
-            scale = 1.0 if unit_of(model, name) == "" else max(abs(start), 1e-300)
-        own_start = False
-        if isinstance(given, tuple | list) and len(given) == 2:
-            low, high = max(low, float(given[0])), min(high, float(given[1]))
-            start = start if low < start < high else _between(low, high, logarithmic)
-        elif isinstance(given, int | float) and not isinstance(given, bool):
-            start, own_start = float(given), True
-        elif not (isinstance(given, tuple | list) and len(given) == 0):
-            raise InvalidInput(f"free: '{name}' is {given!r}; give (low, high), a start value, or () for neither.")
-        if not (low < high and low <= start <= high):
-            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
-        parameters.append(Parameter(name, low, high, start, own_start, logarithmic, scale))
-    return tuple(parameters)
-
-
-def _between(low: float, high: float, logarithmic: bool) -> float:
-    if logarithmic and low > 0.0:
-        return float(np.sqrt(low * high))
-    return 0.5 * (low + high) if np.isfinite(low) and np.isfinite(high) else (low if np.isfinite(low) else high)

@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.outcome import Fit
+from winkler.fitting.outcome import Fit
 from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation

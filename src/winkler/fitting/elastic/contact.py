@@ -15,6 +15,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.response import Answer, Response, response
+from winkler.fitting.trust import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.types import Array
@@ -24,7 +25,6 @@ from winkler.problems.normal.indentation import Indentation
 
 __all__ = [
     "HeldContact",
-    "Model",
     "Run",
     "attached",
     "comparable",
@@ -36,9 +36,6 @@ __all__ = [
 
 FARTHEST_HELD = 2.0
 """So many of its greatest pulls a contact may reach beyond its limit; without end, any tension would pass for one."""
-
-Model = Indentation | AdhesiveIndentation
-"""What may be fitted: a problem, whose load is only a placeholder."""
 
 
 class Run(NamedTuple):

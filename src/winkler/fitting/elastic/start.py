@@ -10,11 +10,13 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Outline
-from winkler.fitting.elastic.contact import Model, states_for
+from winkler.fitting.elastic.contact import states_for
 from winkler.fitting.elastic.response import Response, response
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.start import contact_points
-from winkler.fitting.task import OF_THE_CURVE, Task
+from winkler.fitting.task import Task
+from winkler.fitting.trust import Model
+from winkler.fitting.varied import OF_THE_CURVE
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 

@@ -19,7 +19,6 @@ from winkler.fitting.curves.checks import Outline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import (
     HeldContact,
-    Model,
     Run,
     attached,
     comparable,
@@ -28,9 +27,11 @@ from winkler.fitting.elastic.contact import (
     runs_of,
     states_for,
 )
-from winkler.fitting.elastic.outcome import Fit
 from winkler.fitting.elastic.start import starts
-from winkler.fitting.task import FREELY, Prediction, Task, even_weights, moved, parameters_of
+from winkler.fitting.outcome import Fit
+from winkler.fitting.task import Prediction, Task, even_weights, moved
+from winkler.fitting.trust import Model
+from winkler.fitting.varied import FREELY, parameters_of
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 
@@ -56,7 +57,7 @@ class ElasticTask(Task):
         """The parts of the curve of one direction."""
         return runs_of(self.curve)
 
-    def starts(self, coarse: Task, strokes: Outline | None) -> Iterable[Array]:
+    def starts(self, strokes: Outline | None) -> Iterable[Array]:
         """Return coordinates for some contact points, moduli and works of adhesion of the right size."""
         assert strokes is not None
         return starts(self, strokes)
@@ -140,4 +141,6 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
     scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
-    return ElasticTask(curve, model, parameters_of(model, free, scales, FREELY), even_weights(curve, noise))
+    still = np.zeros(curve.count)
+    parameters = parameters_of(model, free, scales, FREELY)
+    return ElasticTask(curve, model, parameters, even_weights(curve, noise), still, still)

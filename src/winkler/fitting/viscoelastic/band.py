@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.parameters import changed
-from winkler.fitting.task import OF_THE_CURVE
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.varied import OF_THE_CURVE
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.march import relaxation_of
 

@@ -18,10 +18,10 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Outline
+from winkler.fitting.outcome import CreepFit
 from winkler.fitting.task import Prediction
-from winkler.fitting.viscoelastic.outcome import CreepFit
-from winkler.fitting.viscoelastic.relaxing_task import RelaxingTask
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
+from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Force
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries
@@ -130,8 +130,7 @@ class UnderForce(RelaxingTask):
             stiffness = 1.0 / give
         late = typical / np.hypot(own, force_noise * np.where(early, 0.0, give))
         per_force = typical / np.hypot(force_noise, own * np.where(early, stiffness, 0.0))
-        return dataclasses.replace(
-            self,
+        return self._replace(
             weights=np.where(self.weights > 0.0, np.where(early, 1.0, late), 0.0),
             per_force=np.where(early, per_force, 0.0),
         )
@@ -149,7 +148,7 @@ class UnderForce(RelaxingTask):
         """
         curve = self.curve
         smooth = dataclasses.replace(curve, position=_smooth(curve.position), force=_smooth(curve.force))
-        steady = dataclasses.replace(self, curve=smooth)
+        steady = self._replace(curve=smooth)
         low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
         high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
         for _ in range(UNBIASED):

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from winkler.fitting.outcome import ViscoelasticFit
 from winkler.fitting.task import Prediction
-from winkler.fitting.viscoelastic.outcome import ViscoelasticFit
-from winkler.fitting.viscoelastic.relaxing_task import RelaxingTask
 from winkler.fitting.viscoelastic.response import ContactHistory, elastic_table, forces
+from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.path import Path
@@ -22,10 +22,6 @@ __all__ = ["UnderMotion"]
 
 class UnderMotion(RelaxingTask):
     """The motion drives, forces are fitted."""
-
-    def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
-        """Return the derivative with respect to a number if it is known in closed form, ``(n,)``, else None."""
-        return self.velocity if name == "drag" else super().slope(name, numbers, prediction)
 
     def prediction(self, coordinates: Array) -> Prediction:
         """Return the forces [N] with everything that is not contact."""

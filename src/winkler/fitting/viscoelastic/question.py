@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np
@@ -12,10 +11,11 @@ from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.parameters import each
-from winkler.fitting.task import FREELY, even_weights, parameters_of
+from winkler.fitting.task import even_weights
+from winkler.fitting.varied import FREELY, parameters_of
 from winkler.fitting.viscoelastic.creep import LEAST_NOISE, SHARE, UnderForce
 from winkler.fitting.viscoelastic.motion import UnderMotion
-from winkler.fitting.viscoelastic.relaxing_task import RelaxingTask
+from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -140,6 +140,4 @@ def _with_approach(task: UnderForce, strokes: Outline, noise: Array) -> UnderFor
     own = float(np.mean(noise)) or float(np.median(rough)) / (0.6745 * np.sqrt(6.0))
     own = max(own, LEAST_NOISE * float(np.ptp(curve.position)))
     of_force = max(strokes.noise, LEAST_NOISE * float(np.ptp(curve.force)))
-    return dataclasses.replace(
-        task, weights=np.where(early, 1.0, task.weights), per_force=np.where(early, own / of_force, 0.0)
-    )
+    return task._replace(weights=np.where(early, 1.0, task.weights), per_force=np.where(early, own / of_force, 0.0))

@@ -14,9 +14,9 @@ import numpy as np
 from winkler.fitting.curves.checks import Outline
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.start import contact_points
-from winkler.fitting.task import Parameter
+from winkler.fitting.task import Task
+from winkler.fitting.varied import Parameter
 from winkler.fitting.viscoelastic.response import elastic_table, forces
-from winkler.fitting.viscoelastic.task import Driven
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
@@ -33,7 +33,7 @@ SMALL = 1e-3
 """A modulus that linear least squares do not want begins with this part of the greatest."""
 
 
-def window(task: Driven) -> tuple[float, float]:
+def window(task: Task) -> tuple[float, float]:
     """Return the sampling interval and how long the contact was watched [s], held or on the way in.
 
     Times much shorter or longer cannot be told from such a curve.
@@ -51,21 +51,20 @@ def window(task: Driven) -> tuple[float, float]:
     return float(np.median(steps[steps > 0.0])), float(curve.time[watched[-1]] - curve.time[watched[0]])
 
 
-def starts(task: Driven, coarse: Driven, strokes: Outline | None) -> Iterator[Array]:
+def starts(task: Task, strokes: Outline | None) -> Iterator[Array]:
     """Yield the coordinates from which a fit may begin.
 
     Parameters
     ----------
-    task, coarse : Driven
-        The fit, and the same on a part of the points.
+    task : Task
     strokes : Outline or None
         What the approach looks like; none where there is no approach.
     """
     for numbers in _trials(task, strokes):
-        yield _sized(coarse, numbers)
+        yield _sized(task.coarse, numbers)
 
 
-def _trials(task: Driven, strokes: Outline | None) -> list[dict[str, float]]:
+def _trials(task: Task, strokes: Outline | None) -> list[dict[str, float]]:
     """Return the numbers of all trials, moduli as the model has them."""
     begin = {p.name: p.start for p in task.parameters}
     choices: list[list[dict[str, float]]] = []
@@ -106,7 +105,7 @@ def _last(name: str) -> str:
     return name.rpartition(".")[2].partition("[")[0]
 
 
-def _sized(task: Driven, numbers: dict[str, float]) -> Array:
+def _sized(task: Task, numbers: dict[str, float]) -> Array:
     """Return the coordinates of numbers whose moduli are of the right size."""
     from scipy.optimize import nnls
 
@@ -135,17 +134,17 @@ def _sized(task: Driven, numbers: dict[str, float]) -> Array:
     return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
 
 
-def _has_free_part(task: Driven, depth: Array) -> bool:
+def _has_free_part(task: Task, depth: Array) -> bool:
     return bool(np.count_nonzero(depth[: task.turn] < 0.0) >= 10)
 
 
-def _is_modulus(task: Driven, parameter: Parameter) -> bool:
+def _is_modulus(task: Task, parameter: Parameter) -> bool:
     """Return whether the force at a given depth is proportional to it, or nearly, where the other body yields too."""
     own = parameter.name.startswith("bed.medium.") and _last(parameter.name) not in ("young", "tolerance")
     return own and unit_of(task.model, parameter.name) in ("Pa", "Pa s")
 
 
-def _at_depth(task: Driven, numbers: dict[str, float], depth: Array) -> Array:
+def _at_depth(task: Task, numbers: dict[str, float], depth: Array) -> Array:
     """Return the forces at measured depths; everything that is measured counts as a motion in."""
     model = task.with_numbers(numbers)
     highest = max(float(depth.max()), 1e-30)

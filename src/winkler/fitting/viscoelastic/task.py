@@ -1,46 +1,34 @@
 r"""The fit of a relaxing contact: what its machine does, and the derivatives of what is predicted.
 
 The motion drives, :math:`D_i-D_0-u\,t_i`, and forces are fitted (`winkler.fitting.viscoelastic.motion`); or the forces
-drive, and the positions are fitted (`winkler.fitting.viscoelastic.creep`).  In both the contact bears what is left of
-the measured force,
-
-.. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i ,
-
-without baseline, tilt, and the drag of a liquid on the cantilever.
+drive, and the positions are fitted (`winkler.fitting.viscoelastic.creep`).
 """
 
 from __future__ import annotations
 
-import dataclasses
-from typing import Self
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
+from winkler.fitting.curves.checks import Flag, Outline
+from winkler.fitting.parameters import each
 from winkler.fitting.task import STEP, Prediction, Task, moved
+from winkler.fitting.viscoelastic.doubts import unidentified
+from winkler.fitting.viscoelastic.response import elastic_table
+from winkler.fitting.viscoelastic.start import starts
 from winkler.numerics.types import Array
+from winkler.problems.viscoelastic.march import elastic_like
 
-__all__ = ["Driven"]
+__all__ = ["RelaxingTask"]
 
 COARSE_STEP = 1e-3
 """Step of numbers that change the number of terms of a series, whose error jumps there."""
 SHAPES = ("exponent", "relaxation_time")
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
-class Driven(Task):
-    """A contact that relaxes, in the order in which it was measured, held points included.
-
-    Parameters
-    ----------
-    velocity : ndarray, (n,)
-        Of the machine [m/s].
-    per_force : ndarray, (n,)
-        Where positions are fitted: the position [m/N] that counts as much as a misfit of force, at points whose force
-        is fitted instead; zero at all others.
-    """
-
-    velocity: Array
-    per_force: Array
+class RelaxingTask(Task):
+    """A contact that relaxes, held points included; its subclasses say what drives, and what is fitted."""
 
     settled = 1e-9
     must_settle = False
@@ -53,21 +41,6 @@ class Driven(Task):
         """Norm of what was measured about its mean, weighted."""
         measured = self.measured * self.weights
         return float(np.linalg.norm(measured - measured.mean()))
-
-    @property
-    def turn(self) -> int:
-        """The first point on the way out; n if there is none."""
-        out = np.flatnonzero(self.curve.direction < 0.0)
-        return int(out[0]) if out.size else self.curve.count
-
-    def place(self, numbers: dict[str, float]) -> Array:
-        """Return D from first touch, without drift [m]."""
-        since = self.curve.time - self.curve.time[0]
-        return np.asarray(self.along(numbers) - numbers.get("drift", 0.0) * since)
-
-    def line(self, numbers: dict[str, float]) -> Array:
-        """Return the part of the force that the contact does not bear [N]."""
-        return np.asarray(super().line(numbers) + numbers.get("drag", 0.0) * self.velocity)
 
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
         """Return the derivative with respect to a coordinate, central where the number of terms may change."""
@@ -93,6 +66,38 @@ class Driven(Task):
     def _stretches(self) -> int:
         return 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
 
-    def chosen(self, kept: Array) -> Self:
-        """Return the task of some of the points, given as indices."""
-        return dataclasses.replace(super().chosen(kept), velocity=self.velocity[kept], per_force=self.per_force[kept])
+    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+        """Yield coordinates for some contact points, times and exponents, moduli by linear least squares."""
+        return starts(self, strokes)
+
+    def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
+        """Return what the curve cannot tell about the solid."""
+        return unidentified(self, numbers, dict(zip(numbers, errors.tolist(), strict=True)))
+
+    def final(self, coordinates: Array) -> Array:
+        """Return coordinates whose terms are sorted by their times, where nothing but their order would change."""
+        rows: dict[str, list[int]] = {}
+        for index, parameter in enumerate(self.parameters):
+            if parameter.name.endswith("]"):
+                rows.setdefault(parameter.name.rpartition("[")[0], []).append(index)
+        ordered = coordinates.copy()
+        for name, places in rows.items():
+            partner = name.replace("relaxation_times", "shears").replace("retardation_times", "compliances")
+            if partner == name or len(rows.get(partner, ())) != len(places):
+                continue
+            alike = all(len({self.parameters[i][1:3] for i in row}) == 1 for row in (places, rows[partner]))
+            if alike and len(places) == len(each(self.model, name)):
+                turn = np.argsort(coordinates[places])
+                for row in (places, rows[partner]):
+                    ordered[row] = coordinates[row][turn]
+        return coordinates if np.array_equal(ordered, coordinates) else ordered
+
+    def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
+        """Return what is found about the contact: which numbers are logarithmic, depths and radii [m]."""
+        contact = prediction.contact
+        table = elastic_table(elastic_like(self.with_numbers(numbers).bed), float(contact.edge.max()))
+        return {
+            "logarithmic": tuple(p.logarithmic for p in self.parameters),
+            "depth": contact.depth,
+            "radius": np.where(prediction.touched, table.radius_at(contact.edge), 0.0),
+        }

@@ -12,7 +12,7 @@ from winkler.plot.series import Series, common_scale, middle_scale
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
-    from winkler.fitting.elastic.outcome import Fit
+    from winkler.fitting.outcome import Fit
     from winkler.plot.picture import Picture
 
 __all__ = ["Grid", "fit_picture", "grid_of", "map_picture", "numbers_picture"]

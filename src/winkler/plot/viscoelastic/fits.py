@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic.band import relaxation_band, watched
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style

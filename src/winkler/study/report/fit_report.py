@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from winkler.fitting.elastic.outcome import Fit
+from winkler.fitting.outcome import Fit
 from winkler.plot import draw
 from winkler.plot.fitting.fits import Grid, map_picture, numbers_picture
 from winkler.plot.series import Series, spoken, told

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from winkler.errors import WinklerError
-from winkler.fitting.elastic.outcome import Fit
+from winkler.fitting.outcome import Fit
 from winkler.plot.series import told as spoken_number
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
