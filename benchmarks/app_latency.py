@@ -53,7 +53,7 @@ def free_port() -> int:
 
 def begun(port: int) -> subprocess.Popen[bytes]:
     """Start the app, and wait until it answers."""
-    words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser"]
+    words = [sys.executable, "-m", "winkler", "app", "--port", str(port), "--no-browser"]
     process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
     end = monotonic() + 60.0
     while monotonic() < end:

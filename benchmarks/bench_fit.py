@@ -13,8 +13,8 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.response import response
 from winkler.fitting.fit import fit
 from winkler.laws.adhesion import ShortRange
-from winkler.problems.adhesion.edge_states import states_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.law_states import states_of
 
 pytestmark = pytest.mark.bench
 

@@ -15,7 +15,7 @@ import pytest
 pytestmark = pytest.mark.bench
 
 STARTS = {
-    "winkler --help": (["-m", "winkler.cli", "--help"], 0.5),
+    "winkler --help": (["-m", "winkler", "--help"], 0.5),
     "import winkler, first name": (["-c", "import winkler; winkler.Sphere(1.0)"], 1.5),
 }
 

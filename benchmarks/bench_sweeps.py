@@ -46,7 +46,7 @@ KEYS = (Range("problem.load.force", 1.0, 1e3, "log"), Range("problem.bed.medium.
 def bench_ten_thousand_points_with_all_results(benchmark, below, tmp_path):
     """The command, in two processes, with its start, its journal, NetCDF, CSV, figures and report: 30 s."""
     (tmp_path / "balls.toml").write_text(STUDY, encoding="utf-8")
-    words = [sys.executable, "-m", "winkler.cli", "run", "balls.toml", "--workers", "2", "--quiet", "--overwrite"]
+    words = [sys.executable, "-m", "winkler", "run", "balls.toml", "--workers", "2", "--quiet", "--overwrite"]
 
     def command() -> None:
         subprocess.run(words, cwd=tmp_path, check=True)

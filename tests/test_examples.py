@@ -93,7 +93,7 @@ SLOW = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_s
 def test_study(study, tmp_path):
     output = tmp_path / "answer"
     command = "fit" if "\n[fit]\n" in study.read_text(encoding="utf-8") else "run"
-    answer = start(["-m", "winkler.cli", command, str(study), "--output", str(output)], tmp_path)
+    answer = start(["-m", "winkler", command, str(study), "--output", str(output)], tmp_path)
     assert answer.returncode == 0, answer.stdout + answer.stderr
     report = list(output.rglob("report.html"))
     assert report, f"no report.html in {sorted(path.name for path in output.rglob('*'))}"

@@ -18,8 +18,8 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.response import response
 from winkler.fitting.intervals import profile_interval
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
-from winkler.problems.adhesion.edge_states import states_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.law_states import states_of
 
 YOUNG, WORK, SPRING = 10e3, 0.1e-3, 0.05
 

@@ -146,7 +146,6 @@ from winkler.problems.wear.fretting import FrettingSolution, FrettingWear
 from winkler.problems.wear.limiting_profile import LimitingProfile, LimitingSolution
 from winkler.problems.wear.sliding import SlidingSolution, SlidingWear
 from winkler.profiles.area import AreaFunction
-from winkler.profiles.composite import Sum
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
 from winkler.profiles.designed import Designed
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
@@ -154,7 +153,7 @@ from winkler.profiles.flat import CappedCylinder, Cylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
-from winkler.profiles.profile import Shape
+from winkler.profiles.profile import Shape, Sum
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.random_rough import random_topography

@@ -27,7 +27,7 @@ def served(*options):
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
-    words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(port), "--no-browser", *options]
+    words = [sys.executable, "-m", "winkler", "app", "--port", str(port), "--no-browser", *options]
     plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
     uploads = tempfile.TemporaryDirectory()
     plain["TMPDIR"] = uploads.name

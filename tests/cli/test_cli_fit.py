@@ -350,7 +350,7 @@ def test_workers_change_no_number_and_ctrl_c_leaves_none_behind(here):
     """Interrupted with two workers, and gone on with: the numbers are those of one worker in peace."""
     for number in range(4, 41):
         write_curve(here / "gel" / f"curve{number}.csv", 4e3, number)
-    command = [sys.executable, "-m", "winkler.cli", "fit", "gel.toml", "--quiet", "--output"]
+    command = [sys.executable, "-m", "winkler", "fit", "gel.toml", "--quiet", "--output"]
     assert subprocess.run([*command, "one"], check=False).returncode == 0
     running = subprocess.Popen([*command, "two", "--workers", "2"], stderr=subprocess.PIPE, text=True)
     journal, deadline = here / ".two.journal", time.monotonic() + 120.0

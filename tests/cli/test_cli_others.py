@@ -472,9 +472,8 @@ def test_help_and_wrong_words_load_nothing_heavy():
     assert heavy & loaded == set()
 
 
-@pytest.mark.parametrize("module", ["winkler", "winkler.cli"])
-def test_the_module_is_the_command(here, module):
-    command = [sys.executable, "-m", module]
+def test_the_module_is_the_command(here):
+    command = [sys.executable, "-m", "winkler"]
     answer = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
     assert answer.stdout == f"winkler {wk.__version__}\n"
     wrong = subprocess.run([*command, "show", "sfere"], capture_output=True, text=True, check=False)

@@ -380,7 +380,7 @@ def test_signals_stop_a_run_cleanly(sign, code, told, here):
     """Those of a whole group of processes, workers too; for one process see
     tests/hardening/processes/test_killed_runs.py."""
     (here / "long.toml").write_text(LONG, encoding="utf-8")
-    words = [sys.executable, "-m", "winkler.cli", "run", "long.toml", "--workers", "2"]
+    words = [sys.executable, "-m", "winkler", "run", "long.toml", "--workers", "2"]
     run = subprocess.Popen(
         words, cwd=here, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
     )

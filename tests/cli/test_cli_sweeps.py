@@ -138,7 +138,7 @@ def test_results_that_cannot_be_written_cost_no_point(here, monkeypatch, capsys)
 def test_ten_thousand_points_survive_a_kill_at_half(here):
     """Killed without warning; nothing is solved twice, nothing is lost, and no process stays behind."""
     (here / "balls.toml").write_text(STUDY.format(forces=100, youngs=100), encoding="utf-8")
-    words = [sys.executable, "-m", "winkler.cli", "run", "balls.toml", "--workers", "2", "--quiet"]
+    words = [sys.executable, "-m", "winkler", "run", "balls.toml", "--workers", "2", "--quiet"]
     run = subprocess.Popen(words, cwd=here, start_new_session=True)
     journal = here / "results" / ".balls.journal"
     deadline = time.monotonic() + 300

@@ -11,8 +11,9 @@ import winkler as wk
 from winkler.errors import OutsideValidity
 from winkler.fitting.elastic.response import response
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
-from winkler.problems.adhesion.edge_states import FarStates, states_of
+from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.law_states import states_of
 
 GEL = wk.HalfSpace.between(wk.Elastic(1e4, 0.5))
 E = GEL.modulus

@@ -12,7 +12,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Bed", "Pressed"]
+__all__ = ["Bed", "Pressed", "Stretched"]
 
 
 class Bed(Protocol):
@@ -153,3 +153,13 @@ class Pressed:
     def slope(self, x: Array) -> Array:
         """u'(x) [-]."""
         return -self.bed.gap_slope(x)
+
+
+@value
+class Stretched(Pressed):
+    """Springs that end stretched: u(x) = d - g(x) up to the contact radius, with a jump there."""
+
+    @property
+    def edge(self) -> float:
+        """u(a-) [m], negative where the edge pulls."""
+        return float(self.depth - self.bed.gap(np.array([self.radius]))[0])

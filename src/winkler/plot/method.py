@@ -23,8 +23,9 @@ from winkler.plot.normal.curves import draw_curve, draw_line_load, draw_pressure
 from winkler.plot.normal.springs import draw_springs
 from winkler.plot.normal.stresses import draw_stress
 from winkler.plot.series import series, told
-from winkler.problems.adhesion.edge_states import FarStates, states_of
+from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import IndentationSolution
 
 if TYPE_CHECKING:

@@ -37,7 +37,7 @@ class App:
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             self.port = probe.getsockname()[1]
-        words = [sys.executable, "-m", "winkler.cli", "app", "--port", str(self.port), "--no-browser", *options]
+        words = [sys.executable, "-m", "winkler", "app", "--port", str(self.port), "--no-browser", *options]
         plain = {name: content for name, content in os.environ.items() if not name.startswith("PYTEST")}
         self.process = subprocess.Popen(words, env=plain | {"TMPDIR": str(folder)}, stdout=-3, stderr=subprocess.PIPE)
         self.address = f"http://127.0.0.1:{self.port}"

@@ -24,7 +24,7 @@ def study(folder, name, force):
 
 def started(path, output):
     return subprocess.Popen(
-        [sys.executable, "-m", "winkler.cli", "run", str(path), "--output", str(output), "--overwrite", "--quiet"],
+        [sys.executable, "-m", "winkler", "run", str(path), "--output", str(output), "--overwrite", "--quiet"],
         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import integrate, special
 
-from winkler.numerics.fields.line_source import line_source, projected
+from winkler.numerics.fields.round_source import line_source, projected
 from winkler.reference.heating import (
     disc_centre_rise,
     fast_uniform_maximum,

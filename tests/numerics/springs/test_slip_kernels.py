@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from winkler.numerics import jit
-from winkler.numerics.springs import slip_kernels, slip_plane
-from winkler.numerics.springs.slip_kernels import march_line, pull_line
+from winkler.numerics.springs import slip_kernels, slip_plane, slip_turn
+from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
+from winkler.numerics.springs.slip_pull import pull_line
 
 COUNT, STEPS = 60, 30
 PLACE = np.linspace(0.0, 1.0, COUNT)
@@ -180,7 +181,7 @@ def test_a_spring_turns_as_the_differential_equation_says(bound, last, angle, wa
         end = 1.0 if last > 0.0 else 1.0 - 1e-9
         turned = solve_ivp(slip, (stuck.t[-1], end), [at, 0.0], rtol=1e-11, atol=1e-13, method="LSODA").y[:, -1]
         u, lost = last * np.array([np.cos(turned[0]), np.sin(turned[0])]), turned[1]
-    x, y, waste, _ = slip_plane._travel(*start, bound, last, *move, 1.0, False)
+    x, y, waste, _ = slip_turn.travel(*start, bound, last, *move, 1.0, False)
     np.testing.assert_allclose([x, y], u, atol=1e-8)
     assert waste == pytest.approx(lost, rel=1e-8 if last == bound else 2e-4, abs=1e-9)
 
@@ -200,7 +201,7 @@ def test_the_row_turns_as_every_spring_by_itself(last):
         np.testing.assert_allclose([nx, ny, waste], row, atol=1e-14)
     seen = 0
     for i in range(300):
-        x, y, lost, _ = slip_plane._travel(ux[i], uy[i], first[i], last * first[i], *move, 1.0, False)
+        x, y, lost, _ = slip_turn.travel(ux[i], uy[i], first[i], last * first[i], *move, 1.0, False)
         if waste[i] >= 0.0:
             seen += 1
             np.testing.assert_allclose(row[:2, i], [x, y], atol=1e-13)

@@ -16,8 +16,9 @@ from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.problems.adhesion.cycle import AdhesiveCycle
-from winkler.problems.adhesion.edge_states import force_of, states_of
+from winkler.problems.adhesion.edge_states import force_of
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOff
 
 mp.mp.dps = 30

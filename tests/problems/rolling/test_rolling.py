@@ -21,10 +21,10 @@ from winkler.problems.rolling.calibration import Kalker, Uncalibrated
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.kalker import creep_coefficients, rolling_pair
 from winkler.problems.rolling.steady import Rolling
-from winkler.profiles.composite import Sum
 from winkler.profiles.conical import Cone
 from winkler.profiles.flat import FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.profile import Sum
 from winkler.profiles.sphere import Sphere
 from winkler.profiles.wavy import Wavy
 from winkler.reference.rolling import cubic_creep_force

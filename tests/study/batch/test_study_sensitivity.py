@@ -55,7 +55,7 @@ def test_hertz(answer, outcome):
     variance = np.prod(square) - np.prod(mean**2)
     alone = (square - mean**2) * np.prod(mean**2) / mean**2 / variance
     total = (square - mean**2) * np.prod(square) / square / variance
-    found = next(one for one in sensitivity(outcome) if one.answer == answer)
+    found = next(one for one in outcome.indices if one.answer == answer)
     assert found.pairs == 128
     np.testing.assert_allclose(found.first_order, alone, atol=0.02)
     np.testing.assert_allclose(found.total_order, total, atol=0.02)
@@ -63,25 +63,25 @@ def test_hertz(answer, outcome):
 
 
 def test_what_was_given_has_no_indices(outcome):
-    assert "force" not in [one.answer for one in sensitivity(outcome)]
+    assert "force" not in [one.answer for one in outcome.indices]
 
 
 def test_pairs_with_a_failed_point_are_left_out():
     half = Range("problem.load.force", -1.0, 3.0)  # a quarter of the forces is tensile
     found = run(Study("x", PROBLEM, sweep=(half, KEYS[1]), design=Sensitivity(32)))
     assert found.failed
-    (one, *_) = sensitivity(found)
+    (one, *_) = found.indices
     assert 0 < one.pairs < 32
     assert np.all(np.isfinite(one.total_order))
 
 
 def test_other_designs_have_no_indices():
     with pytest.raises(InvalidInput, match="the design of the study is sobol; its indices need the design sensitivity"):
-        sensitivity(run(Study("x", PROBLEM, sweep=KEYS, design=Sobol(2))))
+        sensitivity(Study("x", PROBLEM, sweep=KEYS, design=Sobol(2)), {})
 
 
 def test_every_output_has_them(outcome, tmp_path):
-    (depth, *_) = sensitivity(outcome)
+    (depth, *_) = outcome.indices
     data = dataset(outcome)
     assert data["first_order"].dims == ("answer", "key")
     np.testing.assert_array_equal(data["total_order"].sel(answer="depth").values, depth.total_order)

@@ -19,8 +19,9 @@ from winkler.fitting.trust import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, states_of
+from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import Indentation
 
 __all__ = [

@@ -21,13 +21,12 @@ from winkler.errors import InvalidInput
 from winkler.media.graded.panels import designed, measured
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array
-from winkler.profiles.composite import Sum
 from winkler.profiles.designed import Designed
 from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.measured import Measured
 from winkler.profiles.pieces import PowerPieces
 from winkler.profiles.power import Paraboloid, PowerLaw
-from winkler.profiles.profile import Profile
+from winkler.profiles.profile import Profile, Sum
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.values import value
 

@@ -22,6 +22,7 @@ import numpy as np
 
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.layered import Layer
+from winkler.media.layered.blocks import Four, add, four, invert, matrix, scaled, stacked, times
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
@@ -34,20 +35,12 @@ THIN = 1.0
 FAINT = 44.0
 """A layer whose top lies this deep, times xi, is not felt: exp(-44) is nothing."""
 
-Four = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]
-
 
 class Climb(NamedTuple):
     """Compliance at the upper face, and the tractions at the lower face per traction at the upper face."""
 
     compliance: ComplexArray
     decay: ComplexArray
-
-
-def _matrix(rows: list[list[ComplexArray | float]]) -> ComplexArray:
-    """Return 2x2 matrices ``(..., 2, 2)`` of entries that broadcast."""
-    entries = np.broadcast_arrays(*(entry for row in rows for entry in row))
-    return np.stack(entries, axis=-1).reshape(*entries[0].shape, 2, 2)
 
 
 def half_space(poisson: float) -> ComplexArray:
@@ -60,8 +53,8 @@ def decaying(x: ComplexArray | float, poisson: float) -> tuple[ComplexArray, Com
     """Return displacements and tractions of both fields that decay downward, at x below their origin, times e^x."""
     kappa = 3.0 - 4.0 * poisson
     return (
-        _matrix([[1.0, x], [1.0, x + kappa]]),
-        _matrix([[-1.0, -(1.0 - 2.0 * poisson) - x], [-1.0, -2.0 * (1.0 - poisson) - x]]),
+        matrix([[1.0, x], [1.0, x + kappa]]),
+        matrix([[-1.0, -(1.0 - 2.0 * poisson) - x], [-1.0, -2.0 * (1.0 - poisson) - x]]),
     )
 
 
@@ -69,8 +62,8 @@ def _growing(x: ComplexArray | float, poisson: float) -> tuple[ComplexArray, Com
     """Return the same of the fields that decay upward, at x below their origin (x <= 0), times e^-x."""
     kappa = 3.0 - 4.0 * poisson
     return (
-        _matrix([[1.0, -x], [-1.0, x - kappa]]),
-        _matrix([[1.0, (1.0 - 2.0 * poisson) - x], [-1.0, -2.0 * (1.0 - poisson) + x]]),
+        matrix([[1.0, -x], [-1.0, x - kappa]]),
+        matrix([[1.0, (1.0 - 2.0 * poisson) - x], [-1.0, -2.0 * (1.0 - poisson) + x]]),
     )
 
 
@@ -117,56 +110,28 @@ def _propagated(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[C
             entries.append(sum(terms, np.zeros_like(x)))
         return entries[0], entries[1], entries[2], entries[3]
 
-    compliance = _four(below)
-    displaced = _add(_times(block(0, 0), compliance), block(0, 2))
-    decay = _invert(_add(_times(block(2, 0), compliance), block(2, 2)))
-    return _stacked(_times(displaced, decay)), _stacked(decay)
+    compliance = four(below)
+    displaced = add(times(block(0, 0), compliance), block(0, 2))
+    decay = invert(add(times(block(2, 0), compliance), block(2, 2)))
+    return stacked(times(displaced, decay)), stacked(decay)
 
 
 def _split(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[ComplexArray, ComplexArray]:
-    fade, compliance = np.exp(-x), _four(below)
-    down, down_load = (_four(part) for part in decaying(x, poisson))
-    rise_, rise_load = (_four(part) for part in _growing(np.zeros_like(x), poisson))
-    top, top_load = (_four(part) for part in decaying(np.zeros_like(x), poisson))
-    back, back_load = (_four(part) for part in _growing(-x, poisson))
-    left = _add(rise_, _scaled(-1.0, _times(compliance, rise_load)))
-    right = _add(down, _scaled(-1.0, _times(compliance, down_load)))
-    reflected = _scaled(-fade, _times(_invert(left), right))
-    amplitude = _invert(_add(top_load, _scaled(fade, _times(back_load, reflected))))
-    upper = _times(_add(top, _scaled(fade, _times(back, reflected))), amplitude)
-    decay = _times(_add(_scaled(fade, down_load), _times(rise_load, reflected)), amplitude)
-    return _stacked(upper), _stacked(decay)
+    fade, compliance = np.exp(-x), four(below)
+    down, down_load = (four(part) for part in decaying(x, poisson))
+    rise_, rise_load = (four(part) for part in _growing(np.zeros_like(x), poisson))
+    top, top_load = (four(part) for part in decaying(np.zeros_like(x), poisson))
+    back, back_load = (four(part) for part in _growing(-x, poisson))
+    left = add(rise_, scaled(-1.0, times(compliance, rise_load)))
+    right = add(down, scaled(-1.0, times(compliance, down_load)))
+    reflected = scaled(-fade, times(invert(left), right))
+    amplitude = invert(add(top_load, scaled(fade, times(back_load, reflected))))
+    upper = times(add(top, scaled(fade, times(back, reflected))), amplitude)
+    decay = times(add(scaled(fade, down_load), times(rise_load, reflected)), amplitude)
+    return stacked(upper), stacked(decay)
 
 
 # 2x2 matrices entry by entry: much faster than a product of stacks of small matrices
-
-
-def _four(matrix: ComplexArray) -> Four:
-    parts = np.ascontiguousarray(matrix.reshape(-1, 4).T)
-    return parts[0], parts[1], parts[2], parts[3]
-
-
-def _stacked(four: Four) -> ComplexArray:
-    return np.stack(four, axis=-1).reshape(-1, 2, 2)
-
-
-def _add(one: Four, other: Four) -> Four:
-    return one[0] + other[0], one[1] + other[1], one[2] + other[2], one[3] + other[3]
-
-
-def _scaled(factor: ComplexArray | float, four: Four) -> Four:
-    return factor * four[0], factor * four[1], factor * four[2], factor * four[3]
-
-
-def _times(one: Four, other: Four) -> Four:
-    (a, b, c, d), (e, f, g, h) = one, other
-    return a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h
-
-
-def _invert(four: Four) -> Four:
-    a, b, c, d = four
-    scale = 1.0 / (a * d - b * c)
-    return d * scale, -b * scale, -c * scale, a * scale
 
 
 def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:

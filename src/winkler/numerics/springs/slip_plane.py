@@ -20,8 +20,8 @@ import math
 
 import numpy as np
 
-from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.jit import compiled
+from winkler.numerics.springs.slip_turn import travel
 from winkler.numerics.types import Array
 
 __all__ = ["march_plane"]
@@ -29,116 +29,16 @@ __all__ = ["march_plane"]
 Pair = tuple[Array, Array]
 Three = tuple[Array, Array, Array]
 
-NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
 LOG1, LOG2, LOG3, LOG4 = -1.0 / 3.0, -4.0 / 45.0, -44.0 / 945.0, -428.0 / 14175.0
 LOG5, LOG6, LOG7 = -10196.0 / 467775.0, -10719068.0 / 638512875.0, -25865068.0 / 1915538625.0
 """Of w / artanh w in powers of w^2."""
 ROW = 128
 """Springs that are moved together, all of one kind where none of them slips."""
-TURNS = 64
-"""How often a spring may drop from its static to its kinetic bound within one step."""
-
-
-@compiled
-def _turn(
-    ux: float, uy: float, bound: float, last: float, mx: float, my: float, way: float
-) -> tuple[float, float, float]:
-    """Let a spring slip on a circle that goes from radius `bound` to `last` while the bodies move by m, |m| = way."""
-    mean = 0.5 * (bound + last)
-    loss = mean * (way + bound - last)
-    if way == 0.0 or bound == 0.0:
-        share = last / bound if bound > 0.0 else 0.0
-        return ux * share, uy * share, loss
-    ex, ey = mx / way, my / way
-    cosine = (ux * ex + uy * ey) / bound
-    cosine = min(max(cosine, -1.0), 1.0)
-    sine = (ex * uy - ey * ux) / bound
-    # the logarithmic mean of the bound on the way
-    change = last / bound - 1.0
-    middle = bound * change / math.log1p(change) if change != 0.0 and last > 0.0 else last
-    shrink = math.exp(-way / middle) if middle > 0.0 else 0.0
-    square = shrink * shrink
-    half = (1.0 + cosine) + (1.0 - cosine) * square
-    turned = 0.0
-    ahead = -1.0
-    if half > 0.0:
-        turned = 2.0 * shrink * sine / half
-        ahead = ((1.0 + cosine) - (1.0 - cosine) * square) / half
-    if abs(bound - last) <= 1e-12 * bound:
-        loss -= mean * middle * math.log(2.0 / half)
-    elif way < 4.0 * abs(bound - last):
-        # what is not lost because the spring does not yet point ahead, by Gauss-Legendre quadrature over the way
-        power = 2.0 * way / (bound - last)
-        for k in range(len(NODES)):
-            radius = bound + NODES[k] * (last - bound)
-            left = (1.0 - cosine) * math.exp(power * math.log(radius / bound))
-            loss -= WEIGHTS[k] * way * radius * 2.0 * left / ((1.0 + cosine) + left)
-    elif cosine <= -1.0:
-        loss -= 2.0 * mean * way
-    else:
-        # the same of b^2 over ln(1 + tan^2(theta / 2)), where b changes little, as exp((b_1 - b_0) y / |dU|)
-        slope = (1.0 - cosine) / (1.0 + cosine)
-        end = math.log1p(slope * square)
-        width = math.log1p(slope) - end
-        power = (bound - last) / way
-        for k in range(len(NODES)):
-            so_far = slope / math.expm1(end + NODES[k] * width) if width > 0.0 else 1.0
-            loss -= WEIGHTS[k] * width * bound * bound * so_far**-power
-    return last * (ahead * ex - turned * ey), last * (ahead * ey + turned * ex), loss
-
-
-@compiled
-def _hit(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
-    """Return the part of the way after which a spring that moves by m meets a circle that goes to radius `last`."""
-    scale = max(bound, last, abs(ux), abs(uy), abs(mx), abs(my))
-    x, y, dx, dy = ux / scale, uy / scale, mx / scale, my / scale
-    b, db = bound / scale, (last - bound) / scale
-    square = dx * dx + dy * dy - db * db
-    slope = x * dx + y * dy - b * db
-    inside = x * x + y * y - b * b
-    root = math.sqrt(max(slope * slope - square * inside, 0.0))
-    part = -inside / (slope + root) if slope > 0.0 else (root - slope) / square
-    return min(max(part, 0.0), 1.0)
-
-
-@compiled
-def _travel(
-    ux: float, uy: float, bound: float, last: float, mx: float, my: float, hold: float, slips: bool
-) -> tuple[float, float, float, bool]:
-    """Move a spring that is in contact; return where it is, what it lost, and whether it slips at the end."""
-    loss = 0.0
-    left = 1.0
-    fall = last - bound
-    for _ in range(TURNS):
-        if slips and hold > 1.0 and ux * mx + uy * my < fall * bound:
-            slips = False
-        if not slips or hold == 1.0:
-            tx, ty = ux + left * mx, uy + left * my
-            rim = hold * last
-            if tx * tx + ty * ty <= rim * rim:
-                return tx, ty, loss, False
-            part = _hit(ux, uy, hold * bound, rim, left * mx, left * my)
-            ux, uy = ux + part * left * mx, uy + part * left * my
-            left *= 1.0 - part
-            size = math.sqrt(ux * ux + uy * uy)
-            bound = size / hold
-            if hold > 1.0:
-                loss += 0.5 * (size * size - bound * bound)
-                ux, uy = ux / hold, uy / hold
-                if ux * mx + uy * my < fall * bound:
-                    continue
-        way = left * math.sqrt(mx * mx + my * my)
-        tx, ty, waste = _turn(ux, uy, bound, last, left * mx, left * my, way)
-        return tx, ty, loss + waste, True
-    # a static bound that closes upon a spring lets it drop again and again: what is left of it is let go
-    size = math.sqrt(ux * ux + uy * uy)
-    share = min(last / size, 1.0) if size > 0.0 else 0.0
-    return share * ux, share * uy, loss + 0.5 * (1.0 - share * share) * size * size, True
 
 
 @compiled
 def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three) -> int:
-    """Do what `_travel` does for a whole row at once; return how many are odd.
+    """Do what `travel` does for a whole row at once; return how many are odd.
 
     Those are the ones that slip and turn, or whose bound changes, by more in this step than the series here, for
     exponential and logarithm, are made for; they are told by a negative `waste`.
@@ -330,7 +230,7 @@ def _row(
         odd = _circle_still(u, last, mx, my, new) if still else _circle(u, first, last, mx, my, new)
     for i in range(ux.size if odd > 0 else 0):
         if hold > 1.0 or waste[i] < 0.0:
-            nx[i], ny[i], waste[i], slips[i] = _travel(ux[i], uy[i], first[i], last[i], mx, my, hold, slips[i])
+            nx[i], ny[i], waste[i], slips[i] = travel(ux[i], uy[i], first[i], last[i], mx, my, hold, slips[i])
     loss = _settle(ux, uy, nx, ny, stiffness, waste)
     pull_x, pull_y, held = _follow(ux, uy, stiffness, 0.0, 0.0)
     return pull_x, pull_y, held, loss
@@ -389,7 +289,7 @@ def march_plane(
                 held += k[i] * (x * x + y * y)
             for i in range(after, before):
                 share = (d0 - g[i]) / (d0 - d1)
-                _, _, waste, _ = _travel(pair[0][i], pair[1][i], ends[0][i], 0.0, share * mx, share * my, hold, s[i])
+                _, _, waste, _ = travel(pair[0][i], pair[1][i], ends[0][i], 0.0, share * mx, share * my, hold, s[i])
                 loss += k[i] * waste
                 pair[0][i], pair[1][i], s[i] = 0.0, 0.0, False
             force[t, 0] += fx

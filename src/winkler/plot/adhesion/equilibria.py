@@ -13,9 +13,9 @@ from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.series import Scale, series
-from winkler.problems.adhesion.edge_states import states_of
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOffSolution
 
 if TYPE_CHECKING:

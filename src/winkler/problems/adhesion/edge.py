@@ -23,15 +23,14 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.equations.turning import Slopes
-from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, end_of
+from winkler.problems.adhesion.edge_states import EdgeStates, FarStates, ShortStates, end_of, stored_energy
 from winkler.problems.adhesion.stability import branches, least_radius
 from winkler.problems.normal.solve_contact import flat_radius
 from winkler.values import value
 
-__all__ = ["AdhesiveEdge", "DeadLoad", "Machine", "adhesive_edge", "last_radius", "stored_energy"]
+__all__ = ["AdhesiveEdge", "DeadLoad", "Machine", "adhesive_edge", "last_radius"]
 
 OCTAVES = 400
 BISECTIONS = 50
@@ -124,13 +123,6 @@ class AdhesiveEdge(NamedTuple):
     def hysteresis(self, start: float, end: float) -> float:
         """Return what opening costs more than closing gains, on the way from a radius to a smaller one [J]."""
         return (self.law.work_opening - self.law.work_closing) * np.pi * (start - end) * (start + end)
-
-
-def stored_energy(bed: Bed, depth: Array, radius: Array) -> Array:
-    """Return the elastic energy U of springs `(m,)` pressed to depths up to contact radii [J]."""
-    edges = [b for b, _ in bed.kinks]
-    squares = abel.integral(lambda x: 2.0 * bed.normal_stiffness(x) * bed.gap(x) ** 2, edges, radius)
-    return np.asarray(0.5 * ((bed.stiffness(radius) * depth - 2.0 * bed.gap_load(radius)) * depth + squares))
 
 
 def adhesive_edge(bed: Bed, law: ShortRange, control: Machine | DeadLoad, highest: float) -> AdhesiveEdge:

@@ -16,26 +16,23 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
-from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
+from winkler.foundation.bed import Bed, Pressed, Stretched
+from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
-from winkler.problems.normal.length_scale import shape_length
 from winkler.values import value
 
 __all__ = [
     "EdgeStates",
     "FarStates",
     "ShortStates",
-    "Stretched",
     "depth_under",
     "end_of",
     "force_of",
     "force_under",
     "margin",
     "position",
-    "states_of",
+    "stored_energy",
 ]
 
 
@@ -78,16 +75,6 @@ class EdgeStates(Protocol):
     def pressed(self, depth: float, radius: float) -> Pressed:
         """The displacement of the springs, from which fields are restored."""
         ...
-
-
-@value
-class Stretched(Pressed):
-    """Springs that end stretched: u(x) = d - g(x) up to the contact radius, with a jump there."""
-
-    @property
-    def edge(self) -> float:
-        """u(a-) [m], negative where the edge pulls."""
-        return float(self.depth - self.bed.gap(np.array([self.radius]))[0])
 
 
 @value
@@ -186,45 +173,6 @@ def end_of(bed: Bed) -> float:
     return min(bed.reach, bed.rim)
 
 
-def states_of(bed: Bed, law: AdhesionLaw) -> EdgeStates:
-    """Return the states of a bed under a law.
-
-    Raises
-    ------
-    InvalidInput
-        If the law is no law of adhesion.
-    OutsideValidity
-        If the law does not hold for this profile or medium.
-    """
-    match law:
-        case ShortRange():
-            return ShortStates(bed, law.work)
-        case Dugdale():
-            from winkler.problems.adhesion.maugis import CohesiveStates
-
-            return CohesiveStates(bed, law)
-        case DerjaguinMullerToporov():
-            return FarStates(bed, 2.0 * math.pi * _apex_radius(bed) * law.work)
-        case _:
-            raise InvalidInput(
-                f"adhesion: the law is a {type(law).__name__}; give ShortRange(work), Dugdale(work, strength) or "
-                "DerjaguinMullerToporov(work)."
-            )
-
-
-def _apex_radius(bed: Bed) -> float:
-    """Return the radius of curvature at the apex [m]."""
-    r = shape_length(bed) * np.array([1e-8, 1e-6])
-    near, far = bed.slope(r) / r
-    if not (near > 0.0 and far > 0.0 and abs(math.log(near / far)) <= 1e-3 * math.log(100.0)):
-        what = "flat" if far == 0.0 else "pointed, or flatter than a paraboloid"
-        raise OutsideValidity(
-            f"DerjaguinMullerToporov: the force 2 pi R work needs a radius of curvature R, but the apex is {what}; use "
-            "ShortRange(work), or Dugdale(work, strength), which hold for any apex."
-        )
-    return float(1.0 / near)
-
-
 def force_under(states: EdgeStates, depth: Array, radius: Array) -> Array:
     """Return the force [N] at a depth, of edges in equilibrium or held."""
     return np.asarray(states.bed.stiffness(radius) * depth - states.load(radius))
@@ -259,3 +207,10 @@ def position(states: EdgeStates, machine_stiffness: float, radius: Array) -> Arr
     if math.isinf(machine_stiffness):
         return depth
     return np.asarray(force_under(states, depth, radius) + machine_stiffness * depth)
+
+
+def stored_energy(bed: Bed, depth: Array, radius: Array) -> Array:
+    """Return the elastic energy U of springs `(m,)` pressed to depths up to contact radii [J]."""
+    edges = [b for b, _ in bed.kinks]
+    squares = abel.integral(lambda x: 2.0 * bed.normal_stiffness(x) * bed.gap(x) ** 2, edges, radius)
+    return np.asarray(0.5 * ((bed.stiffness(radius) * depth - 2.0 * bed.gap_load(radius)) * depth + squares))

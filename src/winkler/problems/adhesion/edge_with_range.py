@@ -24,9 +24,10 @@ from winkler.numerics.equations.turning import Slopes
 from winkler.numerics.panels.chebyshev import fit_panels, stationary
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
-from winkler.problems.adhesion.edge import DeadLoad, Machine, last_radius, stored_energy
-from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_of, force_under, states_of
+from winkler.problems.adhesion.edge import DeadLoad, Machine, last_radius
+from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_of, force_under, stored_energy
 from winkler.problems.adhesion.expected_radius import expected_radius
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.maugis import CohesiveStates
 from winkler.problems.adhesion.stability import branches
 

@@ -24,7 +24,7 @@ from winkler.laws.adhesion import Dugdale
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge import stored_energy
+from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import Springs, edges_of, gap_moment, pulled
 from winkler.problems.adhesion.maugis_zone import Zone, widest_within, zone
 from winkler.values import value

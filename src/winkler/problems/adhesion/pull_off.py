@@ -13,8 +13,9 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
-from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position, states_of
-from winkler.problems.adhesion.stability import branches_beyond
+from winkler.problems.adhesion.branches_beyond import branches_beyond
+from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.validity import Assumption, Note

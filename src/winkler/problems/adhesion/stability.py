@@ -15,17 +15,14 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from winkler.errors import NotConverged, OutsideValidity
-from winkler.foundation.foundation import Foundation
-from winkler.media.layered.coated import LayeredMedium
+from winkler.errors import OutsideValidity
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.types import Array
-from winkler.problems.adhesion.edge_states import EdgeStates, ShortStates, force_of, margin, position
+from winkler.problems.adhesion.edge_states import EdgeStates, force_of, margin
 from winkler.problems.adhesion.expected_radius import expected_radius
-from winkler.problems.normal.solve_contact import at_end
 
-__all__ = ["Branch", "branches", "branches_beyond", "least_radius"]
+__all__ = ["BLOCK", "OUTLOOK", "SAMPLES", "Branch", "branches", "least_radius", "typical_radius"]
 
 DEGREE = 16
 RESOLVED = 1e-9
@@ -41,8 +38,6 @@ OCTAVES = 6
 """Over so many octaves the share must stay small."""
 OUTLOOK, BLOCK, SAMPLES = 40, 5, 100
 """Over so many octaves unstable radii are looked for, so many at once, with so many samples in each."""
-HIGHEST = 80
-"""How many octaves above the first stable radius a load is looked for."""
 
 
 class Branch(NamedTuple):
@@ -139,7 +134,7 @@ def _branches(given: Hashable, machine_stiffness: float, high: float) -> tuple[B
 def _limits(states: EdgeStates, machine_stiffness: float, low: float, high: float) -> tuple[Array, bool]:
     """Return where the margin changes its sign between two radii, and whether it is positive at first."""
     kinks = np.array([b for b, _ in states.bed.kinks if low < b < high])
-    typical = low or _typical(cast(Hashable, states))
+    typical = low or typical_radius(cast(Hashable, states))
     pieces = _first_pieces(low, high, kinks, typical)
     start, stop, left, right = _signs(states, machine_stiffness, pieces, high)
     order = np.argsort(start)
@@ -230,7 +225,7 @@ def _signs(
 
 
 @functools.lru_cache(maxsize=256)
-def _typical(given: Hashable) -> float:
+def typical_radius(given: Hashable) -> float:
     """Return a radius [m] at which the force is not far from zero."""
     states = cast(EdgeStates, given)
     end = states.end()
@@ -241,93 +236,3 @@ def _typical(given: Hashable) -> float:
         while 4.0 * a < min(end, 1e100) and float(force_of(states, np.array([4.0 * a]))[0]) <= 0.0:
             a *= 4.0
     return a
-
-
-def branches_beyond(states: EdgeStates, machine_stiffness: float, level: float) -> tuple[Branch, ...]:
-    """Return the stable stretches up to a radius at which the position exceeds a level for good.
-
-    Parameters
-    ----------
-    states : EdgeStates
-    machine_stiffness : float
-        [N/m].
-    level : float
-        What has to be reached, d [m] of fixed grips, else F + k_m d [N].
-
-    Returns
-    -------
-    tuple of Branch
-        The last one ends beyond the level and is stable over its last two octaves, or ends with the profile.
-
-    Raises
-    ------
-    OutsideValidity
-        If the profile never settles into rising.
-    """
-    end = states.end()
-    if math.isfinite(at_end(states.bed)[0]):
-        return branches(states, machine_stiffness, end)
-    low = least_radius(states) or 2.0**-6 * _typical(cast(Hashable, states))
-    quiet = _quiet(states, low)
-    for octave in range(4, HIGHEST + 1):
-        high = low * 2.0**octave
-        if high >= end:  # the profile ends in a wall that no depth reaches
-            high = end * (1.0 - max(2.0 ** (math.log2(end / low) - octave - 4.0), 1e-14))
-        if high < min(4.0 * quiet, 0.9 * end) or _level(states, machine_stiffness, high) <= level:
-            continue
-        found = branches(states, machine_stiffness, high)
-        last = found[-1] if found else Branch(high, 0.0)
-        if last.stop == high and (last.start <= 0.25 * high or high >= 0.9 * end):
-            return found
-    raise OutsideValidity(_WAVING)
-
-
-_WAVING = (
-    "The adhesive contact is stable up to no load in particular: the profile keeps falling or waving with the distance "
-    "from the axis; give a profile that rises for good."
-)
-
-
-def _quiet(states: EdgeStates, low: float) -> float:
-    """Return a radius beyond which no dense sample is unstable [m]: waves may lie far outside the first stable contact.
-
-    Raises
-    ------
-    OutsideValidity
-        If they never end.
-    """
-    bed, end = states.bed, states.end()
-    if bed.rising:
-        return max([low] + [b for b, _ in bed.kinks if b < end])
-    last = low
-    for octave in range(0, OUTLOOK, BLOCK):
-        start, stop = low * 2.0**octave, min(low * 2.0 ** (octave + BLOCK), 0.999 * end)
-        if stop <= start:
-            return last
-        a = np.geomspace(start, stop, SAMPLES * BLOCK)
-        try:
-            unstable = _unstable(states, a)
-        except NotConverged:  # so far out nothing is known of the profile
-            return last
-        if unstable.any():
-            last = float(a[unstable][-1])
-    if last > 0.25 * low * 2.0**OUTLOOK:
-        raise OutsideValidity(_WAVING)
-    return last
-
-
-def _unstable(states: EdgeStates, radius: Array) -> Array:
-    """Return where contacts are unstable, cheaply: of layers and rings by the profile's own transform."""
-    bed = states.bed
-    with np.errstate(all="ignore"):
-        if isinstance(bed.medium, LayeredMedium) and isinstance(bed, Foundation):
-            return np.asarray(bed.profile.gap_slope(radius) < 0.0)
-        if isinstance(states, ShortStates):
-            return np.asarray(margin(states, 0.0, radius) < 0.0)
-        return np.asarray(bed.gap_slope(radius) < 0.0)
-
-
-def _level(states: EdgeStates, machine_stiffness: float, radius: float) -> float:
-    with np.errstate(all="ignore"):
-        found = float(position(states, machine_stiffness, np.array([radius]))[0])
-    return found if not math.isnan(found) else math.inf

@@ -10,7 +10,7 @@ from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
-from winkler.problems.adhesion.edge_states import states_of
+from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.assumptions.adhesion_range import GREENWOOD, range_note
 from winkler.problems.assumptions.film import film_notes
 from winkler.problems.normal.strong_parts import strong_parts

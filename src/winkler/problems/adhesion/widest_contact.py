@@ -9,8 +9,9 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
+from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import EdgeStates, position
-from winkler.problems.adhesion.stability import Branch, branches_beyond
+from winkler.problems.adhesion.stability import Branch
 
 __all__ = ["stable_counts", "widest"]
 

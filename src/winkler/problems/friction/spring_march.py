@@ -21,8 +21,9 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
-from winkler.numerics.springs.slip_kernels import march_line, pull_line
+from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
+from winkler.numerics.springs.slip_pull import pull_line
 from winkler.numerics.springs.spring_work import work_on_springs
 from winkler.numerics.types import Array, Quantity
 from winkler.path import Path

@@ -22,7 +22,8 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.sheared_fields import sheared_surface
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.numerics.fields.line_source import LineSource, projected
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.round_source import projected
 from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED

@@ -13,7 +13,8 @@ import numpy as np
 
 from winkler.foundation.bed import Pressed
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.numerics.fields.line_source import LineSource, line_source, projected
+from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.round_source import line_source, projected
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values import value

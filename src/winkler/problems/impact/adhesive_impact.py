@@ -27,7 +27,7 @@ from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
-from winkler.problems.adhesion.edge import stored_energy
+from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE, BALANCED
 from winkler.problems.assumptions.energy import energy_note

@@ -24,7 +24,7 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.footprint import Ellipse
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import Pressed, Stretched
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
@@ -35,7 +35,6 @@ from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.types import Array
 from winkler.outline import refuse_unless_round
-from winkler.problems.adhesion.edge_states import Stretched
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid

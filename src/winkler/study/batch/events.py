@@ -7,15 +7,11 @@ Each is a list of small values; here every one becomes a row of numbers with nam
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from winkler.vocabulary import Word, word
 
-if TYPE_CHECKING:
-    from winkler.study.batch.outcome import Outcome
-    from winkler.study.batch.points import Answered
-
-__all__ = ["EVENTS", "Event", "columns_of", "events_of", "found_in"]
+__all__ = ["EVENTS", "Event", "events_of"]
 
 EVENTS = {
     "limit": "Where the contact loses its hold",
@@ -65,14 +61,3 @@ def _numbers(item: Any) -> list[Event]:
         elif isinstance(inside, int | float):
             found.append(Event(field.name, told, float(inside)))
     return found
-
-
-def columns_of(outcome: Outcome, name: str) -> tuple[Event, ...]:
-    """Return the first row of events of a kind in a study, whose names and words all rows share; empty if none."""
-    return next((rows[0] for _, rows in found_in(outcome, name)), ())
-
-
-def found_in(outcome: Outcome, name: str) -> list[tuple[Answered, tuple[tuple[Event, ...], ...]]]:
-    """Return the points that have events of a kind, with their rows."""
-    pairs = [(point, point.events(name)) for point in outcome.solved]
-    return [(point, rows) for point, rows in pairs if rows]

@@ -216,7 +216,9 @@ class Outcome:
     @functools.cached_property
     def indices(self) -> tuple[Indices, ...]:
         """How much of the scatter of each answer every key makes; none unless the design is a `Sensitivity`."""
-        return sensitivity(self) if isinstance(self.study.design, Sensitivity) else ()
+        if not isinstance(self.study.design, Sensitivity):
+            return ()
+        return sensitivity(self.study, {name: self.answer(name) for name in self.answers})
 
     @functools.cached_property
     def _numbers(self) -> tuple[dict[str, Array], ...]:

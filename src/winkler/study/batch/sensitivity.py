@@ -7,8 +7,9 @@ ranges.
 from __future__ import annotations
 
 import csv
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -16,10 +17,8 @@ from winkler.errors import InvalidInput
 from winkler.numerics.equations.sobol_indices import Estimate, sobol_indices
 from winkler.numerics.types import Array
 from winkler.study.language.designs import Sensitivity
+from winkler.study.language.study import Study
 from winkler.values import value
-
-if TYPE_CHECKING:
-    from winkler.study.batch.outcome import Outcome
 
 __all__ = ["MEANINGS", "SENSITIVITY", "Indices", "sensitivity", "variables", "write"]
 
@@ -66,20 +65,21 @@ class Indices:
     total_order_high: Array
 
 
-def sensitivity(outcome: Outcome) -> tuple[Indices, ...]:
+def sensitivity(study: Study, answers: Mapping[str, Array]) -> tuple[Indices, ...]:
     """Return the indices of every answer that is one number at each point, varies, and was not itself varied.
 
     Parameters
     ----------
-    outcome
-        Of a study whose design is a `Sensitivity`.
+    study
+        Its design is a `Sensitivity`.
+    answers
+        Name -> numbers of all points, NaN where a point failed.
 
     Raises
     ------
     InvalidInput
         If the design is another one.
     """
-    study = outcome.study
     if not isinstance(study.design, Sensitivity):
         raise InvalidInput(
             f"sensitivity: the design of the study is {study.design.kind}; its indices need the design sensitivity."
@@ -87,8 +87,7 @@ def sensitivity(outcome: Outcome) -> tuple[Indices, ...]:
     axes = study.axes
     given = [np.array(axis.values, dtype=float) for axis in axes if axis.numeric]
     found = []
-    for name in outcome.answers:
-        content = outcome.answer(name)
+    for name, content in answers.items():
         if content.shape[-1] > 1 or any(np.array_equal(content[:, 0], one, equal_nan=True) for one in given):
             continue
         rows = content[:, 0].reshape(study.design.count, len(axes) + 2)

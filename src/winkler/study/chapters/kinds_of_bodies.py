@@ -20,13 +20,13 @@ from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.profiles.area import AreaFunction
-from winkler.profiles.composite import Sum
 from winkler.profiles.conical import Berkovich, Cone, CubeCorner, RoundedCone, SpheroConical, TruncatedCone, Vickers
 from winkler.profiles.designed import Designed
 from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.formula import Formula
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.profile import Sum
 from winkler.profiles.rounded import CappedParaboloid, RoundedPunch, TruncatedParaboloid
 from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere

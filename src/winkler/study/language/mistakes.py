@@ -9,11 +9,14 @@ from typing import Any
 from pydantic import ValidationError
 
 from winkler.errors import InvalidInput, suggest
-from winkler.study.language.catalogue import REFUSED, kinds, slot_of
-from winkler.study.language.quantities import WHERE, sample, unit_of, wrong
+from winkler.study.language.catalogue import kinds
+from winkler.study.language.grammar import SECTIONS, section_keys
+from winkler.study.language.kind_of_table import shown
+from winkler.study.language.quantities import WHERE, sample, unit_of
+from winkler.study.language.schema import form
 from winkler.vocabulary import word
 
-__all__ = ["MANY", "chosen", "sentences", "worded"]
+__all__ = ["MANY", "sentences", "worded"]
 
 KINDLY = ("problem", "content")
 """Parts of what is checked that are of kinds; pydantic names the kind behind the key of each."""
@@ -74,41 +77,6 @@ def _place(loc: tuple[Any, ...], raw: Any) -> tuple[list[Any], Any]:
     return path, table
 
 
-def _shown(given: Any) -> str:
-    if isinstance(given, Mapping):
-        return "a table"
-    if isinstance(given, list):
-        return "a list"
-    if isinstance(given, bool):
-        return str(given).lower()
-    if not isinstance(given, str | int | float):
-        return str(given)
-    return repr(given) if len(repr(given)) <= 60 else repr(given)[:57] + "..."
-
-
-def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
-    """Refuse what is not a table of one of the `allowed` kinds."""
-    if not isinstance(raw, Mapping):
-        wrong(f'{WHERE} is {_shown(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
-    if "kind" not in raw:
-        add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
-        wrong(f"{WHERE} has no kind; add kind, {add}.")
-    tag = raw["kind"]
-    if tag in allowed:
-        return raw
-    if not isinstance(tag, str):
-        wrong(f"{WHERE}.kind is {_shown(tag)}, not text; allowed are {', '.join(allowed)}.")
-    if tag in REFUSED:
-        try:
-            REFUSED[tag](1.0)
-        except ValueError as refusal:
-            wrong(f"{WHERE}.kind is '{tag}': {refusal}")
-    if tag in kinds():
-        here = f"allowed here are {', '.join(allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
-        wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; {here}.")
-    return wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
-
-
 def _parent(key: str) -> str:
     return key.rpartition(".")[0] or "the study"
 
@@ -128,26 +96,24 @@ def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
             return _missing(key, name, owner)
         case "literal_error":
             allowed = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
-            return f"{key} is {_shown(given)}{suggest(str(given), allowed)}; give {' or '.join(allowed)}."
+            return f"{key} is {shown(given)}{suggest(str(given), allowed)}; give {' or '.join(allowed)}."
         case "model_attributes_type" | "model_type" | "dict_type" | "dataclass_type":
-            return f"{key} is {_shown(given)}, not a table; write it as {{ key = value, ... }} or as [{key}]."
+            return f"{key} is {shown(given)}, not a table; write it as {{ key = value, ... }} or as [{key}]."
         case "list_type":
             right = f"with two brackets, as [[{key}]]" if isinstance(given, Mapping) else "as [ ..., ... ]"
-            return f"{key} is {_shown(given)}, not a list; write it {right}."
+            return f"{key} is {shown(given)}, not a list; write it {right}."
         case "string_type":
-            return f'{key} is {_shown(given)}, not text; write it in quotes, as {name} = "...".'
+            return f'{key} is {shown(given)}, not text; write it in quotes, as {name} = "...".'
         case "bool_type":
-            return f"{key} is {_shown(given)}; give true or false."
+            return f"{key} is {shown(given)}; give true or false."
         case "int_type":
-            return f"{key} is {_shown(given)}; give a whole number."
+            return f"{key} is {shown(given)}; give a whole number."
         case _:
-            return f"{key} is {_shown(given)}: {mistake['msg']}."
+            return f"{key} is {shown(given)}: {mistake['msg']}."
 
 
 def _kindless(key: str) -> bool:
     """Return whether the table around a key is a section that is of no kind, such as [[expect]]."""
-    from winkler.study.language.grammar import SECTIONS
-
     section = _parent(key).partition("[")[0]
     return section in SECTIONS and "kind" not in SECTIONS[section] and section != "problem"
 
@@ -160,16 +126,11 @@ def _unknown(key: str, name: str, table: Any, owner: Any) -> str:
 
 def _allowed(key: str, table: Any) -> tuple[str, ...]:
     """Return the keys that may stand beside `key`."""
-    from winkler.study.language.grammar import section_keys
-    from winkler.study.language.schema import form
-
     name = str(table.get("kind")) if isinstance(table, Mapping) else ""
     return tuple(form(name).model_fields) if name in kinds() else section_keys(_parent(key))
 
 
 def _missing(key: str, name: str, owner: Any) -> str:
-    from winkler.study.language.grammar import SECTIONS
-
     where = _parent(key)
     if owner is None:
         told_ = SECTIONS.get(where.partition("[")[0], {}).get(name, "")

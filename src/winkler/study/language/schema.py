@@ -29,8 +29,9 @@ from pydantic import (
 )
 
 from winkler.numerics.types import Array
-from winkler.study.language import maps, mistakes, quantities
+from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+from winkler.study.language.kind_of_table import chosen
 
 __all__ = [
     "FORBID",
@@ -59,7 +60,7 @@ def _checked(convert: Callable[[Any], Any]) -> Any:
 def choice(allowed: tuple[str, ...]) -> Any:
     """Return what checks a table of one of the `allowed` kinds."""
     forms_allowed: Any = Union[tuple(ForwardRef(name) for name in allowed)]  # noqa: UP007
-    check = BeforeValidator(functools.partial(mistakes.chosen, allowed=allowed))
+    check = BeforeValidator(functools.partial(chosen, allowed=allowed))
     return Annotated[forms_allowed, Field(discriminator="kind"), check]
 
 

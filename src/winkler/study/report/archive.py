@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.study.batch.events import EVENTS, columns_of, found_in
+from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import Answered, Outcome
 from winkler.study.batch.sensitivity import SENSITIVITY
 from winkler.study.batch.sensitivity import variables as index_variables
@@ -33,6 +33,7 @@ from winkler.study.batch.sensitivity import write as write_indices
 from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
+from winkler.study.report.event_rows import columns_of, found_in
 from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word, word
 

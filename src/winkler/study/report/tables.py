@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from winkler.plot.series import middle_scale, spoken, told
-from winkler.study.batch.events import EVENTS, found_in
+from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import Answered, Column, Failed, Outcome, Verdict
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV
 from winkler.study.report.describe import content_label, in_words, inputs, setting_told
+from winkler.study.report.event_rows import found_in
 from winkler.study.report.markup import kept, number, safe, section, table
 from winkler.study.report.mathml import symbol
 
