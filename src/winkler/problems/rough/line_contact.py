@@ -17,8 +17,7 @@ from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
-from winkler.problems.normal.yield_of_pressure import spots_yield_notes
-from winkler.problems.rough.line_checks import check_ensemble, check_spectrum, resolution_note
+from winkler.problems.rough.line_checks import check_ensemble, check_spectrum, line_notes
 from winkler.problems.rough.line_solution import RoughSolution
 from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
@@ -151,9 +150,9 @@ class RoughContactSolution(RoughSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        asked = self.problem
+        bodies = self.problem.medium.notes
         return (
-            *(note for note in asked.medium.notes if note.standing is not Standing.EXACT),  # of one round contact
+            *(note for note in bodies if note.standing is not Standing.EXACT),  # of one round contact
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
@@ -161,8 +160,7 @@ class RoughContactSolution(RoughSolution):
                 "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
                 f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
             ),
-            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
-            *resolution_note(asked.spectrum, asked.length, asked.count),
+            *line_notes(self),
             Note(
                 Assumption.ROUGHNESS,
                 Standing.OUTSIDE,
