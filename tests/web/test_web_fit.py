@@ -16,10 +16,10 @@ from winkler.io.curves import read_curve
 from winkler.study.language.fit_reading import FITTED, parse_fit_study
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
-from winkler.web.form.study_form import Asking
-from winkler.web.pictures.answer import Frame, Told
+from winkler.web.form.study_form import StudyForm
+from winkler.web.pictures.answer import AnswerText, Frame
 from winkler.web.pictures.fit_chart import MOST, drawn_points
-from winkler.web.session.upload_folder import Room, files_in
+from winkler.web.session.upload_folder import UploadFolder, files_in
 from winkler.web.session.worker import Export, Look, Solve, Wrong, _Bench, beside_the_curve
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -56,7 +56,7 @@ def test_the_app_and_the_command_line_fit_equal_numbers(bench, room, tmp_path):
     folder = tmp_path / "by_command"
     assert main(["fit", str(room / "study.toml"), "--output", str(folder), "--quiet"]) == 0
     assert file.content == (folder / "fit.csv").read_bytes()
-    assert isinstance(told, Told)
+    assert isinstance(told, AnswerText)
     assert "3.99 kPa" in told.answers
     assert told.standing == "approximate"
     assert [one.name for one in pictures][:2] == ["fit", "shape"]
@@ -145,38 +145,38 @@ def test_bounds(low, high, unit, content):
 
 def test_both_studies_are_kept_while_one_turns():
     calls = []
-    asking = Asking(lambda: calls.append("form"), lambda: calls.append("solve"))
-    asking.change("problem.load.force", "3 N", "quantity [N]")
-    asking.turn("fit")
-    asking.bound(YOUNG, "1 Pa", "1 MPa", "Pa")
-    asking.free("problem.bed.profile.curvature_radius")
-    asking.fix("baseline")
+    entered = StudyForm(lambda: calls.append("form"), lambda: calls.append("solve"))
+    entered.change("problem.load.force", "3 N", "quantity [N]")
+    entered.turn("fit")
+    entered.bound(YOUNG, "1 Pa", "1 MPa", "Pa")
+    entered.free("problem.bed.profile.curvature_radius")
+    entered.fix("baseline")
     free = {YOUNG: ["1 Pa", "1 MPa"], "contact_point": True}
-    assert form.at(asking.table, "fit.free") == {**free, "problem.bed.profile.curvature_radius": True}
-    asking.choose("problem.bed.profile", "cone")  # has no radius
-    assert form.at(asking.table, "fit.free") == free
-    asking.turn("solve")
-    assert form.at(asking.table, "problem.load.force") == "3 N"
-    asking.turn("solve")
+    assert form.at(entered.table, "fit.free") == {**free, "problem.bed.profile.curvature_radius": True}
+    entered.choose("problem.bed.profile", "cone")  # has no radius
+    assert form.at(entered.table, "fit.free") == free
+    entered.turn("solve")
+    assert form.at(entered.table, "problem.load.force") == "3 N"
+    entered.turn("solve")
     assert calls == ["solve", "form", "solve", "form", "form", "form", "form"]
 
 
 def test_the_curve_is_kept_when_the_model_changes():
-    asking = Asking(lambda: None, lambda: None)
-    asking.turn("fit")
-    asking.read("fit.curve", "gel.csv")
-    asking.choose("problem", "adhesive_indentation")
-    assert form.at(asking.table, "fit.curve") == "gel.csv"
-    assert form.at(asking.table, "problem.kind") == "adhesive_indentation"
-    assert list(files_in(asking.table)) == [("fit.curve", "gel.csv")]
+    entered = StudyForm(lambda: None, lambda: None)
+    entered.turn("fit")
+    entered.read("fit.curve", "gel.csv")
+    entered.choose("problem", "adhesive_indentation")
+    assert form.at(entered.table, "fit.curve") == "gel.csv"
+    assert form.at(entered.table, "problem.kind") == "adhesive_indentation"
+    assert list(files_in(entered.table)) == [("fit.curve", "gel.csv")]
 
 
 def test_a_study_and_its_curve_travel_together(room):
-    kept = Room()
+    kept = UploadFolder()
     text = tomli_w.dumps(gel_table())
     kept.keep("gel_bead.csv", (room / "gel_bead.csv").read_bytes())
     store = kept.packed(text, "study.toml", ("gel_bead.csv",))
-    other = Room()
+    other = UploadFolder()
     assert other.unpack(store, "study.toml").decode() == text
     assert other.names == ("gel_bead.csv",)
     other.check(gel_table())

@@ -12,8 +12,8 @@ from winkler.study.batch.run import run
 from winkler.study.language.designs import DESIGNS
 from winkler.study.language.reading import parse_study
 from winkler.web.form import form, sweep_form
-from winkler.web.form.study_form import Asking
-from winkler.web.pictures.answer import Frame, Shown, Told
+from winkler.web.form.study_form import StudyForm
+from winkler.web.pictures.answer import AnswerText, Frame, Shown
 from winkler.web.session.worker import POINTS, Export, Progress, Solve, Wrong, _Bench
 
 FORCE, RADIUS, POISSON = (
@@ -30,11 +30,11 @@ def bench():
 
 def asked(*keys, kind="crossed"):
     """Return the table of a sweep as a person would make it."""
-    asking = Asking(lambda: None, lambda: None)
+    entered = StudyForm(lambda: None, lambda: None)
     for key in keys:
-        asking.vary(key)
-    asking.redesign(kind)
-    return asking
+        entered.vary(key)
+    entered.redesign(kind)
+    return entered
 
 
 def first_of(bench, text, folder):
@@ -46,12 +46,12 @@ def first_of(bench, text, folder):
 
 
 def test_a_number_varies_about_what_it_was():
-    asking = asked(FORCE, POISSON)
-    assert asking.table["sweep"] == {
+    entered = asked(FORCE, POISSON)
+    assert entered.table["sweep"] == {
         FORCE: {"from": "50 N", "to": "200 N", "count": 5},
         POISSON: {"from": 0, "to": 0.49, "count": 5},
     }
-    study = parse_study(tomli_w.dumps(asking.table))
+    study = parse_study(tomli_w.dumps(entered.table))
     assert study.shape == (5, 5)
     assert study.axes[0].values == (50.0, 87.5, 125.0, 162.5, 200.0)
 
@@ -66,24 +66,24 @@ def test_a_number_varies_about_what_it_was():
     ],
 )
 def test_what_stands_in_the_boxes_is_what_is_solved(way, texts, values):
-    asking = asked(FORCE)
-    asking.vary_over(FORCE, way, texts, anew=True)
-    study = parse_study(tomli_w.dumps(asking.table))
+    entered = asked(FORCE)
+    entered.vary_over(FORCE, way, texts, anew=True)
+    study = parse_study(tomli_w.dumps(entered.table))
     assert study.axes[0].values == pytest.approx(values, rel=1e-12)
-    ((row,), others) = sweep_form.rows(asking.table)
+    ((row,), others) = sweep_form.rows(entered.table)
     assert row.way == way
     again = asked(FORCE)
     again.vary_over(FORCE, row.way, row.texts, anew=True)
-    assert again.table == asking.table
+    assert again.table == entered.table
     assert FORCE not in others
     assert RADIUS in others
 
 
 @pytest.mark.parametrize("kind", DESIGNS)
 def test_every_design_can_be_chosen_and_left(kind):
-    asking = asked(FORCE, RADIUS, kind=kind)
-    assert sweep_form.plan(asking.table) == kind
-    study = parse_study(tomli_w.dumps(asking.table))
+    entered = asked(FORCE, RADIUS, kind=kind)
+    assert sweep_form.plan(entered.table) == kind
+    study = parse_study(tomli_w.dumps(entered.table))
     assert study.design.kind == kind
     assert set(sweep_form.PLANS) == set(DESIGNS)
     counts = {"crossed": 25, "zipped": 5, "latin_hypercube": 64, "sobol": 64, "sensitivity": 64 * 4}
@@ -91,25 +91,25 @@ def test_every_design_can_be_chosen_and_left(kind):
     for length in study.shape:
         points *= length
     assert points == counts[kind]
-    asking.redesign("crossed")
-    assert parse_study(tomli_w.dumps(asking.table)).shape == (5, 5)
+    entered.redesign("crossed")
+    assert parse_study(tomli_w.dumps(entered.table)).shape == (5, 5)
 
 
 def test_without_a_number_there_is_no_sweep():
-    asking = asked(FORCE, RADIUS, kind="sobol")
-    asking.still(FORCE)
-    assert list(asking.table["sweep"]) == ["design", RADIUS]
-    asking.choose("problem.bed.profile", "cone")  # has no radius
-    assert "sweep" not in asking.table
+    entered = asked(FORCE, RADIUS, kind="sobol")
+    entered.still(FORCE)
+    assert list(entered.table["sweep"]) == ["design", RADIUS]
+    entered.choose("problem.bed.profile", "cone")  # has no radius
+    assert "sweep" not in entered.table
 
 
 def test_the_app_and_the_command_line_sweep_equal_numbers(bench, tmp_path):
-    asking = asked(FORCE, RADIUS, kind="sobol")
-    form.put(asking.table, "sweep.design.count", 8)
-    text = tomli_w.dumps(asking.table)
+    entered = asked(FORCE, RADIUS, kind="sobol")
+    form.put(entered.table, "sweep.design.count", 8)
+    text = tomli_w.dumps(entered.table)
     replies = [reply for reply in first_of(bench, text, tmp_path) if not isinstance(reply, Progress)]
     told, *_, frame, sheet = replies
-    assert isinstance(told, Told)
+    assert isinstance(told, AnswerText)
     assert told.points == 8
     assert isinstance(frame, Frame)
     assert "the last point of the sweep" in frame.remark
@@ -129,14 +129,14 @@ def test_progress_is_told_and_rises(bench, tmp_path, monkeypatch):
     text = tomli_w.dumps(asked(FORCE).table)
     replies = bench.replies(Solve(1, text, tmp_path, True))
     assert [next(replies) for _ in range(5)] == [Progress(done, 5) for done in range(1, 6)]
-    assert isinstance(next(replies), Told)
+    assert isinstance(next(replies), AnswerText)
 
 
 def test_too_many_points_are_refused(bench, tmp_path):
-    asking = asked(FORCE, RADIUS)
-    asking.vary_over(FORCE, "even", {"from": "1 N", "to": "2 N", "count": "101"}, anew=False)
-    asking.vary_over(RADIUS, "even", {"from": "1 mm", "to": "2 mm", "count": "10"}, anew=False)
-    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(asking.table), tmp_path, True))
+    entered = asked(FORCE, RADIUS)
+    entered.vary_over(FORCE, "even", {"from": "1 N", "to": "2 N", "count": "101"}, anew=False)
+    entered.vary_over(RADIUS, "even", {"from": "1 mm", "to": "2 mm", "count": "10"}, anew=False)
+    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(entered.table), tmp_path, True))
     assert isinstance(wrong, Wrong)
     (sentence,) = wrong.sentences
     assert f"1010 points, and the app solves at most {POINTS}" in sentence
@@ -156,8 +156,8 @@ def test_too_many_points_are_refused(bench, tmp_path):
     ],
 )
 def test_every_mistake_of_a_sweep_names_its_field(bench, tmp_path, key, content, owner):
-    asking = asked(FORCE)
-    asking.table["sweep"][key] = content
-    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(asking.table), tmp_path, True))
+    entered = asked(FORCE)
+    entered.table["sweep"][key] = content
+    (wrong,) = bench.replies(Solve(1, tomli_w.dumps(entered.table), tmp_path, True))
     assert isinstance(wrong, Wrong)
     assert form.owner_of(wrong.sentences[0]) == owner, wrong.sentences[0]

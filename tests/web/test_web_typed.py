@@ -10,7 +10,7 @@ import pytest
 from winkler.errors import InvalidInput
 from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import shown, typed
-from winkler.web.session.upload_folder import LARGEST, TOTAL, Room, files_in, plain_name
+from winkler.web.session.upload_folder import LARGEST, TOTAL, UploadFolder, files_in, plain_name
 
 
 @pytest.mark.parametrize(
@@ -90,7 +90,7 @@ def test_names_of_uploads(name, plain):
 
 @pytest.fixture
 def room():
-    held = Room()
+    held = UploadFolder()
     yield held
     held.close()
     assert not held.folder.exists()

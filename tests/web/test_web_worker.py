@@ -17,7 +17,7 @@ from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
 from winkler.web.form import form
-from winkler.web.pictures.answer import Frame, Picture, Shown, Told
+from winkler.web.pictures.answer import AnswerText, Frame, Picture, Shown
 from winkler.web.session.solver import Solver
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong, _Bench
 
@@ -33,7 +33,7 @@ def answers_of(bench, text, folder):
     """Return the first parts of an answer, without the sheets: the words, and the charts by their names."""
     replies = bench.replies(Solve(1, text, folder, True))
     told = next(replies)
-    assert isinstance(told, Told)
+    assert isinstance(told, AnswerText)
     return told, charts_of(replies)
 
 
@@ -79,7 +79,7 @@ def test_the_frame_stays_while_the_contact_grows(bench, tmp_path):
     for force, same in (("90 N", True), ("110 N", True), ("1 MN", False)):
         form.put(table, "problem.load.force", force)
         replies = bench.replies(Solve(1, tomli_w.dumps(table), tmp_path, False))
-        assert isinstance(next(replies), Told)
+        assert isinstance(next(replies), AnswerText)
         if force != "1 MN":
             charts_of(replies)
             assert (bench.view == first) is same
@@ -160,7 +160,7 @@ def test_a_long_run_is_stopped_and_the_next_is_answered(tmp_path):
         assert not solver.working
         solver.ask(lambda number: Solve(number, quick, tmp_path, True))
         await until(Done)
-        assert any(isinstance(one, Told) for one in heard)
+        assert any(isinstance(one, AnswerText) for one in heard)
         process = solver.process
         solver.close()
         assert not process.is_alive()

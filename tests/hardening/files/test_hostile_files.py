@@ -23,7 +23,7 @@ from winkler.io.wear_states import read_wear
 from winkler.limits import MOST_NUMBERS
 from winkler.study.language.reading import read_study
 from winkler.units import scale
-from winkler.web.session.upload_folder import Room
+from winkler.web.session.upload_folder import UploadFolder
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="bounds are set as Linux does")
 
@@ -225,7 +225,7 @@ def test_a_member_of_an_upload_that_unpacks_to_more_than_it_states(method):
     with zipfile.ZipFile(stream, "w", method) as made:
         made.writestr("study.toml", bytes(15_000_000))
     content = stream.getvalue().replace(struct.pack("<I", 15_000_000), struct.pack("<I", 10))
-    room = Room()
+    room = UploadFolder()
     tracemalloc.start()
     try:
         with pytest.raises(InvalidInput, match="cannot be read"):

@@ -11,7 +11,7 @@ import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.study.batch.outcome import Verdict
 from winkler.study.batch.run import run
-from winkler.study.batch.verdicts import judge
+from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation, Study
 from winkler.study.ledger.ledger import CASES, case_files, examined, ledger
 from winkler.study.ledger.ledger_page import markdown
@@ -37,37 +37,37 @@ BED = wk.Foundation(wk.Paraboloid(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
     ],
 )
 def test_right_numbers_pass(quantity, expected, place):
-    verdict = judge(POINT, Expectation(quantity, expected, 1e-8, place=place))
+    verdict = compared(POINT, Expectation(quantity, expected, 1e-8, place=place))
     assert verdict.passed
     assert verdict.digits >= 8.0
 
 
 @pytest.mark.parametrize(("factor", "passed"), [(1.0 + 0.9e-3, True), (1.0 - 0.9e-3, True), (1.002, False)])
 def test_tolerance_is_relative(factor, passed):
-    verdict = judge(POINT, Expectation("depth", 0.25 * factor, 1e-3))
+    verdict = compared(POINT, Expectation("depth", 0.25 * factor, 1e-3))
     assert verdict.passed is passed
     assert verdict.deviation == pytest.approx(abs(1.0 - 1.0 / factor), rel=1e-9)
 
 
 def test_scale_replaces_the_number():
     field = Expectation("pressure", 0.0, 1e-3, place=(("r", 0.6),), scale=1.0)
-    assert judge(POINT, field).deviation == 0.0
-    assert judge(POINT, Expectation("depth", 0.35, 0.1001, scale=1.0)).passed
-    assert not judge(POINT, Expectation("depth", 0.35, 0.0999, scale=1.0)).passed
+    assert compared(POINT, field).deviation == 0.0
+    assert compared(POINT, Expectation("depth", 0.35, 0.1001, scale=1.0)).passed
+    assert not compared(POINT, Expectation("depth", 0.35, 0.0999, scale=1.0)).passed
 
 
 def test_many_loads():
-    assert judge(MANY, Expectation("depth", np.array([0.25, 1.0]), 1e-12)).passed
-    assert not judge(MANY, Expectation("depth", np.array([0.25, 1.1]), 1e-12)).passed
-    assert not judge(MANY, Expectation("depth", 0.25, 1e-12)).passed
+    assert compared(MANY, Expectation("depth", np.array([0.25, 1.0]), 1e-12)).passed
+    assert not compared(MANY, Expectation("depth", np.array([0.25, 1.1]), 1e-12)).passed
+    assert not compared(MANY, Expectation("depth", 0.25, 1e-12)).passed
     with pytest.raises(InvalidInput, match="depth has 2 values, but 3 are expected"):
-        judge(MANY, Expectation("depth", np.array([0.25, 1.0, 2.0]), 1e-12))
+        compared(MANY, Expectation("depth", np.array([0.25, 1.0, 2.0]), 1e-12))
 
 
 def test_what_is_not_finite_is_missed():
     punch = wk.Foundation(wk.FlatPunch(1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
     (point,) = run(Study("x", wk.Indentation(punch, wk.Force(1.0)))).solved
-    verdict = judge(point, Expectation("pressure", 1.0, 0.5, place=(("r", 1.0),)))
+    verdict = compared(point, Expectation("pressure", 1.0, 0.5, place=(("r", 1.0),)))
     assert verdict.deviation == math.inf
     assert not verdict.passed
     assert verdict.digits == 0.0
@@ -89,7 +89,7 @@ def test_what_is_not_finite_is_missed():
 )
 def test_expectations_that_cannot_be_judged(expectation, sentence):
     with pytest.raises(InvalidInput) as caught:
-        judge(POINT, expectation)
+        compared(POINT, expectation)
     assert sentence in str(caught.value)
 
 
@@ -214,16 +214,16 @@ def test_fields_at_a_point_of_a_path_and_inside_the_bodies():
     point = rubbed(np.array([0.0, 1.0, -1.0]))
     for row, sign in ((1, 1.0), (-1, -1.0)):
         there = Expectation(f"traction.{row}", sign * 0.6 / np.pi * 0.8, 1e-12, place=(("r", 0.6),))
-        assert judge(point, there).passed
+        assert compared(point, there).passed
     # on the axis sigma_z is Hertz' and the traction adds none
     inside = (("x", 0.0), ("y", 0.0), ("z", 0.5))
-    assert judge(point, Expectation("zz_stress.1", -2.0 / np.pi / 1.25, 1e-9, place=inside)).passed
+    assert compared(point, Expectation("zz_stress.1", -2.0 / np.pi / 1.25, 1e-9, place=inside)).passed
 
 
 def test_components_of_a_direction_in_the_plane():
     point = rubbed(np.array([[0.0, 0.0], [0.0, 1.0], [0.0, 2.0]]))
     across = Expectation("traction.-1.1", 0.6 / np.pi * 0.8, 1e-3, place=(("r", 0.6),))
-    assert judge(point, across).passed
+    assert compared(point, across).passed
 
 
 @pytest.mark.parametrize(
@@ -238,12 +238,12 @@ def test_components_of_a_direction_in_the_plane():
 )
 def test_places_that_cannot_be_judged(quantity, place, sentence):
     with pytest.raises(InvalidInput) as caught:
-        judge(rubbed(np.array([0.0, 1.0, -1.0])), Expectation(quantity, 1.0, 0.1, place=place))
+        compared(rubbed(np.array([0.0, 1.0, -1.0])), Expectation(quantity, 1.0, 0.1, place=place))
     assert sentence in str(caught.value)
 
 
 def test_one_load_of_many():
     (point,) = run(Study("x", wk.Indentation(BALL, wk.Radius(np.array([0.5, 1.0]))))).solved
-    assert judge(point, Expectation("pressure.1", 2.0 / np.pi, 1e-9, place=(("r", 0.0),))).passed
+    assert compared(point, Expectation("pressure.1", 2.0 / np.pi, 1e-9, place=(("r", 0.0),))).passed
     with pytest.raises(InvalidInput, match="of 2 contacts"):
-        judge(point, Expectation("pressure", 1.0, 1e-9, place=(("r", 0.0),)))
+        compared(point, Expectation("pressure", 1.0, 1e-9, place=(("r", 0.0),)))

@@ -28,7 +28,7 @@ from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.collect_states import rows
 from winkler.problems.friction.spring_march import march
 from winkler.problems.friction.spring_states import OwnLaw, SpringLaw, SpringState
-from winkler.problems.friction.tangential_march import Ways
+from winkler.problems.friction.tangential_march import SlipPath
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
@@ -127,10 +127,10 @@ class Tangential:
         if not isinstance(self.law, Coulomb) or self.path.in_plane or not alike(ratios):
             yield from march(self)
             return
-        ways = Ways(self.bed, self.law.coefficient, ratios[1], self.path, contact)
+        ways = SlipPath(self.bed, self.law.coefficient, ratios[1], self.path, contact)
         points = zip(self.path.time.tolist(), *(np.asarray(q).tolist() for q in _three(contact)), strict=True)
         lost = work = 0.0
-        for (time, depth, force, radius), end in zip(points, ways.arrivals(), strict=True):
+        for (time, depth, force, radius), end in zip(points, ways.points_reached(), strict=True):
             lost, work = lost + end.lost, work + end.spent
             stored = ways.stored(end.memory)
             yield TangentialState(

@@ -21,7 +21,7 @@ from winkler.problems.friction.slip_sums import SlipSums
 from winkler.problems.normal.force_curve import normal_curve
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["BENT", "Arrival", "Ways"]
+__all__ = ["BENT", "SlipPath", "SlipPoint"]
 
 BENT = 3e-5
 """Bent ways are halved until springs and loss end elsewhere by less than this part of the greatest there are."""
@@ -37,7 +37,7 @@ MOST = 200
 """Steps of Newton's method, halving where that leads astray."""
 
 
-class Arrival(NamedTuple):
+class SlipPoint(NamedTuple):
     """Where a way ends.
 
     Parameters
@@ -57,7 +57,7 @@ class Arrival(NamedTuple):
     spent: float
 
 
-class Ways:
+class SlipPath:
     """The ways between the points of a path.
 
     Parameters
@@ -87,10 +87,10 @@ class Ways:
         size = min(self.beta * deepest, size) if deepest > 0.0 else 0.0
         self.allowed = BENT * size, BENT * ratio * stiffness * size**2
 
-    def arrivals(self) -> Iterator[Arrival]:
+    def points_reached(self) -> Iterator[SlipPoint]:
         """Yield where every way ends, the first one pressed straight down and moved after."""
         memory, _ = SlipMemory.fresh().moved(self.depths[0], 0.0, self.beta)
-        here = self._leap(0, Arrival(memory, 0.0, 0.0, 0.0, 0.0), self.depths[0], self.along[0])
+        here = self._leap(0, SlipPoint(memory, 0.0, 0.0, 0.0, 0.0), self.depths[0], self.along[0])
         yield here
         for index in range(1, len(self.depths)):
             here = self._go(index, here._replace(lost=0.0, spent=0.0))
@@ -100,7 +100,7 @@ class Ways:
         """Return the energy stored in the springs' displacement along the surface [J]."""
         return self.ratio * self.sums.stored(memory)
 
-    def _go(self, index: int, start: Arrival) -> Arrival:
+    def _go(self, index: int, start: SlipPoint) -> SlipPoint:
         """Go to a point of the path."""
         (before, after), (first, last) = self.depths[index - 1 : index + 1], self.along[index - 1 : index + 1]
         # with no change of shift it does not matter when the depth changes
@@ -135,7 +135,7 @@ class Ways:
                 goals.append(middle)
         return here
 
-    def _alike(self, one: Arrival, two: Arrival) -> bool:
+    def _alike(self, one: SlipPoint, two: SlipPoint) -> bool:
         """Return whether two arrivals are the same but for a small part of displacements and energies on the path."""
         gaps = np.union1d(one.memory.edges, two.memory.edges)
         apart = float(np.max(np.abs(one.memory.value(gaps) - two.memory.value(gaps)), initial=0.0))
@@ -143,14 +143,14 @@ class Ways:
         near, cheap = self.allowed
         return max(apart, abs(one.shift - two.shift)) <= near and abs(one.lost - two.lost) <= cheap
 
-    def _leap(self, index: int, start: Arrival, depth: float, target: float) -> Arrival:
+    def _leap(self, index: int, start: SlipPoint, depth: float, target: float) -> SlipPoint:
         """Go straight in depth and shift, to a shift or to a shear force."""
         change = target - start.shift if self.driven else self._change(index, start.memory, depth, target)
         after, losses, works = start.memory.worked(depth, change, self.beta)
         shift = target if self.driven else start.shift + change
         lost = max(self.ratio * self.sums.lost(losses), 0.0)
         spent = self.ratio * self.sums.lost(works)
-        return Arrival(after, shift, self.ratio * self.sums.shear(after), start.lost + lost, start.spent + spent)
+        return SlipPoint(after, shift, self.ratio * self.sums.shear(after), start.lost + lost, start.spent + spent)
 
     def _change(self, index: int, memory: SlipMemory, depth: float, target: float) -> float:
         """Return the shift that brings a shear force about; the smallest if all slides."""

@@ -24,7 +24,7 @@ from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.problems.collect_states import rows
-from winkler.problems.particles.elastic_plastic_march import March, Squeezed
+from winkler.problems.particles.elastic_plastic_march import March, ParticleHistory
 from winkler.problems.particles.elastic_plastic_springs import material_of
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -175,7 +175,7 @@ class ElasticPlasticParticle:
         return self.gathered(self.steps())
 
 
-def _seen(march: March, state: Squeezed, path: Depth | Force, level: float) -> ParticleState:
+def _seen(march: March, state: ParticleHistory, path: Depth | Force, level: float) -> ParticleState:
     springs = march.material.springs(state.largest)
     force = springs.force(state.angle, state.felt) if state.touching else 0.0
     energy = march.energy(state)

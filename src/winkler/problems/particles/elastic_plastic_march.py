@@ -15,10 +15,10 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.equations.roots import between
 from winkler.problems.particles.elastic_plastic_springs import LIMIT, RIM, Material, ParticleSprings
 
-__all__ = ["March", "Squeezed"]
+__all__ = ["March", "ParticleHistory"]
 
 
-class Squeezed(NamedTuple):
+class ParticleHistory(NamedTuple):
     """What a particle remembers.
 
     Parameters
@@ -57,22 +57,22 @@ class March(NamedTuple):
     closing: float
     opening: float
 
-    def fresh(self) -> Squeezed:
+    def fresh(self) -> ParticleHistory:
         """Return a particle that was never touched."""
-        return Squeezed(0.0, -np.inf, 0.0, False, 0.0)
+        return ParticleHistory(0.0, -np.inf, 0.0, False, 0.0)
 
     def potential(self, springs: ParticleSprings, angle: float, felt: float, work: float) -> float:
         """Return elastic and surface energy, as a prescribed depth feels them [J]."""
         energy = springs.sums(angle, felt)[1]
         return springs.stretch * (energy - work * np.pi * springs.radius(angle) ** 2)
 
-    def energy(self, state: Squeezed) -> float:
+    def energy(self, state: ParticleHistory) -> float:
         """Return what is stored, less what closing has gained [J]."""
         if not state.touching:
             return 0.0
         return self.potential(self.material.springs(state.largest), state.angle, state.felt, self.closing)
 
-    def to_depth(self, state: Squeezed, depth: float) -> Squeezed:
+    def to_depth(self, state: ParticleHistory, depth: float) -> ParticleHistory:
         """Return the particle at a depth."""
         if depth > LIMIT * self.material.radius:
             raise OutsideValidity(
@@ -86,9 +86,9 @@ class March(NamedTuple):
         if depth <= roof:
             return state._replace(largest=largest)
         work = state.work + self.material.work(depth) - self.material.work(roof)
-        return Squeezed(largest, self.material.springs(largest).felt(depth), RIM, True, work)
+        return ParticleHistory(largest, self.material.springs(largest).felt(depth), RIM, True, work)
 
-    def _within(self, springs: ParticleSprings, state: Squeezed, felt: float) -> Squeezed:
+    def _within(self, springs: ParticleSprings, state: ParticleHistory, felt: float) -> ParticleHistory:
         """Move while the particle does not yield."""
         if not state.touching:
             if felt < 0.0:
@@ -107,7 +107,9 @@ class March(NamedTuple):
             return last._replace(felt=felt, angle=0.0, touching=False)
         return self._moved(springs, state, felt, springs.edge(felt, self.opening), self.opening)
 
-    def _moved(self, springs: ParticleSprings, state: Squeezed, felt: float, angle: float, work: float) -> Squeezed:
+    def _moved(
+        self, springs: ParticleSprings, state: ParticleHistory, felt: float, angle: float, work: float
+    ) -> ParticleHistory:
         """Let the edge rest, go to an angle while it is just held, and rest again; what that takes."""
 
         def rest(at: float, start: float, stop: float) -> float:
@@ -124,7 +126,7 @@ class March(NamedTuple):
             spent += self.potential(springs, angle, last, work) - self.potential(springs, state.angle, first, work)
         return state._replace(felt=felt, angle=angle, work=state.work + spent)
 
-    def to_force(self, state: Squeezed, force: float) -> Squeezed:
+    def to_force(self, state: ParticleHistory, force: float) -> ParticleHistory:
         """Return the particle under a dead load."""
         springs = self.material.springs(state.largest)
         if not state.touching:
@@ -133,7 +135,7 @@ class March(NamedTuple):
             state = state._replace(felt=springs.balanced(angle, self.closing), angle=angle, touching=True)
         return self.to_depth(state, self._depth_under(springs, state, force))
 
-    def _depth_under(self, springs: ParticleSprings, state: Squeezed, force: float) -> float:
+    def _depth_under(self, springs: ParticleSprings, state: ParticleHistory, force: float) -> float:
         material = self.material
         roof = max(state.largest, material.yield_depth)
         deepest = LIMIT * material.radius

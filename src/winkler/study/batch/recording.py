@@ -17,7 +17,7 @@ from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.points import Failed, Recalled, Solved, Verdict
 from winkler.study.batch.tasks import Task
-from winkler.study.batch.verdicts import judge
+from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation
 from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
@@ -50,7 +50,7 @@ def light(point: Solved, expect: tuple[Expectation, ...], shape: tuple[int, ...]
         point.answer_type,
         point.validity,
         tuple((name, rows) for name in EVENTS if (rows := point.events(name))),
-        tuple(judge(point, expectation, shape) for expectation in expect),
+        tuple(compared(point, expectation, shape) for expectation in expect),
         point.surface,
         point.subsurface,
         point.stopped,

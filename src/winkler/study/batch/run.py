@@ -15,7 +15,7 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Outcome, Point, Provenance, Solved, Verdict
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.sweep import journaled, solve_points
-from winkler.study.batch.verdicts import judge
+from winkler.study.batch.verdicts import compared
 from winkler.study.language.canonical import digest
 from winkler.study.language.study import Study
 
@@ -75,7 +75,7 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
     judged: list[tuple[Point, tuple[Verdict, ...]]] = []
     for point in points:
         if isinstance(point, Solved):
-            judged.append((point, tuple(judge(point, expectation, study.shape) for expectation in study.expect)))
+            judged.append((point, tuple(compared(point, expectation, study.shape) for expectation in study.expect)))
         else:
             judged.append((point, () if isinstance(point, Failed) else point.verdicts))
     judged.sort(key=lambda pair: pair[0].index)

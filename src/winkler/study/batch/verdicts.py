@@ -14,10 +14,10 @@ from winkler.study.batch.expected_fields import number_at
 from winkler.study.batch.outcome import Solved, Verdict, answers_of
 from winkler.study.language.study import Expectation
 
-__all__ = ["deviation", "judge"]
+__all__ = ["compared", "deviation"]
 
 
-def judge(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> Verdict:
+def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> Verdict:
     """Return the verdict on one expectation at one point.
 
     Parameters

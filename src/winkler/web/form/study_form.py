@@ -11,14 +11,14 @@ from winkler.study.language.fit_reading import FITTED
 from winkler.web.form import fit_form, form, sweep_form
 from winkler.web.form.typed import typed
 
-__all__ = ["FIRST", "TASKS", "Asking"]
+__all__ = ["FIRST", "TASKS", "StudyForm"]
 
 FIRST = "indentation"
 TASKS = {"solve": "Solve a problem", "fit": "Fit a curve"}
 """What can be done, in words."""
 
 
-class Asking:
+class StudyForm:
     """The study of one page.
 
     Parameters

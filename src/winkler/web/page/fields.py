@@ -14,13 +14,13 @@ from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import SWITCH
 from winkler.web.pictures.chart import marked
 
-__all__ = ["Fields", "Hands"]
+__all__ = ["FieldActions", "Fields"]
 
 NONE = "—"
 NUMBERS = "numbers below"
 
 
-class Hands(Protocol):
+class FieldActions(Protocol):
     """What a form does to its study."""
 
     def change(self, path: str, text: str, takes: str) -> None:
@@ -57,8 +57,8 @@ class Fields:
         Script that opens the choice of a file.
     """
 
-    def __init__(self, hands: Hands, files: tuple[str, ...], picker: str) -> None:
-        self.hands, self.files, self.picker = hands, files, picker
+    def __init__(self, actions: FieldActions, files: tuple[str, ...], picker: str) -> None:
+        self.actions, self.files, self.picker = actions, files, picker
         self.inputs: dict[str, Any] = {}
         self.remarks: dict[str, ui.label] = {}
 
@@ -120,7 +120,7 @@ class Fields:
         """Draw one key; with a slider, unless it counts something."""
         if entry.takes == SWITCH:
             box = ui.checkbox(entry.label, value=entry.text == "true").tooltip(entry.hint)
-            box.on_value_change(lambda event: self.hands.change(entry.path, str(event.value).lower(), entry.takes))
+            box.on_value_change(lambda event: self.actions.change(entry.path, str(event.value).lower(), entry.takes))
             return
         with ui.element("div").classes("entry"):
             field = ui.input(value=entry.text, placeholder="" if entry.required else "left out")
@@ -137,7 +137,9 @@ class Fields:
                 field.props("stack-label")
             self.inputs[entry.path] = field
             if not slides:
-                field.on_value_change(lambda event: self.hands.change(entry.path, str(event.value or ""), entry.takes))
+                field.on_value_change(
+                    lambda event: self.actions.change(entry.path, str(event.value or ""), entry.takes)
+                )
                 return
             slider = self._slider(entry, field)
             field.on_value_change(lambda event: self._typed(entry, str(event.value or ""), slider))
@@ -171,7 +173,7 @@ class Fields:
             slider.classes(**({"remove": "unseen"} if slider.held else {"add": "unseen"}))
             if slider.held:
                 slider.set_value(slider.held[1])
-        self.hands.change(entry.path, text, entry.takes)
+        self.actions.change(entry.path, text, entry.takes)
 
     def _slot(self, slot: Slot) -> None:
         names = {kind: kind.replace("_", " ") for kind in slot.allowed}
@@ -186,7 +188,7 @@ class Fields:
             choice.props["data-choice"] = slot.path
             if single:
                 choice.props("readonly hide-dropdown-icon")
-            choice.on_value_change(lambda event: self.hands.choose(slot.path, event.value or ""))
+            choice.on_value_change(lambda event: self.actions.choose(slot.path, event.value or ""))
             if slot.part:
                 self.draw(slot.part)
 
@@ -197,27 +199,27 @@ class Fields:
                 with ui.element("section").classes("part"):
                     with ui.row().classes("one"):
                         ui.label(f"{place + 1}. {part.kind.replace('_', ' ')}").tooltip(part.meaning)
-                        take = ui.button(icon="close", on_click=lambda path=part.path: self.hands.choose(path, ""))
+                        take = ui.button(icon="close", on_click=lambda path=part.path: self.actions.choose(path, ""))
                         take.props("flat dense round size=sm").props["aria-label"] = f"remove {part.kind} {place + 1}"
                     self.draw(part)
             names = {kind: kind.replace("_", " ") for kind in many.allowed}
             more = ui.select(names, label=f"add to {many.label}", value=None).props("outlined dense options-dense")
             more.classes("choice").on_value_change(
-                lambda event: self.hands.add(many.path, event.value) if event.value else None
+                lambda event: self.actions.add(many.path, event.value) if event.value else None
             )
 
     def _file(self, part: Part) -> None:
         with ui.element("div").classes("entry file"):
             names = {"": NUMBERS, **{name: name for name in dict.fromkeys((*self.files, *filter(None, [part.file])))}}
             choice = ui.select(names, value=part.file, label="from").props("outlined dense options-dense")
-            choice.on_value_change(lambda event: self.hands.read(part.path, event.value or ""))
+            choice.on_value_change(lambda event: self.actions.read(part.path, event.value or ""))
             self.upload(part.path)
 
     def upload(self, path: str) -> None:
         """Draw the button that uploads a file for a place."""
         button = ui.button("Upload", icon="upload_file").props("outline dense no-caps")
         button.props["data-upload"] = path
-        button.on("click", lambda: self.hands.pick(path))
+        button.on("click", lambda: self.actions.pick(path))
         button.on("click", js_handler=self.picker)
 
 

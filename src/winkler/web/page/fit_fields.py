@@ -10,7 +10,7 @@ from winkler.plot.series import pretty_unit
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.web.form import fit_form, form
-from winkler.web.form.study_form import Asking
+from winkler.web.form.study_form import StudyForm
 from winkler.web.page.fields import Fields
 from winkler.web.pictures.chart import marked
 
@@ -21,30 +21,30 @@ READ = "A table with columns such as ‘piezo [nm], force [nN]’, or a file of 
 BOUNDS = "Numbers are free between two bounds, or from a start in the first box, or without either."
 
 
-def draw_curve(fields: Fields, asking: Asking) -> None:
+def draw_curve(fields: Fields, entered: StudyForm) -> None:
     """Draw the file of the curve, and which part of it is fitted."""
     fields.heading("fit.curve", "The measured curve", READ)
     with ui.element("div").classes("entry file"):
-        chosen = str(form.at(asking.table, CURVE) or "")
+        chosen = str(form.at(entered.table, CURVE) or "")
         names = {name: name for name in dict.fromkeys((*fields.files, *filter(None, [chosen])))}
         choice = ui.select(names, value=chosen or None, label="file").props("outlined dense options-dense")
         choice.props["data-choice"] = CURVE
-        choice.on_value_change(lambda event: asking.read(CURVE, event.value) if event.value else None)
+        choice.on_value_change(lambda event: entered.read(CURVE, event.value) if event.value else None)
         fields.upload(CURVE)
-    for one in fit_form.choices(asking.table):
+    for one in fit_form.choices(entered.table):
         with ui.element("div").classes("entry wide"):
             pick = ui.select(one.names, value=one.chosen if one.chosen in one.names else None, label=one.label)
             pick.props("outlined dense options-dense hide-hint hide-bottom-space no-error-icon").props["hint"] = (
                 one.hint
             )
             pick.props["data-choice"] = one.path
-            pick.on_value_change(lambda event, path=one.path: asking.pin(path, event.value) if event.value else None)
+            pick.on_value_change(lambda event, path=one.path: entered.pin(path, event.value) if event.value else None)
             fields.inputs[one.path] = pick
 
 
-def draw_free(fields: Fields, asking: Asking) -> None:
+def draw_free(fields: Fields, entered: StudyForm) -> None:
     """Draw the numbers that the curve is to tell, each with its bounds."""
-    lines, others = fit_form.lines(asking.table)
+    lines, others = fit_form.lines(entered.table)
     fields.heading("fit.free", "What the curve is to tell", BOUNDS)
     for line in lines:
         with ui.element("section").classes("part free"):
@@ -52,20 +52,20 @@ def draw_free(fields: Fields, asking: Asking) -> None:
                 unit = f" [{safe(pretty_unit(line.word.unit))}]" if line.word.unit else ""
                 told = f"{safe(line.label)} {marked(line.word.symbol)}{unit}"
                 ui.html(told, sanitize=False, tag="span").tooltip(line.word.meaning)
-                take = ui.button(icon="close", on_click=lambda key=line.key: asking.fix(key))
+                take = ui.button(icon="close", on_click=lambda key=line.key: entered.fix(key))
                 take.props("flat dense round size=sm").props["aria-label"] = f"do not fit {line.label}"
             fields.remark(f"fit.free.{line.key}")
             with ui.element("div").classes("bounds"):
                 ends = [_bound(fields, line, place) for place in (0, 1)]
             for end in ends:
                 end.on_value_change(
-                    lambda _, line=line, ends=ends: asking.bound(
+                    lambda _, line=line, ends=ends: entered.bound(
                         line.key, str(ends[0].value or ""), str(ends[1].value or ""), line.word.unit or ""
                     )
                 )
     more = ui.select(others, label="let it tell also", value=None).props("outlined dense options-dense")
     more.props["data-choice"] = "fit.free"
-    more.classes("choice").on_value_change(lambda event: asking.free(event.value) if event.value else None)
+    more.classes("choice").on_value_change(lambda event: entered.free(event.value) if event.value else None)
 
 
 def _bound(fields: Fields, line: fit_form.Line, place: int) -> Any:
@@ -79,9 +79,9 @@ def _bound(fields: Fields, line: fit_form.Line, place: int) -> Any:
     return field
 
 
-def draw_measurement(fields: Fields, asking: Asking) -> None:
+def draw_measurement(fields: Fields, entered: StudyForm) -> None:
     """Draw what may be told of the measurement, where the file does not tell it."""
-    entries = fit_form.measurement(asking.table)
+    entries = fit_form.measurement(entered.table)
     told = any(entry.text for entry in entries)
     with ui.expansion("The measurement", value=told).classes("astext"):
         for entry in entries:

@@ -16,18 +16,18 @@ from winkler.study.language.explain import summary
 from winkler.study.language.fit_reading import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
-from winkler.web.form.study_form import TASKS, Asking
+from winkler.web.form.study_form import TASKS, StudyForm
 from winkler.web.page.astext import AsText
 from winkler.web.page.fields import Fields
 from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement
 from winkler.web.page.result import Result
 from winkler.web.page.sweep_fields import draw_sweep
-from winkler.web.pictures.answer import Frame, Picture, Shown, Told
+from winkler.web.pictures.answer import AnswerText, Frame, Picture, Shown
 from winkler.web.session.export import File
 from winkler.web.session.files import Files
 from winkler.web.session.questions import Questions
 from winkler.web.session.solver import Solver
-from winkler.web.session.upload_folder import Room
+from winkler.web.session.upload_folder import UploadFolder
 from winkler.web.session.worker import Done, Export, Look, Progress, Solve, Wrong
 
 __all__ = ["Page", "style"]
@@ -68,8 +68,8 @@ class Page:
     def __init__(self, limit: float, folder: Path) -> None:
         self.limit = limit
         self.client = context.client
-        self.asking = Asking(self.changed, self.solve)
-        self.room = Room(folder)
+        self.entered = StudyForm(self.changed, self.solve)
+        self.room = UploadFolder(folder)
         try:
             self.solver = Solver(self.heard, self.lost)
         except OSError:
@@ -77,7 +77,7 @@ class Page:
             raise
         self.questions = Questions(self.ask)
         self.anew = True
-        self.shown_task = self.asking.task
+        self.shown_task = self.entered.task
 
     def left(self) -> None:
         """Clean up when the page is gone."""
@@ -97,7 +97,7 @@ class Page:
             with ui.element("section").classes("asked").props('aria-label="The study"'):
                 self._problem()
                 self.parts = ui.element("div").classes("form")
-                self.text = AsText(lambda: self.asking.table, self.take_text)
+                self.text = AsText(lambda: self.entered.table, self.take_text)
             with ui.element("section").classes("answered").props('aria-label="The answer"') as right:
                 self.result = Result(self.look, self.stop, right)
         self.rebuild()
@@ -105,38 +105,38 @@ class Page:
         self.solve()
 
     def _problem(self) -> None:
-        self.task = ui.toggle(TASKS, value=self.asking.task).props("no-caps unelevated spread").classes("task")
+        self.task = ui.toggle(TASKS, value=self.entered.task).props("no-caps unelevated spread").classes("task")
         self.task.props["aria-label"] = "what to do"
-        self.task.on_value_change(lambda event: self.asking.turn(event.value))
+        self.task.on_value_change(lambda event: self.entered.turn(event.value))
         self.choice = ui.select({}, label="problem").props("outlined options-dense").classes("problem")
         self.choice.props["data-choice"] = "problem"
         self.meaning = ui.label().classes("meaning")
-        self.choice.on_value_change(lambda event: self.asking.choose("problem", event.value) if event.value else None)
+        self.choice.on_value_change(lambda event: self.entered.choose("problem", event.value) if event.value else None)
 
     def rebuild(self) -> None:
         """Make the form anew."""
-        asking = self.asking
-        fits = asking.task == "fit"
+        entered = self.entered
+        fits = entered.task == "fit"
         known = "What is known stays as it stands here; what is free begins here."
-        problem = fit_form.model(asking.table) if fits else form.part_of(asking.table)
-        self.task.set_value(asking.task)
+        problem = fit_form.model(entered.table) if fits else form.part_of(entered.table)
+        self.task.set_value(entered.task)
         names = {name: name.replace("_", " ") for name in (FITTED if fits else CATALOGUE["problem"])}
         self.choice.set_options(names, value=problem.kind)
         self.choice.props["label"] = "model of the curve" if fits else "problem"
         self.meaning.text = summary(kinds()[problem.kind].cls)
         self.parts.clear()
-        self.fields = Fields(asking, self.room.names, self.files.picker)
+        self.fields = Fields(entered, self.room.names, self.files.picker)
         with self.parts:
             if fits:
-                draw_curve(self.fields, asking)
-                draw_free(self.fields, asking)
+                draw_curve(self.fields, entered)
+                draw_free(self.fields, entered)
                 self.fields.heading("problem", "The model", known)
             self.fields.draw(problem)
             if fits:
-                draw_measurement(self.fields, asking)
+                draw_measurement(self.fields, entered)
             else:
-                draw_sweep(self.fields, asking)
-            others = [f"[{name}]" for name in asking.table if name not in KNOWN]
+                draw_sweep(self.fields, entered)
+            others = [f"[{name}]" for name in entered.table if name not in KNOWN]
             if others:
                 ui.label(f"The study also has {', '.join(others)}: see the study as text.").classes("meaning")
 
@@ -159,7 +159,7 @@ class Page:
                 self.room.check(table)
         except WinklerError as error:
             return str(error)
-        self.asking.take(table)
+        self.entered.take(table)
         return ""
 
     def _told_by_the_study(self, text: str, *, fits: bool) -> None:
@@ -171,12 +171,12 @@ class Page:
 
     def uploaded(self, name: str) -> None:
         """Read what was uploaded where it was asked for."""
-        if form.at(self.asking.table, self.asking.target) is not None:
-            self.asking.read(self.asking.target, name)
+        if form.at(self.entered.table, self.entered.target) is not None:
+            self.entered.read(self.entered.target, name)
 
     def not_taken(self, sentence: str) -> None:
         """Say beside its place why an upload is not taken."""
-        self.fields.say(self.asking.target, sentence)
+        self.fields.say(self.entered.target, sentence)
 
     def export(self, what: str) -> None:
         """Ask for the answer as a file."""
@@ -193,15 +193,15 @@ class Page:
     def changed(self) -> None:
         """Show another form, and its answer."""
         self.anew = True
-        if self.asking.task != self.shown_task:
-            self.shown_task = self.asking.task
+        if self.entered.task != self.shown_task:
+            self.shown_task = self.entered.task
             self.result.forget()
         self.rebuild()
         self.solve()
 
     def solve(self) -> None:
         """Ask for the answer to the study as it stands; while another is on its way, the newest question waits."""
-        table = self.asking.table
+        table = self.entered.table
         text = tomli_w.dumps(table)
         self.text.show()
         try:
@@ -250,7 +250,7 @@ class Page:
                     self.result.reached(reply.done, reply.total)
                 case Wrong():
                     self.wrong(list(reply.sentences))
-                case Told():
+                case AnswerText():
                     self.fields.clear()
                     self.result.say(reply)
                 case Shown():

@@ -9,7 +9,7 @@ from nicegui import ui
 
 from winkler.study.report.markup import safe
 from winkler.web.page.picture import Card, caption
-from winkler.web.pictures.answer import Frame, Picture, Shown, Told
+from winkler.web.pictures.answer import AnswerText, Frame, Picture, Shown
 
 __all__ = ["Result"]
 
@@ -34,7 +34,7 @@ class Result:
 
     def __init__(self, look: Callable[[int], None], stop: Callable[[], None], place: Any) -> None:
         self.look, self.place = look, place
-        self.told: Told | None = None
+        self.told: AnswerText | None = None
         self.cards: list[Card] = []
         self.come = 0
         self.sheets = 0
@@ -88,7 +88,7 @@ class Result:
         now = int(self.moment.value)
         self.moment.set_value(0 if now >= last else min(now + step, last))
 
-    def say(self, told: Told) -> None:
+    def say(self, told: AnswerText) -> None:
         """Show the answer in words; pictures follow."""
         self.told = told
         self.wrong.set_visibility(False)

@@ -28,11 +28,11 @@ from winkler.web.pictures.view import NOTHING, View, fitting
 from winkler.web.pictures.worn import draw_worn_depth, draw_worn_pressure, draw_worn_profile
 
 __all__ = [
+    "AnswerText",
     "Frame",
     "Picture",
     "Scene",
     "Shown",
-    "Told",
     "method_pictures",
     "packed",
     "pictures",
@@ -42,7 +42,7 @@ __all__ = [
 ]
 
 
-class Told(NamedTuple):
+class AnswerText(NamedTuple):
     """The answer in words and numbers.
 
     Parameters
@@ -141,10 +141,10 @@ class Shown(NamedTuple):
     missing: str = ""
 
 
-def told(outcome: Outcome, text: str, moments: int, moment: int) -> Told:
+def told(outcome: Outcome, text: str, moments: int, moment: int) -> AnswerText:
     """Return the answer in words and numbers."""
     answers = "\n".join(part for part in (answered(outcome), failures(outcome), expected(outcome)) if part)
-    return Told(
+    return AnswerText(
         worst(outcome.validity).value,
         answers,
         trust(outcome.validity),

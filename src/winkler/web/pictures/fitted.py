@@ -17,22 +17,22 @@ from winkler.study.report.mathml import symbol
 from winkler.study.report.report import papers, trust
 from winkler.validity import worst
 from winkler.web.form.fit_form import spoken_key
-from winkler.web.pictures.answer import Picture, Shown, Told, method_pictures, packed
+from winkler.web.pictures.answer import AnswerText, Picture, Shown, method_pictures, packed
 from winkler.web.pictures.fit_chart import MOST, draw_fit, draw_loop
 from winkler.web.pictures.view import fitting
 
-__all__ = ["fit_pictures", "fit_sheets", "told_fits"]
+__all__ = ["fit_pictures", "fit_sheets", "fit_text"]
 
 CURVE = "Dots are measured, the line is the fitted law; below, what is left over. It should scatter without a course."
 METHOD = "The pictures of the method show the fitted contact at the largest depth of the curve."
 
 
-def told_fits(outcome: FitOutcome, text: str) -> Told:
+def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
     """Return the fitted numbers in words."""
     count = len(outcome.fitted)
     answers = [_cards(outcome) if count == 1 else "", fit_tables.doubts(outcome)]
     body = [fit_tables.answers(outcome), steps(outcome), fit_tables.failures(outcome)]
-    return Told(
+    return AnswerText(
         worst(outcome.validity).value,
         f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
         trust(outcome.validity),

@@ -10,7 +10,7 @@ from nicegui import events, ui
 
 from winkler.errors import WinklerError
 from winkler.study.language.reading import parsed
-from winkler.web.session.upload_folder import LARGEST, Room, files_in
+from winkler.web.session.upload_folder import LARGEST, UploadFolder, files_in
 
 __all__ = ["Files"]
 
@@ -44,7 +44,7 @@ class Files:
 
     def __init__(
         self,
-        room: Room,
+        room: UploadFolder,
         opened: Callable[[str], None],
         uploaded: Callable[[str], None],
         wrong: Callable[[str], None],

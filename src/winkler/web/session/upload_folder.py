@@ -14,7 +14,7 @@ from winkler.errors import InvalidInput
 from winkler.io.archive_file import archive, member
 from winkler.io.foreign import reason_of
 
-__all__ = ["LARGEST", "Room", "files_in", "plain_name"]
+__all__ = ["LARGEST", "UploadFolder", "files_in", "plain_name"]
 
 LARGEST = 20_000_000
 """Greatest size of an upload [bytes]."""
@@ -52,7 +52,7 @@ def files_in(content: Any, key: str = "") -> list[tuple[str, Any]]:
     return found
 
 
-class Room:
+class UploadFolder:
     """One folder for one page; it is gone when the page is.
 
     Parameters

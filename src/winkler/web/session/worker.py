@@ -238,7 +238,7 @@ class _Bench:
             self.outcome = fit_study(study)
         except WinklerError as error:
             raise type(error)(beside_the_curve(str(error))) from None
-        yield fitted.told_fits(self.outcome, asked.text)
+        yield fitted.fit_text(self.outcome, asked.text)
         yield from self._pictures(0, still=False)
         yield from fitted.fit_sheets(self.outcome)
 
