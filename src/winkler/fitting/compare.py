@@ -20,7 +20,7 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import AnyFit
-from winkler.fitting.trust import Model
+from winkler.fitting.validity import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value

@@ -23,15 +23,14 @@ from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
 from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.task import ElasticTask, elastic_task
+from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.least_squares import solved
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
-from winkler.fitting.task import Prediction
-from winkler.fitting.trust import Model
-from winkler.fitting.viscoelastic.question import driven_task, examined_stroke
-from winkler.fitting.viscoelastic.task import RelaxingTask
+from winkler.fitting.task import Prediction, Task
+from winkler.fitting.validity import Model
+from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
 from winkler.numerics.equations.streaming import streamed
 from winkler.numerics.types import Array, Quantity
@@ -167,7 +166,7 @@ def _searched(
     search: Search,
 ) -> AnyFit:
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
-    task: ElasticTask | RelaxingTask
+    task: Task
     if isinstance(model, ViscoelasticIndentation):
         strokes, flags = examined_stroke(curve)
         deviation = _deviation(curve, noise, "N" if isinstance(model.path.normal, Depth) else "m")
@@ -182,10 +181,9 @@ def _searched(
     if count < 3 * many:
         raise InvalidInput(f"fit: {count} points cannot tell {many} numbers; give more, or free fewer.")
     try:
-        found: AnyFit = _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
+        return _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
-    return found
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
@@ -201,8 +199,8 @@ def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
 
 
 def _best(
-    task: Any, strokes: Outline | None, deviation: Array, noise: float, flags: tuple[Flag, ...], search: Search
-) -> Any:
+    task: Task, strokes: Outline | None, deviation: Array, noise: float, flags: tuple[Flag, ...], search: Search
+) -> AnyFit:
     """Return the fit with the least squares."""
     coordinates, _ = solved(task, best_start(task, strokes, search), search)
     for _ in range(REWEIGHED):
@@ -224,8 +222,8 @@ def _best(
 
 
 def _with_errors(
-    task: Any, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
-) -> Any:
+    task: Task, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
+) -> AnyFit:
     """Return the fit at its final coordinates, with errors and doubts."""
     numbers = task.numbers(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights

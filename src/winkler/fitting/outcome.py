@@ -10,7 +10,7 @@ from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST, outline
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.trust import Model, fit_notes, free_notes
+from winkler.fitting.validity import Model, fit_notes, free_notes
 from winkler.fitting.varied import FREELY, OF_THE_CURVE, parameters_of
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes

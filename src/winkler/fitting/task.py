@@ -19,7 +19,7 @@ import numpy as np
 
 from winkler.fitting.curves.checks import Flag, Outline
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.estimate import Estimate
+from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
 from winkler.fitting.varied import OF_THE_CURVE, Parameter
 from winkler.numerics.types import Array
@@ -123,7 +123,7 @@ class Task(_Fields):
         """Return what this kind of model says against its own numbers."""
         return []
 
-    def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> Estimate:
+    def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> AnyFit:
         """Return the fit; `shared` are the fields that all fits have."""
         raise NotImplementedError
 

@@ -15,7 +15,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.response import Answer, Response, response
-from winkler.fitting.trust import Model
+from winkler.fitting.validity import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.types import Array

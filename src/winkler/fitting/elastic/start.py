@@ -15,7 +15,7 @@ from winkler.fitting.elastic.response import Response, response
 from winkler.fitting.parameters import unit_of
 from winkler.fitting.start import contact_points
 from winkler.fitting.task import Task
-from winkler.fitting.trust import Model
+from winkler.fitting.validity import Model
 from winkler.fitting.varied import OF_THE_CURVE
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.indentation import AdhesiveIndentation

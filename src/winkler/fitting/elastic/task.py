@@ -30,7 +30,7 @@ from winkler.fitting.elastic.contact import (
 from winkler.fitting.elastic.start import starts
 from winkler.fitting.outcome import Fit
 from winkler.fitting.task import Prediction, Task, even_weights, moved
-from winkler.fitting.trust import Model
+from winkler.fitting.validity import Model
 from winkler.fitting.varied import FREELY, parameters_of
 from winkler.loading import Depth
 from winkler.numerics.types import Array
