@@ -33,30 +33,34 @@ def test_numbers_and_arrays(cls, word, unit):
 @pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
 @pytest.mark.parametrize("bad", ["10", "ten", None, {}, [1.0, "x"], [[1.0], [2.0, 3.0]]])
 def test_what_is_no_number(cls, word, unit, bad):
-    with pytest.raises(wk.InvalidInput, match=rf"^{word}: .* is not a number; give a number or an array in {unit}\.$"):
+    with pytest.raises(
+        wk.InvalidInput, match=rf"^\w+: {word} is .*; give a number or an array of finite numbers in {unit}"
+    ):
         cls(bad)
 
 
 @pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
 def test_what_is_not_finite(cls, word, unit):
     for bad in (math.nan, math.inf, -math.inf):
-        with pytest.raises(
-            wk.InvalidInput, match=rf"^{word}: -?(nan|inf) is not finite; give finite values in {unit}\.$"
-        ):
+        with pytest.raises(wk.InvalidInput, match=rf"^\w+: {word} is -?(nan|inf); give .* of finite numbers in {unit}"):
             cls(bad)
-    with pytest.raises(wk.InvalidInput, match=rf"^{word}: nan at index 1, 3 is not finite"):
+    with pytest.raises(wk.InvalidInput, match=rf"^\w+: {word} is nan at index 1, 3; give"):
         cls(np.array([1.0, math.nan, 2.0, math.inf]))
 
 
 @pytest.mark.parametrize(("cls", "word", "unit"), LOADS)
 @pytest.mark.parametrize("empty", [[], np.zeros((0, 3)), ()])
 def test_nothing(cls, word, unit, empty):
-    with pytest.raises(wk.InvalidInput, match=rf"^{word}: the array is empty; give at least one value in {unit}\.$"):
+    with pytest.raises(
+        wk.InvalidInput, match=rf"^\w+: {word} is empty; give a number or an array of finite numbers in {unit}"
+    ):
         cls(empty)
 
 
 def test_a_contact_radius_is_not_negative():
-    with pytest.raises(wk.InvalidInput, match=r"^radius: -0.1 m is negative; a contact radius is zero or positive\.$"):
+    with pytest.raises(
+        wk.InvalidInput, match=r"^Radius: radius is -0.1 at index 1; give .* in m, none of them negative\.$"
+    ):
         wk.Radius(np.array([0.2, -0.1]))
     assert wk.Depth(-1.0).depth == -1.0
     assert wk.Force(-1.0).force == -1.0

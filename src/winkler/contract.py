@@ -1,63 +1,68 @@
-"""Whether a part is of the kinds that a field names: of its classes, or with each member of a protocol."""
+"""Whether a part of a value is of the kinds that its field names: of a class, or with each member of a protocol."""
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import inspect
 import typing
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
-__all__ = ["fits", "lacking", "listed"]
+import numpy as np
 
-OFFERED = {
-    "Bed": "a bed, such as Foundation(profile, medium)",
-    "DepthGrading": "a grading, such as ExponentialGrading",
-    "Medium": "a medium, such as HalfSpace(first, second)",
-    "Profile": "a profile, such as Sphere or Cone",
-    "Spectrum": "a spectrum, such as SelfAffine",
-}
-"""What to give for a protocol."""
+__all__ = ["described", "is_protocol", "lacking", "of_kinds", "offered"]
 
-
-def fits(cls: type, name: str, parts: tuple[Any, ...]) -> bool:
-    """Return whether parts are of the kinds that a field of a class names."""
-    return all(
-        _surely(cls, name, part.__class__) or any(_is(part, kind) for kind in _kinds(cls, name)) for part in parts
-    )
+K = TypeVar("K")
+NO_PART = (float, int, bool, complex, str, bytes, tuple, list, dict, set, object, type(None), np.ndarray)
+"""What is never a part made of other values, even if it has the members of a protocol."""
+FEW = 5
+"""From so many kinds on a sentence gives their names alone."""
+OFFERS: dict[Any, str] = {}
+"""What refusals say to give for a protocol or a base class."""
 
 
-@functools.cache
-def _surely(cls: type, name: str, given: type) -> bool:
-    """Return whether values of a class are of the kinds that a field names, which their class alone tells of most."""
-    kinds = _kinds(cls, name)
-    protocols = [kind for kind in kinds if getattr(kind, "_is_protocol", False)]
-    classes = tuple(kind for kind in kinds if kind not in protocols)
-    return not kinds or any(not _unknown(given, kind) for kind in protocols) or issubclass(given, classes)
+def offered(text: str) -> Callable[[K], K]:
+    """Decorate a protocol or a base class with what refusals of something else say to give: a kind of it."""
+
+    def decorate(kind: K) -> K:
+        OFFERS[kind] = text
+        return kind
+
+    return decorate
 
 
-def _is(part: Any, kind: type) -> bool:
-    return not _missing(part, kind) if getattr(kind, "_is_protocol", False) else isinstance(part, kind)
+def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
+    """Return what says whether a part is of one of the kinds; of most parts their class alone says it, once."""
+    classes = tuple(kind for kind in kinds if not is_protocol(kind))
+    protocols = [kind for kind in kinds if is_protocol(kind)]
+    known: set[type] = set()
+
+    def fits(part: Any) -> bool:
+        made = part.__class__
+        if made in known:
+            return True
+        if made in NO_PART:
+            return False
+        if issubclass(made, classes) or any(not _unknown(made, kind) for kind in protocols):
+            known.add(made)
+            return True
+        return any(not _missing(part, kind) for kind in protocols)
+
+    return fits
 
 
-def lacking(cls: type, name: str, inside: Any) -> str:
+def is_protocol(kind: Any) -> bool:
+    """Return whether a class is a protocol, whose members are looked for one by one."""
+    return bool(getattr(kind, "_is_protocol", False))
+
+
+def lacking(kinds: tuple[type, ...], part: Any) -> str:
     """Return which members of a protocol are missing from what has most of them, for who wrote it."""
-    protocols = [kind for kind in _kinds(cls, name) if getattr(kind, "_is_protocol", False)]
-    missing = [item for kind in protocols for item in sorted(_missing(inside, kind))]
+    protocols = [kind for kind in kinds if is_protocol(kind)]
+    missing = [item for kind in protocols for item in sorted(_missing(part, kind))]
     few = missing and 2 * len(missing) < sum(len(_members(kind)) for kind in protocols)
     return f" without {', '.join(missing)}" if few else ""
-
-
-@functools.cache
-def _kinds(cls: type, name: str) -> tuple[type, ...]:
-    """Return the classes and protocols that a field names; none if they are known to type checkers only."""
-    try:
-        hint = typing.get_type_hints(cls)[name]
-    except (NameError, TypeError):
-        return ()
-    if typing.get_origin(hint) is tuple:
-        hint = typing.get_args(hint)[0]
-    kinds = typing.get_args(hint) or (hint,)
-    return kinds if all(isinstance(kind, type) for kind in kinds) else ()
 
 
 def _missing(part: Any, protocol: type) -> set[str]:
@@ -67,27 +72,34 @@ def _missing(part: Any, protocol: type) -> set[str]:
 
 
 @functools.cache
-def _unknown(given: type, protocol: type) -> frozenset[str]:
-    """Return the public members of a protocol of which a class does not tell that its values have them."""
-    return _members(protocol) - {*dir(given), *getattr(given, "__dataclass_fields__", ())}
+def _unknown(made: type, protocol: type) -> frozenset[str]:
+    """Return the public members of a protocol of which a class does not say that its values have them."""
+    return _members(protocol) - {*dir(made), *getattr(made, "__dataclass_fields__", ())}
 
 
 @functools.cache
 def _members(protocol: type) -> frozenset[str]:
     """Return the public members of a protocol."""
-    parts = [base for base in protocol.__mro__ if getattr(base, "_is_protocol", False) and base is not typing.Protocol]
+    parts = [base for base in protocol.__mro__ if is_protocol(base) and base is not typing.Protocol]
     return frozenset(
         name for base in parts for name in (*vars(base), *vars(base).get("__annotations__", {})) if name[0] != "_"
     )
 
 
-def listed(hint: Any) -> str:
-    """Return the names of a union as a sentence lists them."""
-    names = [_offered(part) for part in typing.get_args(hint)]
-    return f"{', '.join(names[:-1])} or {names[-1]}" if names else _offered(hint)
+def described(kinds: tuple[type, ...]) -> str:
+    """Return how a sentence says what to give: ``Elastic(young, poisson) or Rigid()``."""
+    names = [_described(kind) if len(kinds) < FEW else OFFERS.get(kind, kind.__name__) for kind in kinds]
+    return f"{', '.join(names[:-1])} or {names[-1]}" if names[1:] else names[0]
 
 
-def _offered(hint: Any) -> str:
-    """Return the name of a class; of a protocol, what has all of it."""
-    name = str(getattr(hint, "__name__", hint))
-    return OFFERED.get(name, name)
+def _described(kind: type) -> str:
+    if kind in OFFERS:
+        return OFFERS[kind]
+    if not dataclasses.is_dataclass(kind):
+        return kind.__name__
+    fields = [field for field in dataclasses.fields(kind) if field.init]
+    missing = dataclasses.MISSING
+    needed = [field.name for field in fields if field.default is missing and field.default_factory is missing]
+    if len(fields) == 1 and fields[0].name.replace("_", "") == kind.__name__.lower():
+        return kind.__name__  # Force, Depth: the name says it all
+    return f"{kind.__name__}({', '.join(needed or [field.name for field in fields])})"

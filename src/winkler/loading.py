@@ -6,28 +6,10 @@ a `winkler.path.Path`.
 
 from __future__ import annotations
 
-import numpy as np
-
-from winkler.errors import InvalidInput
-from winkler.numerics.types import Quantity
+from winkler.number_checks import FiniteQuantity, NonNegativeQuantity
 from winkler.values import value
 
 __all__ = ["Angle", "Depth", "Force", "Lateral", "Load", "Normal", "Radius", "ShearForce", "Shift", "Torque"]
-
-
-def _check(word: str, unit: str, given: Quantity) -> None:
-    try:
-        numbers = np.asarray(given)
-    except ValueError:  # rows of different lengths
-        numbers = np.asarray(given, dtype=object)
-    if numbers.dtype.kind not in "fiu":
-        raise InvalidInput(f"{word}: {given!r} is not a number; give a number or an array in {unit}.")
-    if numbers.size == 0:
-        raise InvalidInput(f"{word}: the array is empty; give at least one value in {unit}.")
-    bad = np.flatnonzero(~np.isfinite(numbers))
-    if bad.size:
-        where = "" if numbers.ndim == 0 else f" at index {', '.join(map(str, bad[:5]))}"
-        raise InvalidInput(f"{word}: {numbers.flat[bad[0]]}{where} is not finite; give finite values in {unit}.")
 
 
 @value
@@ -40,10 +22,7 @@ class Force:
         [N], compression positive.
     """
 
-    force: Quantity
-
-    def __post_init__(self) -> None:
-        _check("force", "N", self.force)
+    force: FiniteQuantity
 
 
 @value
@@ -56,10 +35,7 @@ class Depth:
         [m], approach positive; below zero the bodies are apart.
     """
 
-    depth: Quantity
-
-    def __post_init__(self) -> None:
-        _check("depth", "m", self.depth)
+    depth: FiniteQuantity
 
 
 @value
@@ -72,12 +48,7 @@ class Radius:
         [m], not negative.
     """
 
-    radius: Quantity
-
-    def __post_init__(self) -> None:
-        _check("radius", "m", self.radius)
-        if np.any(np.asarray(self.radius) < 0.0):
-            raise InvalidInput(f"radius: {np.min(self.radius):g} m is negative; a contact radius is zero or positive.")
+    radius: NonNegativeQuantity
 
 
 @value
@@ -90,10 +61,7 @@ class Shift:
         u_x [m]; on a path in the plane one row ``(u_x, u_y)`` for every point.
     """
 
-    shift: Quantity
-
-    def __post_init__(self) -> None:
-        _check("shift", "m", self.shift)
+    shift: FiniteQuantity
 
 
 @value
@@ -106,10 +74,7 @@ class ShearForce:
         F_x [N]; on a path in the plane one row ``(F_x, F_y)`` for every point.
     """
 
-    shear_force: Quantity
-
-    def __post_init__(self) -> None:
-        _check("shear_force", "N", self.shear_force)
+    shear_force: FiniteQuantity
 
 
 @value
@@ -122,10 +87,7 @@ class Angle:
         phi [rad].
     """
 
-    angle: Quantity
-
-    def __post_init__(self) -> None:
-        _check("angle", "rad", self.angle)
+    angle: FiniteQuantity
 
 
 @value
@@ -138,10 +100,7 @@ class Torque:
         M_z [N m].
     """
 
-    torque: Quantity
-
-    def __post_init__(self) -> None:
-        _check("torque", "N m", self.torque)
+    torque: FiniteQuantity
 
 
 Load = Force | Depth | Radius

@@ -8,11 +8,13 @@ that is told in steps (go there, wait, oscillate) is a `winkler.program.Program`
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
+from winkler.number_checks import Numbers
 from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
 from winkler.values import frozen_array, value
@@ -48,26 +50,13 @@ class Path:
     array([100., 100., 100.])
     """
 
-    time: Array
+    time: Annotated[Array, Numbers(order="never falling")]
     normal: Normal
     lateral: Lateral = Shift(0.0)
 
     def __post_init__(self) -> None:
-        try:
-            times = np.asarray(self.time, dtype=float)
-        except (TypeError, ValueError):
-            times = np.empty(0)
-        if times.ndim != 1 or not times.size or not np.all(np.isfinite(times)) or np.any(np.diff(times) < 0.0):
-            raise InvalidInput("Path: time must be a row of finite numbers in s that never fall.")
-        if not isinstance(self.normal, Depth | Force):
-            raise InvalidInput(f"Path: normal is a {type(self.normal).__name__}; give Depth([...]) or Force([...]).")
-        if not isinstance(self.lateral, Shift | ShearForce | Angle | Torque):
-            raise InvalidInput(
-                f"Path: lateral is a {type(self.lateral).__name__}; give Shift, ShearForce, Angle or Torque."
-            )
-        object.__setattr__(self, "time", frozen_array(times))
-        for word in ("normal", "lateral"):
-            object.__setattr__(self, word, _spread(word, getattr(self, word), times.size))
+        for name in ("normal", "lateral"):
+            object.__setattr__(self, name, _spread(name, getattr(self, name), self.time.size))
 
     @classmethod
     def through(cls, normal: Normal, lateral: Lateral) -> Path:

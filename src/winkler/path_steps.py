@@ -6,14 +6,15 @@ Every step goes on from where the one before it ended, and leaves as it is what 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.given import affordable
+from winkler.field_checks import Such
 from winkler.limits import PATH_POINTS
-from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
+from winkler.load_checks import OneNormal, OnePositiveSwing
+from winkler.loading import Lateral, Normal, ShearForce, Shift
+from winkler.number_checks import Count, Finite, NonNegative, Positive, Whole, affordable
 from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
 from winkler.path import PER_CYCLE, Path, numbers_of
@@ -30,9 +31,28 @@ class Rows(NamedTuple):
     along: Array
 
 
+def _one_or_pair(load: Lateral | Kept) -> bool:
+    shape = () if isinstance(load, Kept) else numbers_of(load).shape
+    return shape == () or (shape == (2,) and isinstance(load, Shift | ShearForce))
+
+
 @value
 class Kept:
     """A load that stays as it is."""
+
+
+IN_PLANE = Such(
+    _one_or_pair,
+    "give Shift, ShearForce, Angle or Torque with one number, or for a shift or a shear force in the plane two",
+)
+NextNormal: TypeAlias = Annotated[
+    Normal | Kept,
+    Such(
+        lambda load: isinstance(load, Kept) or numbers_of(load).ndim == 0,
+        "give Depth(d) or Force(F) with one number, or leave it out",
+    ),
+]
+NextLateral: TypeAlias = Annotated[Lateral | Kept, IN_PLANE._replace(demand=f"{IN_PLANE.demand}; or leave it out")]
 
 
 @value
@@ -52,11 +72,8 @@ class Start:
         If a load is of another kind or an array.
     """
 
-    normal: Normal
-    lateral: Lateral = Shift(0.0)
-
-    def __post_init__(self) -> None:
-        _check_loads("Start", self.normal, self.lateral)
+    normal: OneNormal
+    lateral: Annotated[Lateral, IN_PLANE] = Shift(0.0)
 
     def rows(self, across: float, along: Array) -> Rows:
         """Return the one point."""
@@ -84,14 +101,10 @@ class Ramp:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
-    normal: Normal | Kept = Kept()
-    lateral: Lateral | Kept = Kept()
-    duration: float = 1.0
-    count: int = 1
-
-    def __post_init__(self) -> None:
-        _check_loads("Ramp", self.normal, self.lateral)
-        _check_numbers("Ramp", count=self.count, duration=self.duration)
+    normal: NextNormal = Kept()
+    lateral: NextLateral = Kept()
+    duration: NonNegative = 1.0
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
 
     def rows(self, across: float, along: Array) -> Rows:
         """Return `count` points on the way, the last of them there."""
@@ -122,11 +135,8 @@ class Hold:
         If a number is out of its range.
     """
 
-    duration: float = 1.0
-    count: int = 1
-
-    def __post_init__(self) -> None:
-        _check_numbers("Hold", count=self.count, duration=self.duration)
+    duration: NonNegative = 1.0
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
 
     def rows(self, across: float, along: Array) -> Rows:
         """Return `count` points, the last of them at the end."""
@@ -164,19 +174,15 @@ class Oscillate:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
-    normal: Normal | Kept = Kept()
-    lateral: Lateral | Kept = Kept()
-    cycles: float = 1.0
-    frequency: float = 1.0
-    ratio: float = 1.0
-    phase: float = 0.0
-    count: int = PER_CYCLE
+    normal: NextNormal = Kept()
+    lateral: NextLateral = Kept()
+    cycles: Finite = 1.0
+    frequency: Positive = 1.0
+    ratio: Finite = 1.0
+    phase: Finite = 0.0
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = PER_CYCLE
 
     def __post_init__(self) -> None:
-        _check_loads("Oscillate", self.normal, self.lateral)
-        _check_numbers("Oscillate", count=self.count, frequency=self.frequency)
-        if not math.isfinite(self.phase):
-            raise InvalidInput(f"Oscillate: the phase is {self.phase!r}; give a finite number in rad.")
         swings(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
 
     def rows(self, across: float, along: Array) -> Rows:
@@ -215,20 +221,12 @@ class Circle:
         If the radius is of another kind, or a number out of bounds.
     """
 
-    lateral: Shift | ShearForce
-    cycles: float = 1.0
-    frequency: float = 1.0
-    count: int = PER_CYCLE
+    lateral: OnePositiveSwing
+    cycles: Finite = 1.0
+    frequency: Positive = 1.0
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = PER_CYCLE
 
     def __post_init__(self) -> None:
-        if not isinstance(self.lateral, Shift | ShearForce):
-            raise InvalidInput(
-                f"Circle: lateral is {type(self.lateral).__name__}; give its radius as Shift(U) or ShearForce(F)."
-            )
-        size = numbers_of(self.lateral)
-        if size.ndim != 0 or not size > 0.0:
-            raise InvalidInput(f"Circle: the radius is {size}; give one positive number.")
-        _check_numbers("Circle", count=self.count, frequency=self.frequency)
         swings(self.cycles, self.count)
 
     def rows(self, across: float, along: Array) -> Rows:
@@ -256,13 +254,9 @@ class Follow:
     """
 
     path: Path
-    cycles: int = 1
+    cycles: Count = 1
 
     def __post_init__(self) -> None:
-        if not isinstance(self.path, Path):
-            raise InvalidInput(f"Follow: the path is {type(self.path).__name__}; give a Path or a Program.")
-        if isinstance(self.cycles, bool) or not isinstance(self.cycles, int) or self.cycles < 1:
-            raise InvalidInput(f"Follow: cycles is {self.cycles!r}; give a whole number, at least 1.")
         affordable("Follow", "points", self.cycles * self.path.time.size, PATH_POINTS)
 
     def rows(self, across: float, along: Array) -> Rows:
@@ -287,33 +281,3 @@ def _one(load: Normal | Lateral) -> float:
 def _pair(load: Lateral) -> Array:
     numbers = numbers_of(load)
     return numbers if numbers.ndim else np.array([float(numbers), 0.0])
-
-
-def _check_loads(owner: str, normal: object, lateral: object) -> None:
-    kept = owner != "Start"
-    told = ", or leave it out" if kept else ""
-    if not isinstance(normal, Depth | Force) and not (kept and isinstance(normal, Kept)):
-        raise InvalidInput(f"{owner}: normal is {type(normal).__name__}; give Depth(d) or Force(F){told}.")
-    if not isinstance(lateral, Shift | ShearForce | Angle | Torque) and not (kept and isinstance(lateral, Kept)):
-        raise InvalidInput(
-            f"{owner}: lateral is {type(lateral).__name__}; give Shift, ShearForce, Angle or Torque{told}."
-        )
-    if isinstance(normal, Depth | Force) and numbers_of(normal).ndim:
-        raise InvalidInput(f"{owner}: normal has the shape {numbers_of(normal).shape}; give one number.")
-    if isinstance(lateral, Shift | ShearForce | Angle | Torque):
-        shape = numbers_of(lateral).shape
-        if shape != () and not (shape == (2,) and isinstance(lateral, Shift | ShearForce)):
-            raise InvalidInput(
-                f"{owner}: lateral has the shape {shape}; give one number, or for a shift or a shear force in the "
-                "plane two."
-            )
-
-
-def _check_numbers(owner: str, *, count: int = 1, duration: float = 0.0, frequency: float = 1.0) -> None:
-    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-        raise InvalidInput(f"{owner}: count is {count!r}; give a whole number of points, at least 1.")
-    affordable(owner, "points", count, PATH_POINTS)
-    if not isinstance(duration, int | float) or not 0.0 <= duration < math.inf:
-        raise InvalidInput(f"{owner}: duration is {duration!r}; give zero or a positive, finite number in s.")
-    if not isinstance(frequency, int | float) or not 0.0 < frequency < math.inf:
-        raise InvalidInput(f"{owner}: frequency is {frequency!r}; it must be positive and finite, in Hz.")

@@ -7,12 +7,12 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import PATH_POINTS
 from winkler.loading import Depth, Lateral, Normal, Shift
+from winkler.number_checks import affordable
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
-from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Rows, Start, Step
+from winkler.path_steps import Circle, Follow, Kept, Rows, Start, Step
 from winkler.values import value
 
 __all__ = ["Program"]
@@ -74,14 +74,11 @@ class Program(Path):
     def _begun(self) -> Start:
         """Return the start, after checking that all steps go on from it."""
         steps = self.steps
-        known = Start | Ramp | Hold | Oscillate | Circle | Follow
-        if not isinstance(steps, tuple) or not steps or not isinstance(steps[0], Start):
+        if not steps or not isinstance(steps[0], Start):
             raise InvalidInput("Program: the first step must be a Start, which says where the path begins.")
         begun = steps[0]
         for number, step in enumerate(steps[1:], start=2):
             where = f"Program: step {number} ({type(step).__name__})"
-            if not isinstance(step, known):
-                raise InvalidInput(f"{where} is no step; give Ramp, Hold, Oscillate, Circle or Follow.")
             if isinstance(step, Start):
                 raise InvalidInput(f"{where} begins anew; one path has one Start, use a Ramp to go somewhere.")
             source = step.path if isinstance(step, Follow) else step

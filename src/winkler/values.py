@@ -8,21 +8,15 @@ value can be a key of a cache, a point of a sweep, or one side of an assertion. 
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Callable
 from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
-from winkler.content import (
-    FAULTS,
-    careful,
-    expected_of,
-    guarded,
-    guarded_answer,
-    guarded_stream,
-    refuse_wrong,
-)
 from winkler.errors import InvalidInput, WinklerError
+from winkler.field_checks import checks_of
+from winkler.float_range import guarded, guarded_answer, guarded_stream
 from winkler.outline import refuse_outline, refuse_relaxing
 
 __all__ = ["frozen_array", "value"]
@@ -100,34 +94,33 @@ def _setstate(self: Any, state: dict[str, Any]) -> None:
 def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
 
-    A class's own ``__post_init__`` runs after its fields were frozen: the place to check them.  What it lets through
-    is compared with the types of the fields (`winkler.content`); its ``solve`` and its ``steps``, and the
-    properties of a solution, tell in one sentence if numbers leave the range of floating-point numbers.
+    The fields are frozen and compared with their types (`winkler.field_checks`); then a class's own ``__post_init__``
+    runs, the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
+    properties of a solution, say in one sentence if numbers leave the range of floating-point numbers.
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
+    overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
 
     def __post_init__(self: Any) -> None:
-        for field in dataclasses.fields(self):
-            content = getattr(self, field.name)
-            frozen = _frozen(content)
-            if frozen is not content:
-                object.__setattr__(self, field.name, frozen)
-        try:
-            refuse_outline(self)
-            refuse_relaxing(self)
-            if check is not None:
-                with np.errstate(**strict):
+        refuse_outline(self)
+        refuse_relaxing(self)
+        contents = self.__dict__
+        for name, checked in given():
+            content = contents[name]
+            kept = content if type(content) in PLAIN else _frozen(content)
+            if checked is not None:
+                kept = checked(kept)
+            if kept is not content:
+                contents[name] = kept
+        if check is not None:
+            try:
+                with np.errstate(**overflow):
                     check(self)
-        except WinklerError:
-            raise
-        except FAULTS as error:
-            refuse_wrong(self, expected)
-            if isinstance(error, ArithmeticError):
+            except WinklerError:
+                raise
+            except ArithmeticError as error:
                 raise InvalidInput(f"{cls.__name__}: {error}; check the numbers and their units.") from error
-            raise
-        refuse_wrong(self, expected)
 
-    strict: Any = dict.fromkeys(("over", "divide", "invalid"), "raise") if careful(cls) else {}
     for name, method in (
         ("__post_init__", __post_init__),
         ("__eq__", _equal),
@@ -144,5 +137,5 @@ def value(cls: type[T]) -> type[T]:
             if isinstance(member, property) and member.fget is not None:
                 setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
     made = dataclasses.dataclass(frozen=True, eq=False)(cls)
-    expected = expected_of(made)
+    given = functools.cache(functools.partial(checks_of, made))
     return made

@@ -134,7 +134,9 @@ def test_notes_reach_and_rim_come_from_the_plane_profile():
 
 @pytest.mark.parametrize("medium", [None, 1.0, wk.Elastic(1.0, 0.3)])
 def test_what_is_no_medium(medium):
-    with pytest.raises(wk.InvalidInput, match=r"^PlaneFoundation: the medium is a \w+; give HalfSpace"):
+    with pytest.raises(
+        wk.InvalidInput, match=r"^PlaneFoundation: the medium is a \w+; give a medium, such as HalfSpace"
+    ):
         wk.PlaneFoundation(wk.Paraboloid(1.0), medium)
 
 

@@ -118,7 +118,7 @@ def test_tangential():
 @pytest.mark.parametrize(
     ("change", "what"),
     [
-        ({"radii": np.arange(7.0)}, "shapes"),
+        ({"radii": np.arange(7.0)}, "give three one-dimensional arrays of equal length"),
         ({"stiffnesses": np.array([1.0, 2, 3, 2.5, 5, 6])}, "stiffnesses does not rise from index 2"),
         ({"depths": np.array([1.0, 2, 3, 3, 5, 6])}, "depths does not rise"),
         ({"depths": np.array([1.0, 2, np.nan, 4, 5, 6])}, "finite"),
@@ -206,7 +206,7 @@ def test_a_bed_of_lists_is_a_value():
     assert len({bed, same, pickle.loads(pickle.dumps(bed))}) == 1
     with pytest.raises(ValueError, match="read-only"):
         bed.radii[0] = 1.0
-    with pytest.raises(wk.InvalidInput, match="not numbers"):
+    with pytest.raises(wk.InvalidInput, match="radii is .*; give a row of at least 6 finite numbers in m"):
         MeasuredBed(["wide"] * 6, a, a)
 
 

@@ -69,7 +69,7 @@ def test_columns_repeated_in_volts(tmp_path):
         ("depth,force\n0,0\n1,1\n", {}, r"no unit stands with 'depth' and 'force'"),
         ("depth [nm],force [nm]\n0,0\n1,1\n", {}, r"nm"),
         ("depth [nm],force [nN]\n0,0\n1,x\n", {}, r"line 3.*'x' in the column"),
-        ("depth [nm],force [nN]\n0,0\n", {}, r"1 points; give at least 2"),
+        ("depth [nm],force [nN]\n0,0\n", {}, r"position has 1 number; give a row of at least 2"),
         ("radius [nm],height [nm]\n0,0\n1,1\n", {}, r"there is no table of a force curve in this text"),
     ],
 )

@@ -164,7 +164,7 @@ ARRAYS = [
     ("map.npz", archive(), ": it holds readme.txt; the array of heights must be called 'heights'."),
     ("map.npz", packed(heights=HEIGHTS, lengths=[1.0]), ": 'lengths' have the shape (1,); write both lengths of"),
     ("map.npz", packed(heights=HEIGHTS, lengths=["a", "b"]), ": 'lengths' are of the type <U1; write real numbers."),
-    ("map.npz", packed(heights=HEIGHTS, lengths=[1.0, -1.0]), ": Topography: lengths are "),
+    ("map.npz", packed(heights=HEIGHTS, lengths=[1.0, -1.0]), ": Topography: lengths is "),
     ("map.npz", packed(heights=HEIGHTS)[:200], ": this is no file of numpy's arrays ("),
     ("map.npy", b"", ": this is no file of numpy's arrays (No data left in file); write it by numpy.save."),
     ("map.npy", b"height,map\n", ": this is no file of numpy's arrays ("),
@@ -202,7 +202,7 @@ def test_what_has_to_be_told(file):
         ({"unit": "nmm"}, "map.csv, unit: 'nmm' cannot be read: the unit 'nmm' is unknown (did you mean 'nm'?)."),
         ({"unit": "kg"}, "map.csv, unit: 'kg' is the unit of a mass, not of a length."),
         ({"unit": "nm", "lengths": (1.0, 2.0, 3.0)}, "map.csv: lengths are (1.0, 2.0, 3.0); give two numbers, in m."),
-        ({"unit": "nm", "lengths": (1.0, 0.0)}, "map.csv: Topography: lengths are "),
+        ({"unit": "nm", "lengths": (1.0, 0.0)}, "map.csv: Topography: lengths is "),
     ):
         with pytest.raises(InvalidInput) as caught:
             read_topography(name, **told)

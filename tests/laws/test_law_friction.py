@@ -18,9 +18,7 @@ def test_a_coefficient_is_zero_or_more(coefficient):
 
 @pytest.mark.parametrize("coefficient", [-0.1, math.nan, "0.3", None, True, [0.3]])
 def test_other_coefficients_are_refused(coefficient):
-    with pytest.raises(
-        wk.InvalidInput, match="Coulomb: the friction coefficient is .*; give zero or a positive number"
-    ):
+    with pytest.raises(wk.InvalidInput, match="Coulomb: coefficient is .*; give zero or a positive number"):
         wk.Coulomb(coefficient)
 
 
@@ -34,5 +32,5 @@ def test_static_friction_is_not_below_kinetic():
 
 @pytest.mark.parametrize("both", [(0.0, 0.0), (math.inf, 0.3), (0.3, -0.1), (math.nan, 0.1), ("a", 0.1), (True, 0.1)])
 def test_coefficients_that_drop_are_positive_and_finite(both):
-    with pytest.raises(wk.InvalidInput, match="StaticKinetic: a friction coefficient is"):
+    with pytest.raises(wk.InvalidInput, match="StaticKinetic: (static|kinetic)_coefficient is"):
         wk.StaticKinetic(*both)

@@ -66,7 +66,10 @@ def test_no_energy_is_made():
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: RelaxationData([1.0, 2.0, 3.0], [1.0, 1.0, 1.0]), "4 or more"),
+        (
+            lambda: RelaxationData([1.0, 2.0, 3.0], [1.0, 1.0, 1.0]),
+            "time has 3 numbers; give a row of at least 4 positive",
+        ),
         (lambda: RelaxationData([1.0, 3.0, 2.0, 4.0], np.ones(4)), "does not rise"),
         (lambda: CreepData([1.0, 2.0, 3.0, 4.0], np.ones(5)), "give as many"),
         (lambda: CreepData([1.0, 2.0, 3.0, 4.0], [1.0, 1.0, -1.0, 1.0]), "positive"),

@@ -79,10 +79,10 @@ def test_strengths():
 @pytest.mark.parametrize("bad", [None, 1.0, "steel", wk.TransverselyIsotropic(10.0, 4.0, 3.5, 12.0, 3.0)])
 def test_what_is_no_body(bad):
     with pytest.raises(
-        wk.InvalidInput, match=r"^HalfSpace: first is a \w+; give Elastic\(young, poisson\) or Rigid\(\)\.$"
+        wk.InvalidInput, match=r"^HalfSpace: the first is a \w+; give Elastic\(young, poisson\) or Rigid\(\)\.$"
     ):
         wk.HalfSpace.between(bad)
-    with pytest.raises(wk.InvalidInput, match=r"^HalfSpace: second is a \w+"):
+    with pytest.raises(wk.InvalidInput, match=r"^HalfSpace: the second is a \w+"):
         wk.HalfSpace.between(STEEL, bad)
 
 
@@ -167,7 +167,7 @@ def test_pairs_add_their_compliances():
     assert 1.0 / pair.modulus == pytest.approx(1.0 / alone.modulus + 0.91 / 7.0, rel=1e-14)
     assert pair.modulus == swapped.modulus
     assert pair.shear_modulus == swapped.shear_modulus
-    with pytest.raises(wk.InvalidInput, match="TransverselyIsotropicHalfSpace: second is a float"):
+    with pytest.raises(wk.InvalidInput, match="TransverselyIsotropicHalfSpace: the second is a float"):
         wk.TransverselyIsotropicHalfSpace.between(wood, 1.0)
 
 

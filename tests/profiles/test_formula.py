@@ -259,11 +259,17 @@ REFUSED = [
         "Formula: the height of 'exp(r/L) - 1' is not a finite number beyond r = 0.000709783 m; say how far it holds, "
         "as reach=0.000709783 or less.",
     ),
-    ({"expression": "r**2", "reach": 0.0}, "Formula: reach is 0.0; it must be a positive number in m."),
-    ({"expression": "r**2", "reach": -1}, "Formula: reach is -1; it must be a positive number in m."),
-    ({"expression": "r**2", "reach": math.nan}, "Formula: reach is nan; it must be a positive number in m."),
-    ({"expression": "r**2", "reach": "1 mm"}, "Formula: reach is '1 mm'; it must be a positive number in m."),
-    ({"expression": "r**2", "reach": None}, "Formula: reach is None; it must be a positive number in m."),
+    ({"expression": "r**2", "reach": 0.0}, "Formula: reach is 0.0; it must be a positive number in m, or infinite."),
+    ({"expression": "r**2", "reach": -1}, "Formula: reach is -1; it must be a positive number in m, or infinite."),
+    (
+        {"expression": "r**2", "reach": math.nan},
+        "Formula: reach is nan; it must be a positive number in m, or infinite.",
+    ),
+    (
+        {"expression": "r**2", "reach": "1 mm"},
+        "Formula: reach is '1 mm'; it must be a positive number in m, or infinite.",
+    ),
+    ({"expression": "r**2", "reach": None}, "Formula: reach is None; it must be a positive number in m, or infinite."),
     (
         {"expression": "r**2", "reach": 1.0, "corners": (2.0,)},
         "Formula: the corner 2.0 must be a radius in m between 0 and the reach.",
@@ -292,7 +298,7 @@ REFUSED = [
     ),
     ({"expression": "r**2/R", "R": "10 mm"}, "the constant 'R' of a formula is '10 mm'; give a finite number."),
     ({"expression": "r^2"}, "the formula 'r^2': write powers with **, as r**2."),
-    ({"expression": 3}, "a formula is a text, as 'r**2/(2*R)', not 3."),
+    ({"expression": 3}, "Formula: expression is 3; give a text: a formula such as 'r**2/(2*R)'."),
     (
         {"expression": "abs(r - 1) - 1"},
         "the formula 'abs(r - 1) - 1': abs(...) is not allowed: its kink must be stated: write sqrt((...)**2), and "

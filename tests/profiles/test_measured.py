@@ -111,16 +111,16 @@ def refused(radii, heights, match):
 def test_values_that_are_not_finite(bad):
     spoilt = F.copy()
     spoilt[[7, 9]] = bad
-    refused(R, spoilt, r"heights\[7\] is -?(nan|inf), one of 2 values that are not finite; remove these points\.")
+    refused(R, spoilt, r"heights is -?(nan|inf) at index 7, 9; .*: remove these points\.")
     places = R.copy()
     places[7] = bad
-    refused(places, F, r"radii\[7\] is")
+    refused(places, F, r"radii is .* at index 7")
 
 
 def test_shapes_that_do_not_match():
-    refused(R, F[:-1], r"radii have the shape \(41,\) and heights \(40,\); give two one-dimensional arrays")
-    refused(R[:, None], F[:, None], "give two one-dimensional arrays of equal length")
-    refused(0.0, 0.0, "give two one-dimensional arrays of equal length")
+    refused(R, F[:-1], r"there are 41 radii and 40 heights; give two one-dimensional arrays")
+    refused(R[:, None], F[:, None], r"radii has the shape \(.*\); give a row of")
+    refused(0.0, 0.0, r"radii has the shape \(.*\); give a row of")
 
 
 @pytest.mark.parametrize("bad", ["abc", ["a"] * 8, None, [1.0, [2.0, 3.0]]])
@@ -138,7 +138,7 @@ def test_too_few_points():
 
 
 def test_negative_radii():
-    refused(R - 5e-5, F, r"a radius is negative \(-5e-05 m\); give distances from the axis, or let read_profile fold")
+    refused(R - 5e-5, F, r"radii is -5e-05 at index .*: give distances from the axis, or let read_profile fold")
 
 
 def test_a_profile_that_falls():

@@ -6,6 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.footprint import Footprint
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
@@ -15,6 +16,7 @@ from winkler.values import value
 __all__ = ["Bed", "Pressed", "Stretched"]
 
 
+@offered("a bed, such as Foundation(profile, medium)")
 class Bed(Protocol):
     """The contract of a foundation, spoken to its implementer.
 

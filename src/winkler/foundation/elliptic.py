@@ -11,9 +11,12 @@ stiffness of the direction of shear (`winkler.footprint.Ellipse`).
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
+from winkler.field_checks import Such
 from winkler.footprint import DISC, Ellipse, Round
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
@@ -28,6 +31,12 @@ from winkler.values import value
 __all__ = ["EllipticFoundation"]
 
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 4.2 and 7.2, doi:10.1017/CBO9781139171731"
+
+
+HOMOGENEOUS = Such(
+    lambda medium: isinstance(medium, HomogeneousMedium),
+    "Hertz's ellipse is known on homogeneous half-spaces alone, give HalfSpace or ViscoelasticHalfSpace",
+)
 
 
 @value
@@ -64,18 +73,9 @@ class EllipticFoundation(UnderProfile):
     """
 
     bodies: CurvedBodies
-    medium: Medium
+    medium: Annotated[Medium, HOMOGENEOUS]
 
     def __post_init__(self) -> None:
-        if not isinstance(self.bodies, CurvedBodies):
-            raise InvalidInput(
-                f"EllipticFoundation: bodies is a {type(self.bodies).__name__}; give CurvedBodies(R_x, R_y)."
-            )
-        if not isinstance(self.medium, HomogeneousMedium):
-            raise InvalidInput(
-                f"EllipticFoundation: the medium is a {type(self.medium).__name__}; Hertz's ellipse is known on "
-                "homogeneous half-spaces alone, give HalfSpace or ViscoelasticHalfSpace."
-            )
         _ = self.bodies.slenderness
 
     @property

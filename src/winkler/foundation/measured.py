@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import functools
 import math
+from typing import Annotated
 
 import numpy as np
 
@@ -18,13 +19,13 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.footprint import DISC, Footprint, Unknown
 from winkler.foundation.force_curve import FEWEST, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
-from winkler.given import affordable
 from winkler.limits import MEASURED_PLACES
+from winkler.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
 from winkler.numerics.panels.power_splines import PowerSplines
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["MeasuredBed"]
 
@@ -36,6 +37,9 @@ ANY = Unknown(
     "MeasuredBed(..., disc=True) or Foundation(profile, medium)",
 )
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
+
+
+GROW = Advice("radius, stiffness and depth must grow together: smooth the data, or use MeasuredBed.from_curve")
 
 
 @value
@@ -65,44 +69,20 @@ class MeasuredBed:
         If the arrays do not fit one another, or do not rise.
     """
 
-    radii: Array
-    stiffnesses: Array
-    depths: Array
-    scatter: float = 0.0
-    mindlin_ratio: float = 0.0
+    radii: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
+    stiffnesses: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
+    depths: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
+    scatter: NonNegative = 0.0
+    mindlin_ratio: NonNegative = 0.0
     disc: bool = False
 
     def __post_init__(self) -> None:
-        for word in ("radii", "stiffnesses", "depths"):
-            try:
-                object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word), dtype=float)))
-            except (TypeError, ValueError):
-                raise InvalidInput(f"MeasuredBed: {word} are not numbers; give an array.") from None
-        affordable("MeasuredBed", "rows", np.size(self.radii), MEASURED_PLACES)
-        columns = {"radii": self.radii, "stiffnesses": self.stiffnesses, "depths": self.depths}
-        shapes = {np.shape(numbers) for numbers in columns.values()}
-        if len(shapes) > 1 or np.ndim(self.radii) != 1 or np.size(self.radii) < FEWEST:
+        sizes = self.radii.size, self.stiffnesses.size, self.depths.size
+        if len(set(sizes)) > 1:
             raise InvalidInput(
-                "MeasuredBed: radii, stiffnesses and depths have the shapes "
-                f"{', '.join(str(np.shape(numbers)) for numbers in columns.values())}; give three one-dimensional "
-                f"arrays of equal length, at least {FEWEST}."
+                f"MeasuredBed: there are {sizes[0]} radii, {sizes[1]} stiffnesses and {sizes[2]} depths; give three "
+                "one-dimensional arrays of equal length."
             )
-        for word, numbers in columns.items():
-            bad = np.flatnonzero(~np.isfinite(numbers))
-            if bad.size:
-                raise InvalidInput(f"MeasuredBed: {word}[{bad[0]}] is {numbers[bad[0]]}; give finite values.")
-            fall = np.flatnonzero(np.diff(numbers) <= 0.0)
-            if fall.size:
-                raise InvalidInput(
-                    f"MeasuredBed: {word} does not rise from index {fall[0]} ({numbers[fall[0]]:.6g}) to the next "
-                    f"({numbers[fall[0] + 1]:.6g}); radius, stiffness and depth must grow together: smooth the data, "
-                    "or use MeasuredBed.from_curve."
-                )
-        if self.radii[0] < 0.0 or self.stiffnesses[0] < 0.0 or self.depths[0] < 0.0:
-            raise InvalidInput("MeasuredBed: radius, stiffness and depth must not be negative; give values from 0 on.")
-        for word, number in (("scatter", self.scatter), ("mindlin_ratio", self.mindlin_ratio)):
-            if not (isinstance(number, int | float) and 0.0 <= number < math.inf):
-                raise InvalidInput(f"MeasuredBed: {word} is {number!r}; it must be zero or a positive number.")
 
     @classmethod
     def from_curve(

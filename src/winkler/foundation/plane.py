@@ -11,7 +11,6 @@ import math
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.footprint import Footprint, footprint_of
 from winkler.foundation.on_medium import OnMedium
 from winkler.media import body_of
@@ -49,13 +48,6 @@ class PlaneFoundation(OnMedium):
 
     plane_profile: Profile
     medium: Medium
-
-    def __post_init__(self) -> None:
-        if not callable(getattr(self.medium, "punch_stiffness", None)):
-            raise InvalidInput(
-                f"PlaneFoundation: the medium is a {type(self.medium).__name__}; give HalfSpace, "
-                "TransverselyIsotropicHalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace."
-            )
 
     @property
     def footprint(self) -> Footprint:

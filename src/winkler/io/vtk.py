@@ -21,9 +21,9 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields
 from winkler.foundation.sheared_fields import BodyFields
-from winkler.given import affordable
 from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
+from winkler.number_checks import affordable
 from winkler.numerics.types import Array
 from winkler.problems.conduction.fields import CurrentFields, HeatFields
 

@@ -8,9 +8,10 @@ the bodies (`DerjaguinMullerToporov`).
 
 from __future__ import annotations
 
-import math
+from typing import Annotated
 
 from winkler.errors import InvalidInput
+from winkler.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
 from winkler.values import value
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
@@ -19,12 +20,7 @@ NOT_GIVEN = float("nan")
 """Marks a work of adhesion that was left out; told by identity, so that no other nan passes."""
 
 
-def _refuse_unless_positive(owner: str, word: str, number: object, unit: str, *, zero: bool = False) -> None:
-    wrong = isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number)
-    if wrong or number < 0.0 or (number == 0.0 and not zero):  # type: ignore[operator]
-        hint = "" if zero else "; for bodies that do not attract each other ask for Indentation"
-        kind = "zero or a positive" if zero else "a positive"
-        raise InvalidInput(f"{owner}: {word} is {number!r}; it must be {kind}, finite number in {unit}{hint}.")
+ATTRACTION = Advice("for bodies that do not attract each other ask for Indentation")
 
 
 @value
@@ -72,8 +68,9 @@ class ShortRange:
             )
         if closing is NOT_GIVEN:
             closing = whole
-        for word, number in (("work", whole), ("work_opening", opening), ("work_closing", closing)):
-            _refuse_unless_positive("ShortRange", word, number, "J/m^2", zero=word == "work_closing")
+        for name, number in (("work", whole), ("work_opening", opening)):
+            checked(POSITIVE, "ShortRange", name, number, "J/m^2", ATTRACTION.text)
+        checked(NON_NEGATIVE, "ShortRange", "work_closing", closing, "J/m^2")
         if whole != opening:
             raise InvalidInput(
                 f"ShortRange: work is {whole!r} J/m^2 but work_opening {opening!r}; work stands for what parting "
@@ -114,12 +111,8 @@ class Dugdale:
     5e-10
     """
 
-    work: float
-    strength: float
-
-    def __post_init__(self) -> None:
-        _refuse_unless_positive("Dugdale", "work", self.work, "J/m^2")
-        _refuse_unless_positive("Dugdale", "strength", self.strength, "Pa")
+    work: Annotated[Positive, ATTRACTION]
+    strength: Annotated[Positive, ATTRACTION]
 
     @property
     def range(self) -> float:
@@ -147,10 +140,7 @@ class DerjaguinMullerToporov:
     doi:10.1016/0021-9797(75)90018-1
     """
 
-    work: float
-
-    def __post_init__(self) -> None:
-        _refuse_unless_positive("DerjaguinMullerToporov", "work", self.work, "J/m^2")
+    work: Annotated[Positive, ATTRACTION]
 
 
 AdhesionLaw = ShortRange | Dugdale | DerjaguinMullerToporov

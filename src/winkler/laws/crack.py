@@ -13,11 +13,12 @@ it, and the work stays below :math:`w_\infty`, at most :math:`w_0` times the gla
 
 from __future__ import annotations
 
-import math
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.number_checks import Number, Positive
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
 
@@ -27,13 +28,7 @@ SMALLEST = 1e-3
 """Of the exponents: below it the speed is nothing or more than all numbers tell, at works that hardly differ."""
 
 
-def _check(law: object, **units: str) -> None:
-    for word, unit in units.items():
-        number = getattr(law, word)
-        wrong = isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf
-        if wrong or (word == "exponent" and not SMALLEST <= number <= 1.0):
-            some = f"number from {SMALLEST:g} to 1" if word == "exponent" else f"positive, finite number in {unit}"
-            raise InvalidInput(f"{type(law).__name__}: {word} is {number!r}; it must be a {some}.")
+EXPONENT = Number(f"it must be a number from {SMALLEST:g} to 1", SMALLEST, 1.0)
 
 
 @value
@@ -66,12 +61,9 @@ class RateDependentWork:
     array([0.05  , 0.1   , 0.2491])
     """
 
-    work: float
-    reference_speed: float
-    exponent: float
-
-    def __post_init__(self) -> None:
-        _check(self, work="J/m^2", reference_speed="m/s", exponent="-")
+    work: Positive
+    reference_speed: Positive
+    exponent: Annotated[float, EXPONENT]
 
     def opening(self, speed: ArrayLike) -> Array:
         """Return the work of opening w(v) [J/m^2] at speeds [m/s], not negative."""
@@ -118,13 +110,12 @@ class SaturatingWork:
     array([0.05, 0.55, 1.05])
     """
 
-    work: float
-    fast_work: float
-    reference_speed: float
-    exponent: float
+    work: Positive
+    fast_work: Positive
+    reference_speed: Positive
+    exponent: Annotated[float, EXPONENT]
 
     def __post_init__(self) -> None:
-        _check(self, work="J/m^2", fast_work="J/m^2", reference_speed="m/s", exponent="-")
         if self.fast_work <= self.work:
             raise InvalidInput(
                 f"SaturatingWork: fast_work ({self.fast_work!r} J/m^2) is not above work ({self.work!r}); fast opening "

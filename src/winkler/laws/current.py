@@ -9,11 +9,12 @@ temperature then go together, whatever the shape of the contact (Kohlrausch): be
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import not_negative
+from winkler.number_checks import Advice, NonNegative, Positive
 from winkler.numerics.types import Array, Quantity
 from winkler.values import value
 
@@ -35,10 +36,7 @@ class Current:
         If it is negative or not finite.
     """
 
-    current: float
-
-    def __post_init__(self) -> None:
-        not_negative("Current", "current", self.current, "A")
+    current: NonNegative
 
 
 @value
@@ -56,10 +54,7 @@ class Voltage:
         If it is negative or not finite.
     """
 
-    voltage: float
-
-    def __post_init__(self) -> None:
-        not_negative("Voltage", "voltage", self.voltage, "V")
+    voltage: NonNegative
 
 
 Drive = Current | Voltage
@@ -86,15 +81,7 @@ class WiedemannFranz:
     0.375
     """
 
-    lorenz_number: float = 2.44e-8
-
-    def __post_init__(self) -> None:
-        given = self.lorenz_number
-        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 < given < math.inf:
-            raise InvalidInput(
-                f"WiedemannFranz: lorenz_number is {given!r}; give a positive, finite number in V^2/K^2, 2.44e-8 for "
-                "most metals."
-            )
+    lorenz_number: Annotated[Positive, Advice("2.44e-8 for most metals")] = 2.44e-8
 
     def temperature(self, ambient: float, work: Array) -> Array:
         """Return T [K] where the heat current per electric current, integrated over the voltage, came to `work`.

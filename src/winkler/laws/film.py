@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
-from winkler.errors import InvalidInput
-from winkler.given import not_negative
+from winkler.number_checks import POSITIVE_OR_INFINITE, NonNegative
 from winkler.values import value
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]
@@ -26,10 +26,10 @@ class SurfaceFilm:
         If it is negative or no number.
     """
 
-    area_resistance: float = 0.0
+    area_resistance: NonNegative = 0.0
 
-    def __post_init__(self) -> None:
-        not_negative("SurfaceFilm", "area_resistance", self.area_resistance, "ohm m^2")
+
+PASSING = POSITIVE_OR_INFINITE._replace(demand="give a positive number{unit}, or infinity for a perfect touch")
 
 
 @value
@@ -47,15 +47,7 @@ class ThermalInterface:
         If it is not positive.
     """
 
-    interface_conductance: float = math.inf
-
-    def __post_init__(self) -> None:
-        given = self.interface_conductance
-        if isinstance(given, bool) or not isinstance(given, int | float) or not given > 0.0:
-            raise InvalidInput(
-                f"ThermalInterface: interface_conductance is {given!r}; give a positive number in W/(m^2 K), or "
-                "infinity for a perfect touch."
-            )
+    interface_conductance: Annotated[float, PASSING] = math.inf
 
     @property
     def area_resistance(self) -> float:

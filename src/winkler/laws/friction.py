@@ -7,14 +7,14 @@ that has not slid yet may bear more than one that slides (static and kinetic fri
 from __future__ import annotations
 
 import math
+from typing import Annotated, TypeAlias
 
 from winkler.errors import InvalidInput
+from winkler.field_checks import Such
+from winkler.number_checks import Number, PositiveNotTiny
 from winkler.values import value
 
-__all__ = ["Coulomb", "Friction", "StaticKinetic"]
-
-SMALLEST = 1e-60
-"""Of the coefficients of which one is divided by the other."""
+__all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
 
 
 @value
@@ -32,15 +32,23 @@ class Coulomb:
         If it is negative or no number.
     """
 
-    coefficient: float
+    coefficient: Annotated[float, Number("give zero or a positive number, or infinity if nothing may slide", 0.0)]
 
-    def __post_init__(self) -> None:
-        mu = self.coefficient
-        if isinstance(mu, bool) or not isinstance(mu, int | float) or not mu >= 0.0:
-            raise InvalidInput(
-                f"Coulomb: the friction coefficient is {mu!r}; give zero or a positive number, or infinity if nothing "
-                "may slide."
-            )
+
+Sliding: TypeAlias = Annotated[
+    Coulomb,
+    Such(
+        lambda law: 0.0 < law.coefficient < math.inf,
+        "give Coulomb(coefficient) with a positive, finite coefficient: there is friction, and it is overcome",
+    ),
+]
+"""Coulomb's law of surfaces that rub."""
+
+
+Overcome: TypeAlias = Annotated[
+    Coulomb, Such(lambda law: law.coefficient < math.inf, "give Coulomb(coefficient) with a finite coefficient")
+]
+"""Coulomb's law of surfaces that may be free of friction."""
 
 
 @value
@@ -60,21 +68,14 @@ class StaticKinetic:
         If a coefficient is below 1e-60 or not finite, or the kinetic one is the greater.
     """
 
-    static_coefficient: float
-    kinetic_coefficient: float
+    static_coefficient: PositiveNotTiny
+    kinetic_coefficient: PositiveNotTiny
 
     def __post_init__(self) -> None:
-        both = self.static_coefficient, self.kinetic_coefficient
-        for mu in both:
-            if isinstance(mu, bool) or not isinstance(mu, int | float) or not SMALLEST <= mu < math.inf:
-                raise InvalidInput(
-                    f"StaticKinetic: a friction coefficient is {mu!r}; give two positive, finite numbers, from "
-                    f"{SMALLEST:g} on."
-                )
-        if both[0] < both[1]:
+        if self.static_coefficient < self.kinetic_coefficient:
             raise InvalidInput(
-                f"StaticKinetic: the kinetic coefficient {both[1]:g} is above the static one, {both[0]:g}; sliding "
-                "cannot bear more than sticking: give a smaller one."
+                f"StaticKinetic: the kinetic coefficient {self.kinetic_coefficient:g} is above the static one, "
+                f"{self.static_coefficient:g}; sliding cannot bear more than sticking: give a smaller one."
             )
 
 

@@ -6,7 +6,7 @@ are no multiples of each other: one share of the heat for the whole contact can 
 
 from __future__ import annotations
 
-from winkler.errors import InvalidInput
+from winkler.number_checks import Fraction
 from winkler.values import value
 
 __all__ = ["EqualMaximum", "EqualMean", "FixedShare", "HeatPartition"]
@@ -37,12 +37,7 @@ class FixedShare:
         If it is outside that range.
     """
 
-    first_share: float
-
-    def __post_init__(self) -> None:
-        given = self.first_share
-        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 <= given <= 1.0:
-            raise InvalidInput(f"FixedShare: first_share is {given!r}; give a number from 0 to 1.")
+    first_share: Fraction
 
 
 HeatPartition = EqualMaximum | EqualMean | FixedShare

@@ -10,12 +10,13 @@ wear, only the sum of what both lose changes the contact.
 
 from __future__ import annotations
 
-import math
-from typing import Protocol, runtime_checkable
+from typing import Annotated, Protocol, runtime_checkable
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.errors import InvalidInput
+from winkler.number_checks import POSITIVE
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -41,19 +42,14 @@ class Archard:
     J. F. Archard, J. Appl. Phys. 24 (1953) 981-988, doi:10.1063/1.1721448
     """
 
-    rate: float
-
-    def __post_init__(self) -> None:
-        if isinstance(self.rate, bool) or not isinstance(self.rate, int | float) or not 0.0 < self.rate < math.inf:
-            raise InvalidInput(
-                f"Archard: the rate is {self.rate!r}; give a positive, finite number in 1/Pa (1 mm^3/(N m) is 1e-9)."
-            )
+    rate: Annotated[float, POSITIVE._replace(demand="give a positive, finite number{unit} (1 mm^3/(N m) is 1e-9)")]
 
     def depth_per_slip(self, pressure: Array) -> Array:
         """Worn depth per slip [-] under pressures [Pa]."""
         return np.asarray(self.rate * pressure)
 
 
+@offered("a law with a method depth_per_slip(pressure)")
 @runtime_checkable
 class OwnWear(Protocol):
     """A law of wear of one's own, spoken to its implementer.
@@ -86,14 +82,6 @@ class PairWear:
 
     first: Archard | OwnWear
     second: Archard | OwnWear
-
-    def __post_init__(self) -> None:
-        for word, law in (("first", self.first), ("second", self.second)):
-            if not isinstance(law, OwnWear):
-                raise InvalidInput(
-                    f"PairWear: {word} is a {type(law).__name__}; give Archard(rate), or a law with a method "
-                    "depth_per_slip(pressure)."
-                )
 
 
 WearLaw = Archard | PairWear | OwnWear

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from winkler.errors import InvalidInput
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.number_checks import Positive
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values import value
 
@@ -48,19 +48,10 @@ class AtTemperature(ViscoelasticSolid):
 
     solid: ViscoelasticSolid
     law: WilliamsLandelFerry | Arrhenius
-    temperature: float
+    temperature: Positive
 
     def __post_init__(self) -> None:
-        if not isinstance(self.solid, ViscoelasticSolid):
-            raise InvalidInput(
-                f"AtTemperature: solid is a {type(self.solid).__name__}; give a viscoelastic solid such as Prony(...), "
-                "whose times change with the temperature."
-            )
-        if not isinstance(self.law, WilliamsLandelFerry | Arrhenius):
-            raise InvalidInput(
-                f"AtTemperature: law is a {type(self.law).__name__}; give WilliamsLandelFerry(...) or Arrhenius(...)."
-            )
-        _ = self.factor  # told now if there is none
+        _ = self.factor  # refuses a temperature at which there is none
 
     @property
     def factor(self) -> float:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
-from winkler.given import positive_fields
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "resistivity_of", "surface_of"]
@@ -35,13 +35,10 @@ class Plated:
     """
 
     plating: Conductor
-    thickness: float
+    thickness: PositiveNotTiny
     on: Conductor
 
     def __post_init__(self) -> None:
-        for word in ("plating", "on"):
-            _conductor("Plated", word, getattr(self, word))
-        positive_fields(self, thickness="m")
         if type(self.plating) is not type(self.on):
             raise InvalidInput(
                 f"Plated: a plating of {type(self.plating).__name__} on {type(self.on).__name__}; give two of one sort."
@@ -68,12 +65,8 @@ class Rod:
     """
 
     conductor: Conductor
-    radius: float
-    length: float
-
-    def __post_init__(self) -> None:
-        _conductor("Rod", "conductor", self.conductor)
-        positive_fields(self, radius="m", length="m")
+    radius: Positive
+    length: Positive
 
 
 ConductingBody = Conductor | Plated | Rod
@@ -101,11 +94,3 @@ def bulk_of(body: ConductingBody) -> float:
     if isinstance(body, Rod):
         return resistivity_of(body.conductor) * body.length / (math.pi * body.radius**2)
     return 0.0
-
-
-def _conductor(owner: str, word: str, given: object) -> None:
-    if not isinstance(given, ElectricalConductor | ThermalConductor):
-        raise InvalidInput(
-            f"{owner}: {word} is a {type(given).__name__}; give ElectricalConductor(resistivity) or "
-            "ThermalConductor(conductivity, diffusivity)."
-        )

@@ -2,7 +2,7 @@ r"""What conducts: solids with a resistivity against electric current, or a cond
 
 from __future__ import annotations
 
-from winkler.given import not_negative, positive
+from winkler.number_checks import POSITIVE, NonNegative, Positive, checked
 from winkler.values import value
 
 __all__ = ["ElectricalConductor", "ThermalConductor"]
@@ -31,12 +31,8 @@ class ElectricalConductor:
     21.942
     """
 
-    resistivity: float
-    temperature_coefficient: float = 0.0
-
-    def __post_init__(self) -> None:
-        positive("ElectricalConductor", "resistivity", self.resistivity, "ohm m")
-        not_negative("ElectricalConductor", "temperature_coefficient", self.temperature_coefficient, "1/K")
+    resistivity: Positive
+    temperature_coefficient: NonNegative = 0.0
 
     def resistivity_above(self, rise: float) -> float:
         """Return rho [ohm m] at `rise` [K] above the temperature of the body."""
@@ -67,12 +63,8 @@ class ThermalConductor:
     12.197
     """
 
-    conductivity: float
-    diffusivity: float
-
-    def __post_init__(self) -> None:
-        positive("ThermalConductor", "conductivity", self.conductivity, "W/(m K)")
-        positive("ThermalConductor", "diffusivity", self.diffusivity, "m^2/s")
+    conductivity: Positive
+    diffusivity: Positive
 
     @classmethod
     def of(cls, conductivity: float, density: float, heat_capacity: float) -> ThermalConductor:
@@ -88,5 +80,5 @@ class ThermalConductor:
             ("density", density, "kg/m^3"),
             ("heat_capacity", heat_capacity, "J/(kg K)"),
         ):
-            positive("ThermalConductor", word, number, unit)
+            checked(POSITIVE, "ThermalConductor", word, number, unit)
         return cls(conductivity, conductivity / (density * heat_capacity))

@@ -7,18 +7,29 @@ nothing changes any more.
 from __future__ import annotations
 
 import math
-from typing import Protocol
+from typing import Annotated, Protocol
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.errors import InvalidInput
-from winkler.given import poisson_ratio, positive_fields
+from winkler.number_checks import (
+    NON_NEGATIVE,
+    POISSON,
+    POSITIVE,
+    Advice,
+    Numbers,
+    PoissonRatio,
+    Positive,
+    PositiveNotTiny,
+)
 from winkler.numerics.types import Array
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedGrading"]
 
 
+@offered("a grading: ExponentialGrading, SigmoidalGrading or TabulatedGrading")
 class DepthGrading(Protocol):
     """What a graded half-space must tell, spoken to its implementer."""
 
@@ -59,14 +70,10 @@ class ExponentialGrading:
         The same everywhere [-].
     """
 
-    surface_young: float
-    deep_young: float
-    depth_scale: float
-    poisson: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, surface_young="Pa", deep_young="Pa", depth_scale="m")
-        poisson_ratio("ExponentialGrading", self.poisson)
+    surface_young: PositiveNotTiny
+    deep_young: PositiveNotTiny
+    depth_scale: PositiveNotTiny
+    poisson: PoissonRatio
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -108,15 +115,11 @@ class SigmoidalGrading:
         The same everywhere [-].
     """
 
-    surface_young: float
-    deep_young: float
-    transition_depth: float
-    transition_width: float
-    poisson: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, surface_young="Pa", deep_young="Pa", transition_depth="m", transition_width="m")
-        poisson_ratio("SigmoidalGrading", self.poisson)
+    surface_young: PositiveNotTiny
+    deep_young: PositiveNotTiny
+    transition_depth: Positive
+    transition_width: PositiveNotTiny
+    poisson: PoissonRatio
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -163,29 +166,19 @@ class TabulatedGrading:
         If the columns do not fit together.
     """
 
-    depths: Array
-    youngs: Array
-    poissons: Array
+    depths: Annotated[Array, Numbers(NON_NEGATIVE, fewest=2, order="rising"), Advice("begin with 0, sort the table")]
+    youngs: Annotated[Array, Numbers(POSITIVE, fewest=2)]
+    poissons: Annotated[Array, Numbers(POISSON, fewest=2)]
 
     def __post_init__(self) -> None:
-        for word in ("depths", "youngs", "poissons"):
-            try:
-                column = frozen_array(np.asarray(getattr(self, word), dtype=float))
-            except (TypeError, ValueError):
-                raise InvalidInput(f"TabulatedGrading: {word} is no table of numbers; give an array.") from None
-            object.__setattr__(self, word, column)
-        sizes = {word: np.shape(getattr(self, word)) for word in ("depths", "youngs", "poissons")}
-        if len(set(sizes.values())) != 1 or len(sizes["depths"]) != 1 or sizes["depths"][0] < 2:
+        sizes = self.depths.size, self.youngs.size, self.poissons.size
+        if len(set(sizes)) != 1:
             raise InvalidInput(
-                f"TabulatedGrading: depths, youngs and poissons have the shapes {', '.join(map(str, sizes.values()))}; "
-                "give three arrays of one length, at least two."
+                f"TabulatedGrading: there are {sizes[0]} depths, {sizes[1]} youngs and {sizes[2]} poissons; give three "
+                "arrays of one length, at least two."
             )
-        if not (self.depths[0] == 0.0 and np.all(np.diff(self.depths) > 0.0) and np.all(np.isfinite(self.depths))):
+        if self.depths[0] != 0.0:
             raise InvalidInput("TabulatedGrading: depths must begin with 0 and ascend; sort the table.")
-        if not (np.all(self.youngs > 0.0) and np.all(np.isfinite(self.youngs))):
-            raise InvalidInput("TabulatedGrading: youngs must be positive and finite, in Pa.")
-        if not np.all((self.poissons > -1.0) & (self.poissons <= 0.5)):
-            raise InvalidInput("TabulatedGrading: poissons must be above -1 and at most 0.5.")
 
     @property
     def breaks(self) -> tuple[float, ...]:

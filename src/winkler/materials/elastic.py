@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import InvalidInput
-from winkler.given import poisson_ratio, positive
+from winkler.number_checks import Finite, PoissonRatio, PositiveNotTiny, PositiveOrInfinite
 from winkler.values import value
 
 __all__ = ["Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
@@ -35,15 +35,9 @@ class Elastic:
     80.769231
     """
 
-    young: float
-    poisson: float
-    strength: float = math.inf
-
-    def __post_init__(self) -> None:
-        positive("Elastic", "young", self.young, "Pa")
-        poisson_ratio("Elastic", self.poisson)
-        if self.strength != math.inf:
-            positive("Elastic", "strength", self.strength, "Pa")
+    young: PositiveNotTiny
+    poisson: PoissonRatio
+    strength: PositiveOrInfinite = math.inf
 
     @property
     def shear(self) -> float:
@@ -72,17 +66,13 @@ class TransverselyIsotropic:
         (c11 + c12) c33 > 2 c13^2.
     """
 
-    c11: float
-    c12: float
-    c13: float
-    c33: float
-    c44: float
+    c11: Finite
+    c12: Finite
+    c13: Finite
+    c33: Finite
+    c44: Finite
 
     def __post_init__(self) -> None:
-        for word in ("c11", "c12", "c13", "c33", "c44"):
-            number = getattr(self, word)
-            if not (isinstance(number, int | float) and math.isfinite(number)):
-                raise InvalidInput(f"TransverselyIsotropic: {word} is {number!r}; give a finite number in Pa.")
         stable = (
             self.c44 > 0.0
             and self.c11 > abs(self.c12)

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged
-from winkler.given import not_negative, poisson_ratio
 from winkler.limits import SLOWEST
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.values import value
@@ -30,6 +31,13 @@ FINEST = 0.06
 """Distance in ln s of the sums that the series are measured by; their own error is of the order of 1e-13."""
 SLOW, FAST = 46.0, 5.0
 """How far these sums go in ln s beyond the rates of the span."""
+
+
+FractionalExponent: TypeAlias = Annotated[
+    float,
+    Number(f"give a number from {SLOWEST:g} to below 1", SLOWEST, 1.0, (1.0,)),
+    Advice(f"below {SLOWEST:g} the modulus falls by less than 0.03 % in a decade of time, take Elastic"),
+]
 
 
 @value
@@ -65,16 +73,16 @@ class PowerLawSolid(ViscoelasticSolid):
     True
     """
 
-    shear: float
-    time_scale: float
-    exponent: float
-    shortest: float
-    longest: float
-    tolerance: float = 1e-4
-    poisson: float = 0.5
+    shear: Positive
+    time_scale: Positive
+    exponent: FractionalExponent
+    shortest: Positive
+    longest: Positive
+    tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-4
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        _check(self, "shear", "time_scale")
+        _refuse_empty_span(self)
 
     @property
     def span(self) -> tuple[float, float]:
@@ -141,18 +149,17 @@ class FractionalZener(ViscoelasticSolid):
     0.42758
     """
 
-    relaxed_shear: float
-    shear: float
-    relaxation_time: float
-    exponent: float
-    shortest: float
-    longest: float
-    tolerance: float = 1e-4
-    poisson: float = 0.5
+    relaxed_shear: NonNegative
+    shear: Positive
+    relaxation_time: Positive
+    exponent: FractionalExponent
+    shortest: Positive
+    longest: Positive
+    tolerance: Annotated[float, between(1e-10, 0.1)] = 1e-4
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        _check(self, "shear", "relaxation_time")
-        not_negative("FractionalZener", "relaxed_shear", self.relaxed_shear, "Pa")
+        _refuse_empty_span(self)
 
     @property
     def span(self) -> tuple[float, float]:
@@ -227,23 +234,8 @@ def _slower(density: Callable[[Array], Array], low: float, spacing: float, expon
     return float(spacing * np.sum(density(low - spacing * np.arange(count, 0, -1))))
 
 
-def _check(solid: PowerLawSolid | FractionalZener, *positive: str) -> None:
-    owner = type(solid).__name__
-    for word in (*positive, "shortest", "longest", "tolerance", "exponent", "poisson"):
-        number = getattr(solid, word)
-        if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
-            raise InvalidInput(f"{owner}: {word} is {number!r}; give a finite number.")
-        if word != "poisson" and not number > 0.0:
-            raise InvalidInput(f"{owner}: {word} is {number!r}; it must be positive.")
-    if not solid.exponent < 1.0:
-        raise InvalidInput(f"{owner}: exponent is {solid.exponent!r}; it must lie between 0 and 1, both excluded.")
-    if solid.exponent < SLOWEST:
-        raise InvalidInput(
-            f"{owner}: exponent is {solid.exponent!r}; give at least {SLOWEST:g}: with a smaller one the modulus falls "
-            "by less than 0.03 % in a decade of time, take Elastic."
-        )
+def _refuse_empty_span(solid: PowerLawSolid | FractionalZener) -> None:
     if not solid.shortest < solid.longest:
-        raise InvalidInput(f"{owner}: the span from {solid.shortest:g} to {solid.longest:g} s is empty; exchange them.")
-    if not 1e-10 <= solid.tolerance <= 0.1:
-        raise InvalidInput(f"{owner}: tolerance is {solid.tolerance!r}; give one between 1e-10 and 0.1.")
-    poisson_ratio(owner, solid.poisson)
+        raise InvalidInput(
+            f"{type(solid).__name__}: the span from {solid.shortest:g} to {solid.longest:g} s is empty; exchange them."
+        )

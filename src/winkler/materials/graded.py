@@ -10,12 +10,18 @@ pressure exactly as Winkler's springs do.
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 from winkler.errors import InvalidInput
-from winkler.given import poisson_ratio, positive_fields
+from winkler.number_checks import Number, PoissonRatio, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["PowerLawGraded"]
+
+
+FINITE_DEPTH = Number(
+    "a surface under load has a finite depth only for exponents above -1 and below 1", -1.0, 1.0, excluded=(-1.0,)
+)
 
 
 @value
@@ -49,20 +55,12 @@ class PowerLawGraded:
     110.261
     """
 
-    young: float
-    depth_scale: float
-    exponent: float
-    poisson: float
+    young: PositiveNotTiny
+    depth_scale: PositiveNotTiny
+    exponent: Annotated[float, FINITE_DEPTH]
+    poisson: PoissonRatio
 
     def __post_init__(self) -> None:
-        positive_fields(self, young="Pa", depth_scale="m")
-        poisson_ratio("PowerLawGraded", self.poisson)
-        given = self.exponent
-        if isinstance(given, bool) or not isinstance(given, int | float) or not -1.0 < given <= 1.0:
-            raise InvalidInput(
-                f"PowerLawGraded: exponent is {given!r}; a surface under load has a finite depth only for "
-                "exponents above -1 and below 1."
-            )
         if self.exponent == 1.0 and self.poisson != 0.5:
             raise InvalidInput(
                 f"PowerLawGraded: exponent 1 with poisson {self.poisson!r} has no answer, since the surface would give "

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-import math
+from typing import Annotated
 
-from winkler.errors import InvalidInput
 from winkler.materials.elastic import Elastic
-from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.number_checks import Advice, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["Layer"]
+
+
+BUILT_ELASTIC = Advice(
+    "unless all parts of a layered body relax in proportion its equivalent profile changes in time, which is not "
+    "answered; build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear) of the whole"
+)
 
 
 @value
@@ -34,21 +39,5 @@ class Layer:
     2e-06
     """
 
-    solid: Elastic
-    thickness: float
-
-    def __post_init__(self) -> None:
-        if isinstance(self.solid, ViscoelasticSolid):
-            raise InvalidInput(
-                "Layer: solid relaxes, and unless all parts of a layered body do so in proportion its equivalent "
-                "profile changes in time, which is not answered; build the body of Elastic(young, poisson), and give "
-                "RelaxingInProportion(medium, solid, shear) of the whole."
-            )
-        if not isinstance(self.solid, Elastic):
-            raise InvalidInput(f"Layer: solid is a {type(self.solid).__name__}; give Elastic(young, poisson).")
-        number = self.thickness
-        if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < math.inf:
-            raise InvalidInput(
-                f"Layer: thickness is {number!r}; it must be a positive, finite number in m: leave a layer without "
-                "thickness out."
-            )
+    solid: Annotated[Elastic, BUILT_ELASTIC]
+    thickness: Annotated[PositiveNotTiny, Advice("leave a layer without thickness out")]

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import functools
 import math
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable, poisson_ratio
 from winkler.limits import MEASURED_TIMES
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
 from winkler.values import value
@@ -56,6 +57,9 @@ class _Measured(ViscoelasticSolid):
         return float(self._times[0]), float(self._times[-1])
 
 
+SORT = Advice("sort the rows, and average what is given twice")
+
+
 @value
 class RelaxationData(_Measured):
     """A solid whose relaxation was measured.
@@ -82,12 +86,12 @@ class RelaxationData(_Measured):
     (True, True)
     """
 
-    time: Array
-    shear: Array
-    poisson: float = 0.5
+    time: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
+    shear: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        _check(self, "time", "shear")
+        _refuse_lengths(self, "time", "shear")
 
     @property
     def _times(self) -> Array:
@@ -124,12 +128,12 @@ class CreepData(_Measured):
     True
     """
 
-    time: Array
-    compliance: Array
-    poisson: float = 0.5
+    time: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
+    compliance: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        _check(self, "time", "compliance")
+        _refuse_lengths(self, "time", "compliance")
 
     @property
     def _times(self) -> Array:
@@ -166,13 +170,13 @@ class DynamicData(_Measured):
     True
     """
 
-    angular_frequency: Array
-    storage_shear: Array
-    loss_shear: Array
-    poisson: float = 0.5
+    angular_frequency: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
+    storage_shear: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    loss_shear: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        _check(self, "angular_frequency", "storage_shear", "loss_shear")
+        _refuse_lengths(self, "angular_frequency", "storage_shear", "loss_shear")
 
     @property
     def _times(self) -> Array:
@@ -183,27 +187,14 @@ class DynamicData(_Measured):
         return _of_dynamic(self)
 
 
-def _check(data: RelaxationData | CreepData | DynamicData, first: str, *others: str) -> None:
-    owner = type(data).__name__
-    for word in (first, *others):
-        try:
-            numbers = np.array(getattr(data, word), dtype=float)
-        except (TypeError, ValueError):
-            numbers = np.empty(0)
-        if numbers.ndim != 1 or not np.all(np.isfinite(numbers)) or np.any(numbers <= 0.0) or numbers.size < FEWEST:
-            raise InvalidInput(f"{owner}: {word} must be a row of {FEWEST} or more positive, finite numbers.")
-        numbers.flags.writeable = False
-        object.__setattr__(data, word, numbers)
-    rising = getattr(data, first)
-    affordable(owner, "measured numbers", rising.size, MEASURED_TIMES)
-    if np.any(np.diff(rising) <= 0.0):
-        raise InvalidInput(f"{owner}: {first} does not rise; sort the rows, and average what is given twice.")
-    for word in others:
-        if getattr(data, word).size != rising.size:
+def _refuse_lengths(data: RelaxationData | CreepData | DynamicData, first: str, *others: str) -> None:
+    count = getattr(data, first).size
+    for name in others:
+        if getattr(data, name).size != count:
             raise InvalidInput(
-                f"{owner}: {first} has {rising.size} numbers and {word} {getattr(data, word).size}; give as many."
+                f"{type(data).__name__}: {first} has {count} numbers and {name} {getattr(data, name).size}; "
+                "give as many."
             )
-    poisson_ratio(owner, data.poisson)
 
 
 def _spread(time: Array) -> Array:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.given import poisson_ratio, positive_fields
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.number_checks import PoissonRatio, Positive
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values import value
 
@@ -38,13 +38,9 @@ class KelvinVoigt(ViscoelasticSolid):
     0.316060279
     """
 
-    shear: float
-    viscosity: float
-    poisson: float = 0.5
-
-    def __post_init__(self) -> None:
-        poisson_ratio("KelvinVoigt", self.poisson)
-        positive_fields(self, shear="Pa", viscosity="Pa s")
+    shear: Positive
+    viscosity: Positive
+    poisson: PoissonRatio = 0.5
 
     @property
     def series(self) -> RelaxationSeries:
@@ -76,13 +72,9 @@ class Maxwell(ViscoelasticSolid):
     1.5
     """
 
-    shear: float
-    relaxation_time: float
-    poisson: float = 0.5
-
-    def __post_init__(self) -> None:
-        poisson_ratio("Maxwell", self.poisson)
-        positive_fields(self, shear="Pa", relaxation_time="s")
+    shear: Positive
+    relaxation_time: Positive
+    poisson: PoissonRatio = 0.5
 
     @property
     def series(self) -> RelaxationSeries:
@@ -116,14 +108,10 @@ class StandardSolid(ViscoelasticSolid):
     2.5
     """
 
-    relaxed_shear: float
-    shear: float
-    relaxation_time: float
-    poisson: float = 0.5
-
-    def __post_init__(self) -> None:
-        poisson_ratio("StandardSolid", self.poisson)
-        positive_fields(self, relaxed_shear="Pa", shear="Pa", relaxation_time="s")
+    relaxed_shear: Positive
+    shear: Positive
+    relaxation_time: Positive
+    poisson: PoissonRatio = 0.5
 
     @property
     def series(self) -> RelaxationSeries:

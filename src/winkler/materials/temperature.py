@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from winkler.errors import OutsideValidity
-from winkler.given import positive, positive_fields
+from winkler.number_checks import POSITIVE, Positive, checked
 from winkler.values import value
 
 __all__ = ["Arrhenius", "WilliamsLandelFerry"]
@@ -44,12 +44,9 @@ class WilliamsLandelFerry:
     True
     """
 
-    reference_temperature: float
-    first_constant: float = 17.44
-    second_constant: float = 51.6
-
-    def __post_init__(self) -> None:
-        positive_fields(self, reference_temperature="K", first_constant="", second_constant="K")
+    reference_temperature: Positive
+    first_constant: Positive = 17.44
+    second_constant: Positive = 51.6
 
     def factor(self, temperature: float) -> float:
         """Return a_T [-] at a temperature [K].
@@ -61,7 +58,7 @@ class WilliamsLandelFerry:
         OutsideValidity
             If it is so low that the law has no answer.
         """
-        positive("WilliamsLandelFerry", "temperature", temperature, "K")
+        checked(POSITIVE, "WilliamsLandelFerry", "temperature", temperature, "K")
         above = temperature - self.reference_temperature
         if self.second_constant + above <= 0.0:
             raise OutsideValidity(
@@ -95,11 +92,8 @@ class Arrhenius:
     0.355368
     """
 
-    reference_temperature: float
-    activation_energy: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, reference_temperature="K", activation_energy="J/mol")
+    reference_temperature: Positive
+    activation_energy: Positive
 
     def factor(self, temperature: float) -> float:
         """Return a_T [-] at a temperature [K].
@@ -109,5 +103,5 @@ class Arrhenius:
         InvalidInput
             If the temperature is not positive.
         """
-        positive("Arrhenius", "temperature", temperature, "K")
+        checked(POSITIVE, "Arrhenius", "temperature", temperature, "K")
         return math.exp(self.activation_energy / GAS * (1.0 / temperature - 1.0 / self.reference_temperature))

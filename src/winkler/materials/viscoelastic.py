@@ -8,12 +8,14 @@ nu is 1/2 unless given.
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.errors import InvalidInput
-from winkler.given import affordable, not_negative, poisson_ratio, positive
 from winkler.limits import MOST_NUMBERS, TERMS
+from winkler.number_checks import POSITIVE, NonNegative, Numbers, PoissonRatio, checked
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
@@ -21,6 +23,10 @@ from winkler.values import value
 __all__ = ["GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
 
 
+TIMES = Numbers(POSITIVE, most=MOST_NUMBERS, any_shape=True)
+
+
+@offered("a viscoelastic solid such as StandardSolid(...) or Prony(...)")
 class ViscoelasticSolid:
     """What every viscoelastic solid can be asked, once the series of its shear relaxation is known."""
 
@@ -57,7 +63,7 @@ class ViscoelasticSolid:
         InvalidInput
             If a time is not positive and finite.
         """
-        return self.series.at(_positive_row("relaxation", "time", time, "s"))
+        return self.series.at(checked(TIMES, "relaxation", "time", time, "s"))
 
     def creep(self, time: ArrayLike) -> Array:
         """Return J(t), the shear after a unit step of stress.
@@ -77,7 +83,7 @@ class ViscoelasticSolid:
         InvalidInput
             If a time is not positive and finite.
         """
-        return of_relaxation(self.series).at(_positive_row("creep", "time", time, "s"))
+        return of_relaxation(self.series).at(checked(TIMES, "creep", "time", time, "s"))
 
     def storage(self, angular_frequency: ArrayLike) -> Array:
         """Return G', what is in phase with a harmonic shear.
@@ -97,7 +103,7 @@ class ViscoelasticSolid:
         InvalidInput
             If a frequency is not positive and finite.
         """
-        return np.real(self.series.dynamic(_positive_row("storage", "angular_frequency", angular_frequency, "rad/s")))
+        return np.real(self.series.dynamic(checked(TIMES, "storage", "angular_frequency", angular_frequency, "rad/s")))
 
     def loss(self, angular_frequency: ArrayLike) -> Array:
         """Return G'', what is a quarter of a turn ahead of a harmonic shear.
@@ -117,7 +123,7 @@ class ViscoelasticSolid:
         InvalidInput
             If a frequency is not positive and finite.
         """
-        return np.imag(self.series.dynamic(_positive_row("loss", "angular_frequency", angular_frequency, "rad/s")))
+        return np.imag(self.series.dynamic(checked(TIMES, "loss", "angular_frequency", angular_frequency, "rad/s")))
 
     def slowed(self, factor: float) -> Prony:
         """Return the solid with all its times multiplied: the same one, colder, or older.
@@ -136,7 +142,7 @@ class ViscoelasticSolid:
         InvalidInput
             If the factor is not positive and finite.
         """
-        positive("slowed", "factor", factor, "")
+        checked(POSITIVE, "slowed", "factor", factor)
         series = self.series.scaled(1.0, factor)
         return Prony(series.relaxed, series.moduli, series.times, series.viscosity, self.poisson)
 
@@ -172,18 +178,13 @@ class Prony(ViscoelasticSolid):
     array([3.9999998, 1.       ])
     """
 
-    relaxed_shear: float
-    shears: Array
-    relaxation_times: Array
-    viscosity: float = 0.0
-    poisson: float = 0.5
+    relaxed_shear: NonNegative
+    shears: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
+    relaxation_times: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
+    viscosity: NonNegative = 0.0
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        poisson_ratio("Prony", self.poisson)
-        not_negative("Prony", "relaxed_shear", self.relaxed_shear, "Pa")
-        not_negative("Prony", "viscosity", self.viscosity, "Pa s")
-        for word, unit in (("shears", "Pa"), ("relaxation_times", "s")):
-            object.__setattr__(self, word, _positive_row("Prony", word, getattr(self, word), unit, flat=True))
         if self.shears.size != self.relaxation_times.size:
             raise InvalidInput(
                 f"Prony: {self.shears.size} shears and {self.relaxation_times.size} relaxation_times; give one time "
@@ -229,18 +230,13 @@ class GeneralisedKelvin(ViscoelasticSolid):
     array([0.001, 0.003])
     """
 
-    glassy_compliance: float
-    compliances: Array
-    retardation_times: Array
-    fluidity: float = 0.0
-    poisson: float = 0.5
+    glassy_compliance: NonNegative
+    compliances: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
+    retardation_times: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
+    fluidity: NonNegative = 0.0
+    poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
-        poisson_ratio("GeneralisedKelvin", self.poisson)
-        not_negative("GeneralisedKelvin", "glassy_compliance", self.glassy_compliance, "1/Pa")
-        not_negative("GeneralisedKelvin", "fluidity", self.fluidity, "1/(Pa s)")
-        for word, unit in (("compliances", "1/Pa"), ("retardation_times", "s")):
-            object.__setattr__(self, word, _positive_row("GeneralisedKelvin", word, getattr(self, word), unit, True))
         if self.compliances.size != self.retardation_times.size:
             raise InvalidInput(
                 f"GeneralisedKelvin: {self.compliances.size} compliances and {self.retardation_times.size} "
@@ -254,16 +250,3 @@ class GeneralisedKelvin(ViscoelasticSolid):
         """G(t) [Pa]."""
         strengths, times = merged(self.compliances, self.retardation_times)
         return of_creep(CreepSeries(self.glassy_compliance, self.fluidity, strengths, times))
-
-
-def _positive_row(owner: str, word: str, given: ArrayLike, unit: str, flat: bool = False) -> Array:
-    try:
-        numbers = np.array(given, dtype=float)
-    except (TypeError, ValueError):
-        numbers = np.array(np.nan)
-    if not (np.all(np.isfinite(numbers)) and np.all(numbers > 0.0)) or (flat and numbers.ndim != 1):
-        what = "a row of positive" if flat else "positive"
-        raise InvalidInput(f"{owner}: {word} is {given!r}; give {what}, finite numbers in {unit}.")
-    affordable(owner, word, numbers.size, TERMS if flat else MOST_NUMBERS)
-    numbers.flags.writeable = False
-    return numbers

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
@@ -28,6 +29,7 @@ RIGID = Rigid()
 GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 
 
+@offered("a homogeneous medium, such as HalfSpace(first, second)")
 class HomogeneousMedium:
     """What every homogeneous pair of half-spaces shares, once its two effective moduli are known."""
 
@@ -130,11 +132,6 @@ class HalfSpace(HomogeneousMedium):
     second: Solid = RIGID
 
     def __post_init__(self) -> None:
-        for word, body in (("first", self.first), ("second", self.second)):
-            if not isinstance(body, Elastic | Rigid):
-                raise InvalidInput(
-                    f"HalfSpace: {word} is a {type(body).__name__}; give Elastic(young, poisson) or Rigid()."
-                )
         if not self._elastic:
             raise InvalidInput("HalfSpace: both bodies are rigid; at least one must be Elastic(young, poisson).")
 

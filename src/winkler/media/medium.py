@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, Protocol
 
+from winkler.contract import offered
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
@@ -66,6 +67,7 @@ class Displacement(Protocol):
         ...
 
 
+@offered("a medium, such as HalfSpace(first, second)")
 class Medium(Protocol):
     """A linear elastic, axisymmetric half-space, or a pair of them; spoken to its implementer.
 

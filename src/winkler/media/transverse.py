@@ -66,12 +66,6 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     second: Body = RIGID
 
     def __post_init__(self) -> None:
-        for word, body in (("first", self.first), ("second", self.second)):
-            if not isinstance(body, TransverselyIsotropic | Elastic | Rigid):
-                raise InvalidInput(
-                    f"TransverselyIsotropicHalfSpace: {word} is a {type(body).__name__}; give "
-                    "TransverselyIsotropic(c11, c12, c13, c33, c44), Elastic(young, poisson) or Rigid()."
-                )
         if _compliances(self.first)[0] + _compliances(self.second)[0] == 0.0:
             raise InvalidInput("TransverselyIsotropicHalfSpace: both bodies are rigid; at least one must be elastic.")
 

@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 
-from winkler.given import positive_fields
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
-from winkler.profiles.check import angle
+from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.profiles.profile import Shape
 from winkler.validity import Assumption, Note, Standing
@@ -35,10 +35,7 @@ class Cone(PowerPieces):
     A. E. H. Love, Quart. J. Math. 10 (1939) 161-175, doi:10.1093/qmath/os-10.1.161
     """
 
-    half_angle: float
-
-    def __post_init__(self) -> None:
-        angle(self, "half_angle")
+    half_angle: HalfAngle
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -58,12 +55,8 @@ class TruncatedCone(PowerPieces):
         b [m], positive.
     """
 
-    half_angle: float
-    flat_radius: float
-
-    def __post_init__(self) -> None:
-        angle(self, "half_angle")
-        positive_fields(self, flat_radius="m")
+    half_angle: HalfAngle
+    flat_radius: Positive
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -91,12 +84,8 @@ class RoundedCone(PowerPieces):
     D. Maugis, M. Barquins, J. Phys. Lett. 42 (1981) L95-L97, doi:10.1051/jphyslet:0198100420509500
     """
 
-    curvature_radius: float
-    half_angle: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m")
-        angle(self, "half_angle")
+    curvature_radius: PositiveNotTiny
+    half_angle: HalfAngle
 
     @property
     def blend_radius(self) -> float:
@@ -131,12 +120,8 @@ class SpheroConical(Shape):
     B. J. Briscoe, K. S. Sebastian, M. J. Adams, J. Phys. D 27 (1994) 1156-1162, doi:10.1088/0022-3727/27/6/013
     """
 
-    curvature_radius: float
-    half_angle: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m")
-        angle(self, "half_angle")
+    curvature_radius: PositiveNotTiny
+    half_angle: HalfAngle
 
     @property
     def blend_radius(self) -> float:

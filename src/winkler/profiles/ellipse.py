@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import positive_fields
+from winkler.number_checks import Positive
 from winkler.numerics.equations.bracketing import between
 from winkler.values import value
 
@@ -42,11 +42,8 @@ class ContactEllipse:
         If one is not positive and finite.
     """
 
-    longitudinal_semi_axis: float
-    lateral_semi_axis: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, longitudinal_semi_axis="m", lateral_semi_axis="m")
+    longitudinal_semi_axis: Positive
+    lateral_semi_axis: Positive
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
         """Return a and b [m], whatever presses the bodies."""
@@ -82,11 +79,8 @@ class CurvedBodies:
     (6.675, 5.021)
     """
 
-    longitudinal_curvature_radius: float
-    lateral_curvature_radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, longitudinal_curvature_radius="m", lateral_curvature_radius="m")
+    longitudinal_curvature_radius: Positive
+    lateral_curvature_radius: Positive
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
         """Return a and b [m].

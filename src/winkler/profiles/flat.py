@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.given import positive_fields
+from winkler.number_checks import Positive
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note
@@ -28,10 +28,7 @@ class FlatPunch(Shape):
     J. Boussinesq, Application des potentiels, Gauthier-Villars, Paris 1885.
     """
 
-    radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, radius="m")
+    radius: Positive
 
     @property
     def reach(self) -> float:
@@ -85,11 +82,10 @@ class CappedCylinder(Shape):
         Shape of the end; must be known up to the rim.
     """
 
-    radius: float
+    radius: Positive
     cap: Profile
 
     def __post_init__(self) -> None:
-        positive_fields(self, radius="m")
         if self.cap.reach < self.radius or self.cap.rim < self.radius:
             raise InvalidInput(
                 f"CappedCylinder: the cap is known up to {min(self.cap.reach, self.cap.rim):g} m but the cylinder has "

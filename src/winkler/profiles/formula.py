@@ -13,10 +13,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.number_checks import Advice, PositiveOrInfinite
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel
@@ -73,9 +75,9 @@ class Formula(Shape):
     True
     """
 
-    expression: str
+    expression: Annotated[str, Advice("a formula such as 'r**2/(2*R)'")]
     constants: tuple[tuple[str, float], ...] = ()
-    reach: float = math.inf
+    reach: PositiveOrInfinite = math.inf
     corners: tuple[float, ...] = ()
 
     def __init__(
@@ -104,8 +106,6 @@ class Formula(Shape):
         self.__post_init__()
 
     def __post_init__(self) -> None:
-        if not (_is_number(self.reach) and self.reach > 0.0):
-            raise InvalidInput(f"Formula: reach is {self.reach!r}; it must be a positive number in m.")
         for corner in self.corners:
             if not (_is_number(corner) and 0.0 < corner < self.reach):
                 raise InvalidInput(f"Formula: the corner {corner!r} must be a radius in m between 0 and the reach.")

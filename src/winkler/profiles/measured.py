@@ -15,25 +15,29 @@ read from those: the cost does not grow with the number of points.
 from __future__ import annotations
 
 import functools
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import MEASURED_PLACES
+from winkler.number_checks import NON_NEGATIVE, Advice, Numbers
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["Measured"]
 
 TOLERANCE = 1e-11
 """Error of g' on its panels, relative to the steepest slope."""
 FEWEST = 6
+
+
+FOLD = Advice("give distances from the axis, or let read_profile fold a scan across the apex")
 
 
 @value
@@ -57,32 +61,14 @@ class Measured(Shape):
     winkler.read_profile : reads a file with units, and folds a scan that crosses the apex.
     """
 
-    radii: Array
-    heights: Array
+    radii: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0, most=4 * MEASURED_PLACES), FOLD]
+    heights: Annotated[Array, Numbers(fewest=0, most=4 * MEASURED_PLACES), Advice("remove these points")]
 
     def __post_init__(self) -> None:
-        for word in ("radii", "heights"):
-            try:
-                object.__setattr__(self, word, frozen_array(np.asarray(getattr(self, word), dtype=float)))
-            except (TypeError, ValueError):
-                raise InvalidInput(f"Measured: {word} are not numbers; give an array in m.") from None
-        affordable("Measured", "points", np.size(self.radii), 4 * MEASURED_PLACES)
-        if np.ndim(self.radii) != 1 or np.shape(self.radii) != np.shape(self.heights):
+        if self.radii.size != self.heights.size:
             raise InvalidInput(
-                f"Measured: radii have the shape {np.shape(self.radii)} and heights {np.shape(self.heights)}; give two "
+                f"Measured: there are {self.radii.size} radii and {self.heights.size} heights; give two "
                 "one-dimensional arrays of equal length."
-            )
-        for word, numbers in (("radii", self.radii), ("heights", self.heights)):
-            bad = np.flatnonzero(~np.isfinite(numbers))
-            if bad.size:
-                raise InvalidInput(
-                    f"Measured: {word}[{bad[0]}] is {numbers[bad[0]]}, one of {bad.size} values that are not finite; "
-                    "remove these points."
-                )
-        if np.any(self.radii < 0.0):
-            raise InvalidInput(
-                f"Measured: a radius is negative ({np.min(self.radii):.6g} m); give distances from the axis, or let "
-                "read_profile fold a scan across the apex."
             )
         _curve(self)
 

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from winkler.given import positive_fields
+from winkler.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.values import value
@@ -31,10 +31,7 @@ class Paraboloid(Shape):
     H. Hertz, J. reine angew. Math. 92 (1881) 156-171, doi:10.1515/crll.1882.92.156
     """
 
-    curvature_radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m")
+    curvature_radius: PositiveNotTiny
 
     @property
     def size(self) -> float:
@@ -87,11 +84,8 @@ class PowerLaw(Shape):
     L. A. Galin, Prikl. Mat. Mekh. 10 (1946) 425-448.
     """
 
-    coefficient: float
-    exponent: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, coefficient="m^(1-n)", exponent="")
+    coefficient: PositiveOfAnySize
+    exponent: Positive
 
     @property
     def rising(self) -> bool:

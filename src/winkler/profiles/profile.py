@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from typing import Protocol
 
+from winkler.contract import offered
 from winkler.errors import InvalidInput
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
@@ -27,6 +28,7 @@ __all__ = ["Profile", "Shape", "Sum"]
 Kinks = tuple[tuple[float, float], ...]
 
 
+@offered("a profile, such as Sphere or Cone")
 class Profile(Protocol):
     """The contract of a body of revolution, spoken to its implementer.
 
@@ -168,14 +170,10 @@ class Sum(Shape):
     parts: tuple[Profile, ...]
 
     def __post_init__(self) -> None:
-        flat: list[Profile] = []
-        for part in self.parts:
-            if not hasattr(part, "gap_integral"):
-                raise InvalidInput(f"Sum: {part!r} is no profile; add shapes such as Paraboloid(curvature_radius).")
-            flat.extend(part.parts if isinstance(part, Sum) else (part,))
-        if not flat:
+        if not self.parts:
             raise InvalidInput("Sum: no parts were given; give at least one profile.")
-        object.__setattr__(self, "parts", tuple(flat))
+        flat = [part.parts if isinstance(part, Sum) else (part,) for part in self.parts]
+        object.__setattr__(self, "parts", tuple(part for parts in flat for part in parts))
 
     @property
     def reach(self) -> float:

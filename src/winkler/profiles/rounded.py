@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.given import positive_fields
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term
@@ -49,11 +49,8 @@ class RoundedPunch(PowerPieces):
     M. Ciavarella, D. A. Hills, G. Monno, Proc. Inst. Mech. Eng. C 212 (1998) 319-327, doi:10.1243/0954406981521231
     """
 
-    flat_radius: float
-    edge_radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, flat_radius="m", edge_radius="m")
+    flat_radius: Positive
+    edge_radius: Positive
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -105,11 +102,8 @@ class TruncatedParaboloid(PowerPieces):
         b [m], positive.
     """
 
-    curvature_radius: float
-    flat_radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m", flat_radius="m")
+    curvature_radius: PositiveNotTiny
+    flat_radius: Positive
 
     @property
     def terms(self) -> tuple[Term, ...]:
@@ -131,12 +125,9 @@ class CappedParaboloid(PowerPieces):
         b [m], where the cap ends; the heights meet there, the slopes do not.
     """
 
-    curvature_radius: float
-    cap_curvature_radius: float
-    cap_radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m", cap_curvature_radius="m", cap_radius="m")
+    curvature_radius: PositiveNotTiny
+    cap_curvature_radius: Positive
+    cap_radius: Positive
 
     @property
     def terms(self) -> tuple[Term, ...]:

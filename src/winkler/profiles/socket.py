@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import positive_fields
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.sphere import shape_integral
@@ -49,11 +49,10 @@ class BallInSocket(Shape):
     (1.01, 0.01)
     """
 
-    curvature_radius: float
-    socket_radius: float
+    curvature_radius: PositiveNotTiny
+    socket_radius: Positive
 
     def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m", socket_radius="m")
         if self.socket_radius <= self.curvature_radius:
             raise InvalidInput(
                 f"BallInSocket: socket_radius {self.socket_radius:g} m is not greater than the curvature_radius "

@@ -10,9 +10,9 @@ import math
 
 import numpy as np
 
-from winkler.given import positive_fields
+from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
-from winkler.profiles.check import angle
+from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.profile import Shape
 from winkler.values import value
 
@@ -119,10 +119,7 @@ class Sphere(_Round):
     Paraboloid : the approximation behind Hertz' formulas; they meet for a << R.
     """
 
-    curvature_radius: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m")
+    curvature_radius: PositiveNotTiny
 
     @property
     def _axes(self) -> tuple[float, float]:
@@ -141,11 +138,8 @@ class Ellipsoid(_Round):
         B [m], along the axis; the radius of curvature at the apex is A^2 / B.
     """
 
-    radial_semi_axis: float
-    axial_semi_axis: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, radial_semi_axis="m", axial_semi_axis="m")
+    radial_semi_axis: Positive
+    axial_semi_axis: Positive
 
     @property
     def _axes(self) -> tuple[float, float]:
@@ -164,12 +158,8 @@ class Hyperboloid(Shape):
         Of the cone it approaches, measured from the axis [rad], between 0 and pi/2.
     """
 
-    curvature_radius: float
-    half_angle: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, curvature_radius="m")
-        angle(self, "half_angle")
+    curvature_radius: PositiveNotTiny
+    half_angle: HalfAngle
 
     @property
     def _scales(self) -> tuple[float, float]:

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from winkler.given import positive_fields
+from winkler.number_checks import Positive
 from winkler.numerics.panels.struve import struve
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
@@ -35,11 +35,8 @@ class Wavy(Shape):
     P. R. Guduru, J. Mech. Phys. Solids 55 (2007) 445-472, doi:10.1016/j.jmps.2006.09.007
     """
 
-    amplitude: float
-    wavelength: float
-
-    def __post_init__(self) -> None:
-        positive_fields(self, amplitude="m", wavelength="m")
+    amplitude: Positive
+    wavelength: Positive
 
     @property
     def _number(self) -> float:

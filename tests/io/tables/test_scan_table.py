@@ -34,9 +34,9 @@ def test_a_scan_is_taken_where_a_spectrum_is_wanted(tmp_path):
 
 
 def test_what_is_no_scan(tmp_path):
-    with pytest.raises(InvalidInput, match=r"few.csv: LineScan: there are \(10,\) places"):
+    with pytest.raises(InvalidInput, match=r"few.csv: LineScan: position has 10 numbers; give a row of at least 64"):
         read_scan(written(tmp_path / "few.csv", "x [um], z [nm]\n", list(zip(X, Z, strict=True))[:10]))
-    with pytest.raises(InvalidInput, match=r"back.csv: LineScan: places must rise"):
+    with pytest.raises(InvalidInput, match=r"back.csv: LineScan: position does not rise"):
         read_scan(written(tmp_path / "back.csv", "x [um], z [nm]\n", list(zip(X[::-1], Z, strict=True))))
     with pytest.raises(InvalidInput, match="numbers begin in line 1 without a header"):
         read_scan(written(tmp_path / "bare.csv", ""))

@@ -68,9 +68,9 @@ def test_what_a_density_is_counted_per(file):
             "q [1/um], psd [um^4]",
             Q,
             C - 1.0,
-            "psd.csv: PowerSpectrum: densities must be a row of at least two positive",
+            "psd.csv: PowerSpectrum: densities is 0.0 at index ",
         ),
-        ("q [1/um], psd [um^4]", np.ones(4), C, "psd.csv: PowerSpectrum: the wave numbers do not rise"),
+        ("q [1/um], psd [um^4]", np.ones(4), C, "psd.csv: PowerSpectrum: wave_numbers does not rise"),
     ],
 )
 def test_refusals(file, header, first, second, sentence):

@@ -145,8 +145,8 @@ SIX = np.arange(1.0, 7.0)
 @pytest.mark.parametrize(
     ("make", "sentence"),
     [
-        (lambda: wk.CoatedHalfSpace(ONE, on=Rigid()), "layers must be a list of at least one Layer"),
-        (lambda: wk.CoatedHalfSpace([ONE, None], on=Rigid()), r"layers\[1\] is a NoneType; give Layer"),
+        (lambda: wk.CoatedHalfSpace(ONE, on=Rigid()), "give a list of Layer"),
+        (lambda: wk.CoatedHalfSpace([ONE, None], on=Rigid()), r"layers\[1\] is a NoneType; give a list of Layer"),
         (lambda: wk.CoatedHalfSpace([ONE], on=None), "on is a NoneType; give Elastic"),
         (lambda: wk.CoatedHalfSpace([ONE], on=wk.PowerLawGraded(1.0, 1.0, 0.2, 0.3)), "on is a PowerLawGraded"),
         (lambda: Layer(wk.PowerLawGraded(1.0, 1.0, 0.2, 0.3), 1.0), "solid is a PowerLawGraded; give Elastic"),
@@ -155,20 +155,35 @@ SIX = np.arange(1.0, 7.0)
         (lambda: Layer(Elastic(1.0, 0.3), None), "thickness is None; it must be a positive, finite number in m"),
         (lambda: Layer(Elastic(1.0, 0.3), 0.0), "leave a layer without thickness out"),
         (lambda: Layer(Elastic(1.0, 0.6), 1.0), "poisson is 0.6"),
-        (lambda: wk.TabulatedGrading([0.0, 1.0, 1.0], SIX[:3], [0.3] * 3), "begin with 0 and ascend; sort the table"),
+        (
+            lambda: wk.TabulatedGrading([0.0, 1.0, 1.0], SIX[:3], [0.3] * 3),
+            "depths does not rise from index 1 .*: begin with 0, sort the table",
+        ),
         (lambda: wk.TabulatedGrading([0.1, 1.0], [1.0, 2.0], [0.3] * 2), "begin with 0"),
-        (lambda: wk.TabulatedGrading([0.0, math.inf], [1.0, 2.0], [0.3] * 2), "begin with 0 and ascend"),
-        (lambda: wk.TabulatedGrading([0.0, 1.0], [1.0, math.nan], [0.3] * 2), "youngs must be positive and finite"),
-        (lambda: wk.TabulatedGrading([0.0, 1.0], [1.0, 2.0], [0.3, math.nan]), "poissons must be above -1"),
-        (lambda: wk.TabulatedGrading([0.0], [1.0], [0.3]), "three arrays of one length, at least two"),
-        (lambda: wk.TabulatedGrading([[0.0, 1.0]], [[1.0, 2.0]], [[0.3, 0.3]]), "three arrays of one length"),
+        (
+            lambda: wk.TabulatedGrading([0.0, math.inf], [1.0, 2.0], [0.3] * 2),
+            "depths is inf at index 1; .*: begin with 0",
+        ),
+        (
+            lambda: wk.TabulatedGrading([0.0, 1.0], [1.0, math.nan], [0.3] * 2),
+            "youngs is .*; give a row of at least 2 positive, finite numbers in Pa",
+        ),
+        (
+            lambda: wk.TabulatedGrading([0.0, 1.0], [1.0, 2.0], [0.3, math.nan]),
+            "poissons is .*; give a row of at least 2 numbers above -1 and at most 0.5",
+        ),
+        (lambda: wk.TabulatedGrading([0.0], [1.0], [0.3]), "depths has 1 number; give a row of at least 2"),
+        (
+            lambda: wk.TabulatedGrading([[0.0, 1.0]], [[1.0, 2.0]], [[0.3, 0.3]]),
+            r"depths has the shape \(1, 2\); give a row",
+        ),
         (lambda: wk.ExponentialGrading(1.0, 2.0, 0.0, 0.3), "depth_scale is 0.0; it must be a positive"),
         (lambda: wk.ExponentialGrading(1.0, True, 1.0, 0.3), "deep_young is True"),
         (lambda: wk.SigmoidalGrading(1.0, 2.0, 1.0, -1.0, 0.3), "transition_width is -1.0"),
-        (lambda: wk.DepthGradedHalfSpace(None), "grading is a NoneType; give ExponentialGrading"),
+        (lambda: wk.DepthGradedHalfSpace(None), "grading is a NoneType; give a grading: ExponentialGrading"),
         (lambda: wk.DepthGradedHalfSpace(wk.ExponentialGrading(1.0, 2.0, 1.0, 0.3), tolerance=math.nan), "tolerance"),
         (lambda: wk.MeasuredBed(SIX, SIX[::-1], SIX), "stiffnesses does not rise from index 0"),
-        (lambda: wk.MeasuredBed(SIX, SIX, SIX[:5]), "three one-dimensional arrays of equal length"),
+        (lambda: wk.MeasuredBed(SIX, SIX, SIX[:5]), "depths has 5 numbers; give a row of at least 6"),
     ],
 )
 def test_bad_input_is_answered_in_one_sentence(make, sentence):

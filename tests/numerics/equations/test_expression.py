@@ -281,7 +281,7 @@ def test_what_is_refused_and_how(text, sentence):
 def test_too_long_and_no_text():
     with pytest.raises(InvalidInput, match="a formula of 1201 characters is too long; at most 1000 are allowed"):
         Expression(LONG)
-    with pytest.raises(InvalidInput, match=r"a formula is a text, as 'r\*\*2/\(2\*R\)', not 3"):
+    with pytest.raises(InvalidInput, match=r"text is 3; give a text: a formula such as 'r\*\*2/\(2\*R\)\'"):
         Expression(3)
 
 

@@ -258,7 +258,7 @@ def test_refusals():
     law = Coulomb(0.3)
     with pytest.raises(wk.InvalidInput, match="positive coefficient"):
         wk.BimodalDamping(BALL, Coulomb(0.0), DEPTH, DOWN, ASIDE)
-    with pytest.raises(wk.InvalidInput, match="one finite number"):
+    with pytest.raises(wk.InvalidInput, match="give a finite number"):
         wk.BimodalDamping(BALL, law, math.nan, DOWN, ASIDE)
     with pytest.raises(wk.InvalidInput, match="phase is"):
         wk.BimodalDamping(BALL, law, DEPTH, DOWN, ASIDE, math.inf)

@@ -305,5 +305,5 @@ def test_bad_input():
         SpringMarch(BALL, Coulomb(MU), Path([0.0], wk.Depth(1.0), wk.Angle(0.1)))
     with pytest.raises(wk.InvalidInput, match="the law is a float; give Coulomb"):
         SpringMarch(BALL, 0.3, still([0.0, 0.1]))
-    with pytest.raises(wk.InvalidInput, match="count is 1; give 2 springs or more"):
+    with pytest.raises(wk.InvalidInput, match="count is 1; give a whole number of springs, at least 2"):
         SpringMarch(BALL, Coulomb(MU), still([0.0, 0.1]), 1)

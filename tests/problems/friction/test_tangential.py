@@ -333,7 +333,7 @@ def test_input_is_checked():
     path = through(wk.Depth(0.3), wk.Shift(0.05))
     with pytest.raises(wk.InvalidInput, match="law is a float; give Coulomb"):
         wk.Tangential(BALL, 0.3, path)
-    with pytest.raises(wk.InvalidInput, match=r"give Path\(time, normal, lateral\)"):
+    with pytest.raises(wk.InvalidInput, match=r"give Path\(time, normal\)"):
         wk.Tangential(BALL, wk.Coulomb(0.3), wk.Depth(1.0))
     with pytest.raises(wk.InvalidInput, match="Angle; give Shift or ShearForce, or"):
         wk.Tangential(BALL, wk.Coulomb(0.3), through(wk.Depth(0.3), wk.Angle(0.1)))

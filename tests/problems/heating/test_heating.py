@@ -269,7 +269,7 @@ def test_sliding_too_fast_for_a_body_at_rest_is_told():
     [
         ({"time": [0.0, 1.0]}, "positive, finite numbers in s"),
         ({"time": "soon"}, "positive, finite numbers in s"),
-        ({"speed": -1.0}, "zero or a positive number"),
+        ({"speed": -1.0}, "zero or a positive, finite number"),
         ({"load": wk.Force([1.0, 2.0])}, "sweep over several"),
     ],
 )

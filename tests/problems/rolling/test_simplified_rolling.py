@@ -333,7 +333,7 @@ class TestRefused:
             ({"count": 3}, "whole number of strips"),
             ({"count": 8.5}, "whole number of strips"),
             ({"friction": Coulomb(0.0)}, "positive, finite coefficient"),
-            ({"footprint": 0.01}, "ContactEllipse or CurvedBodies"),
+            ({"footprint": 0.01}, "ContactEllipse\\(.*\\) or CurvedBodies"),
             ({"creepage": 1e-3}, "Creepage"),
         ],
     )
@@ -343,7 +343,7 @@ class TestRefused:
 
     def test_media(self):
         wood = TransverselyIsotropicHalfSpace(TransverselyIsotropic(150e9, 60e9, 50e9, 120e9, 40e9))
-        with pytest.raises(InvalidInput, match="give a HalfSpace"):
+        with pytest.raises(InvalidInput, match="give HalfSpace"):
             dataclasses.replace(rolling(Creepage(1e-3)), medium=wood)
 
     @pytest.mark.parametrize("axis", [0.0, -1.0, math.inf, math.nan, "wide"])

@@ -115,8 +115,8 @@ def test_it_is_labelled():
 
 
 def test_wrong_questions_are_refused():
-    with pytest.raises(InvalidInput, match="solid is a Elastic; give a viscoelastic one"):
+    with pytest.raises(InvalidInput, match="solid is a Elastic; give a viscoelastic solid"):
         ElastomerFriction(ROUGH, Elastic(1.0, 0.3), 1.0)
     for velocity in (0.0, -1.0, np.nan, "fast"):
-        with pytest.raises(InvalidInput, match="give positive, finite numbers in m/s"):
+        with pytest.raises(InvalidInput, match="give a number or an array of positive, finite numbers in m/s"):
             ElastomerFriction(ROUGH, RUBBER, velocity)

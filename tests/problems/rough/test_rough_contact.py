@@ -153,7 +153,7 @@ def test_a_row_of_the_table():
         ({"count": 4.5}, "count is 4.5"),
         ({"seed": -1}, "seed is -1"),
         ({"medium": "steel"}, "medium is a str"),
-        ({"spectrum": "rough"}, "spectrum is a str; give SelfAffine"),
+        ({"spectrum": "rough"}, "spectrum is a str; give a spectrum: SelfAffine"),
     ],
 )
 def test_wrong_questions_are_refused(numbers, sentence):

@@ -111,7 +111,7 @@ def test_wrong_questions_are_refused():
         RoughIndentation(FINE, BALL, 0.1, Force(0.1)).solve()
     with pytest.raises(OutsideValidity, match="reaches 0.05 m, beyond which nothing is known"):
         RoughIndentation(FINE, Foundation(Sphere(0.05), ONE), 1.0, Depth(1.0), realisations=1).solve()
-    with pytest.raises(InvalidInput, match="homogeneous half-spaces alone"):
+    with pytest.raises(InvalidInput, match="the bed is a str; give a bed, such as Foundation"):
         RoughIndentation(FINE, "ball", 1.0, Force(1.0))
     with pytest.raises(InvalidInput, match="length is 0"):
         RoughIndentation(FINE, BALL, 0, Force(1.0))

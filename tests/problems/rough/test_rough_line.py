@@ -76,8 +76,8 @@ def test_many_lines_tell_median_and_band():
 @pytest.mark.parametrize(
     ("numbers", "sentence"),
     [
-        ({"heights": [1.0]}, "row of at least two"),
-        ({"heights": [[1.0, 2.0]]}, "row of at least two"),
+        ({"heights": [1.0]}, "row of at least 2"),
+        ({"heights": [[1.0, 2.0]]}, "row of at least 2"),
         ({"heights": [1.0, np.nan]}, "finite"),
         ({"length": -1.0}, "length is -1.0"),
         ({"modulus": True}, "modulus is True"),

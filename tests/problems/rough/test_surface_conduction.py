@@ -110,7 +110,7 @@ def test_a_random_surface_is_a_value_and_a_map():
         ({"shape": (10**6, 10**6)}, "shape is .* at most 8192"),
         ({"shape": (2, 2)}, "RandomTopography: shape is"),
         ({"shape": (4.0, 4.0)}, "RandomTopography: shape is"),
-        ({"lengths": [1e-3, -1e-3]}, "RandomTopography: lengths are"),
+        ({"lengths": [1e-3, -1e-3]}, "RandomTopography: lengths is"),
         ({"seed": -1}, "RandomTopography: seed is -1"),
         ({"lengths": [1e-6, 1e-6]}, "RandomTopography: no wave"),
     ],

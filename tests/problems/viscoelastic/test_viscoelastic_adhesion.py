@@ -215,7 +215,7 @@ def test_the_law():
         ({"bed": wk.Foundation(wk.Paraboloid(R), ViscoelasticHalfSpace(Maxwell(1e6, 1.0)))}, "flows for ever"),
         ({"law": wk.ShortRange(W)}, "AdhesiveCycle"),
         ({"path": Path([0.0, 1.0], Force([1e-3, -1e-3]))}, "Force is prescribed"),
-        ({"path": Depth([0.0, 1.0])}, "Depth is prescribed"),
+        ({"path": Depth([0.0, 1.0])}, "path is a Depth; give Path"),
         ({"path": Path([0.0, 1.0], Depth([0.0, 1e-6]), Shift([0.0, 1e-6]))}, "lateral"),
         ({"machine_stiffness": 0.0}, "machine_stiffness"),
     ],

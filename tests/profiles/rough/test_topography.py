@@ -278,10 +278,10 @@ def test_blocks_that_are_not_whole_are_left_out():
         ((np.zeros((3, 3)), [1.0, 0.0]), "two positive lengths in m"),
         ((np.zeros((3, 3)), [1.0, np.nan]), "two positive lengths in m"),
         ((np.zeros((3, 3)), [1.0]), "two positive lengths in m"),
-        ((np.zeros((3, 3)), ["1 mm", "1 mm"]), "must be numbers in m"),
+        ((np.zeros((3, 3)), ["1 mm", "1 mm"]), "two positive lengths in m"),
         ((np.full((3, 3), np.nan), [1.0, 1.0]), "all missing"),
         ((np.full((3, 3), np.inf), [1.0, 1.0]), "infinite"),
-        (("heights", [1.0, 1.0]), "must be numbers in m"),
+        (("heights", [1.0, 1.0]), "give a number or an array of numbers"),
         (([[1.0, 2.0], [3.0]], [1.0, 1.0]), "must be numbers in m"),
     ],
 )

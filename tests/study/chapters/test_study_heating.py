@@ -74,7 +74,7 @@ def test_fretting_answers_with_numbers_of_one_cycle():
         ('diffusivity = "12 mm^2/s"', 'diffusivity = "12 m/s"', "diffusivity"),
         ('"equal_mean"', '"equal_means"', "equal_mean"),
         ('{ kind = "equal_mean" }', '{ kind = "fixed_share", first_share = 2.0 }', "from 0 to 1"),
-        ("coefficient = 0.3", "coefficient = -0.3", "friction coefficient"),
+        ("coefficient = 0.3", "coefficient = -0.3", "law.coefficient is -0.3"),
     ],
 )
 def test_what_a_study_is_told(old, new, told):

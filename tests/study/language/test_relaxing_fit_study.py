@@ -45,7 +45,7 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
         assert abs(result.fit.value(name) - truth) < 4.0 * result.fit.error(name), path
     assert not result.fit.flags
     direct = fit(
-        read_curve(studies.parent / "data" / "cell_loop.csv"),
+        read_curve(studies.parents[1] / "data" / "cell_loop.csv"),
         study.problem,
         free={free.path: free.asked for free in study.free},
     )

@@ -14,12 +14,14 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import found_directions
 from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
+from winkler.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
 from winkler.numerics.types import Array
 from winkler.values import value
 
@@ -30,6 +32,14 @@ FEWEST = 2
 
 def _nothing() -> Array:
     return np.zeros(0)
+
+
+LEAVE_OUT = Advice("give the points as they were taken, and leave out those without numbers")
+
+
+HELD = POSITIVE_OR_INFINITE._replace(
+    demand="it must be positive{unit}, or infinite where the position already is the travel of the tip"
+)
 
 
 @value
@@ -67,18 +77,16 @@ class ForceCurve:
     5e-10
     """
 
-    position: Array
-    force: Array
-    machine_stiffness: float = math.inf
-    time: Array = dataclasses.field(default_factory=_nothing)
-    direction: Array = dataclasses.field(default_factory=_nothing)
+    position: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
+    force: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
+    machine_stiffness: Annotated[float, HELD] = math.inf
+    time: Annotated[Array, Numbers(fewest=0, order="never falling"), LEAVE_OUT] = dataclasses.field(
+        default_factory=_nothing
+    )
+    direction: Annotated[Array, Numbers(fewest=0), LEAVE_OUT] = dataclasses.field(default_factory=_nothing)
     name: str = ""
 
     def __post_init__(self) -> None:
-        for word, unit in (("position", "m"), ("force", "N"), ("time", "s"), ("direction", "+1, 0 or -1")):
-            object.__setattr__(self, word, _column(word, unit, getattr(self, word)))
-        if self.position.size < FEWEST:
-            raise InvalidInput(f"ForceCurve: there are {self.position.size} points; give at least {FEWEST}.")
         if not self.direction.size:
             object.__setattr__(self, "direction", _directions(self.position, self.force))
         for word in ("force", "time", "direction"):
@@ -89,16 +97,7 @@ class ForceCurve:
                 )
         if not np.all(np.isin(self.direction, (-1.0, 0.0, 1.0))):
             raise InvalidInput("ForceCurve: direction holds other numbers than +1 (in), 0 (held) and -1 (out).")
-        if np.any(np.diff(self.time) < 0.0):
-            index = int(np.argmax(np.diff(self.time) < 0.0)) + 1
-            raise InvalidInput(f"ForceCurve: time runs backwards at index {index}; give the points as they were taken.")
-        stiffness = self.machine_stiffness
-        if isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness > 0.0:
-            raise InvalidInput(
-                f"ForceCurve: machine_stiffness is {stiffness!r}; it must be positive, in N/m, or infinite where the "
-                "position already is the travel of the tip."
-            )
-        object.__setattr__(self, "machine_stiffness", float(stiffness))
+        object.__setattr__(self, "machine_stiffness", float(self.machine_stiffness))
 
     @property
     def count(self) -> int:
@@ -197,24 +196,6 @@ class ForceCurve:
                 f"{int(np.sum(self.direction == 0))} held and {int(np.sum(self.direction < 0))} coming out."
             )
         return self.chosen(which)
-
-
-def _column(word: str, unit: str, given: object) -> Array:
-    try:
-        column = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"ForceCurve: {word} is no list of numbers; give numbers in {unit}.") from None
-    if column.ndim != 1:
-        raise InvalidInput(f"ForceCurve: {word} has the shape {column.shape}; give one list of numbers in {unit}.")
-    bad = np.flatnonzero(~np.isfinite(column))
-    if bad.size:
-        raise InvalidInput(
-            f"ForceCurve: {word} is {column[bad[0]]} at index {bad[0]}{f' and {bad.size - 1} more' * (bad.size > 1)}; "
-            "leave such points out."
-        )
-    column = np.array(column)
-    column.flags.writeable = False
-    return column
 
 
 def _directions(position: Array, force: Array) -> Array:

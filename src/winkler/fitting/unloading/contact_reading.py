@@ -15,6 +15,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.number_checks import NonNegative, PositiveOrInfinite
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
@@ -68,8 +69,8 @@ class CalibratedArea:
     """
 
     coefficients: tuple[float, ...]
-    shallowest: float = 0.0
-    deepest: float = math.inf
+    shallowest: NonNegative = 0.0
+    deepest: PositiveOrInfinite = math.inf
 
     def __post_init__(self) -> None:
         try:

@@ -32,6 +32,7 @@ from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.unloading.contact_reading import Tip, contact_reading, intercept_factor
 from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
+from winkler.number_checks import Finite, Fraction, Positive
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -71,10 +72,10 @@ class OliverPharr:
 
     curve: ForceCurve
     profile: Tip
-    contact_point: float = 0.0
-    upper: float = 0.98
-    lower: float = 0.4
-    shape_factor: float = 1.0
+    contact_point: Finite = 0.0
+    upper: Fraction = 0.98
+    lower: Fraction = 0.4
+    shape_factor: Positive = 1.0
 
     assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.CURVE, Assumption.SHAPE, Assumption.RESPONSE))
 
@@ -84,8 +85,6 @@ class OliverPharr:
                 f"OliverPharr: the limits of the fitted part are {self.upper!r} and {self.lower!r}; "
                 "give 1 >= upper > lower >= 0, parts of the greatest force."
             )
-        if not 0.0 < self.shape_factor < math.inf:
-            raise InvalidInput(f"OliverPharr: shape_factor is {self.shape_factor!r}; it must be positive.")
 
     def solve(self) -> OliverPharrSolution:
         """Return stiffness, depth, area, modulus and hardness, with their standard errors.

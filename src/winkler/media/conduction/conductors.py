@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from winkler.errors import InvalidInput
+from typing import Annotated
+
+from winkler.field_checks import Such
 from winkler.laws.film import SurfaceFilm, ThermalInterface
-from winkler.materials.conducting_body import ConductingBody, Plated, Rod, surface_of
+from winkler.materials.conducting_body import ConductingBody, surface_of
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
 from winkler.media.conduction.disc_resistance import Resistances, conduction_notes, disc_resistances
 from winkler.numerics.types import Array
@@ -15,6 +17,15 @@ __all__ = ["ElectricalConductors", "HeatConductors"]
 
 CLEAN = SurfaceFilm()
 PERFECT = ThermalInterface()
+
+
+OF_CURRENT = Such(
+    lambda body: isinstance(surface_of(body), ElectricalConductor),
+    "give ElectricalConductor, or Plated or Rod made of it",
+)
+OF_HEAT = Such(
+    lambda body: isinstance(surface_of(body), ThermalConductor), "give ThermalConductor, or Plated or Rod made of it"
+)
 
 
 @value
@@ -36,12 +47,9 @@ class ElectricalConductors:
         If a body does not conduct current.
     """
 
-    first: ConductingBody
-    second: ConductingBody
+    first: Annotated[ConductingBody, OF_CURRENT]
+    second: Annotated[ConductingBody, OF_CURRENT]
     film: SurfaceFilm = CLEAN
-
-    def __post_init__(self) -> None:
-        _check("ElectricalConductors", ElectricalConductor, self.first, self.second)
 
     def resistances(self, radius: Array) -> Resistances:
         """Return what stands in the way of a current [ohm] through discs of the given radii `(m,)` [m]."""
@@ -72,12 +80,9 @@ class HeatConductors:
         If a body is given as a conductor of current.
     """
 
-    first: ConductingBody
-    second: ConductingBody
+    first: Annotated[ConductingBody, OF_HEAT]
+    second: Annotated[ConductingBody, OF_HEAT]
     interface: ThermalInterface = PERFECT
-
-    def __post_init__(self) -> None:
-        _check("HeatConductors", ThermalConductor, self.first, self.second)
 
     def resistances(self, radius: Array) -> Resistances:
         """Return what stands in the way of heat [K/W] through discs of the given radii `(m,)` [m]."""
@@ -87,13 +92,3 @@ class HeatConductors:
     def notes(self) -> tuple[Note, ...]:
         """What is assumed of the bodies and the interface."""
         return conduction_notes(self.first, self.second, self.interface.area_resistance)
-
-
-def _check(owner: str, wanted: type, first: ConductingBody, second: ConductingBody) -> None:
-    for word, body in (("first", first), ("second", second)):
-        known = isinstance(body, ElectricalConductor | ThermalConductor | Plated | Rod)
-        if not known or not isinstance(surface_of(body), wanted):
-            made = type(surface_of(body)).__name__ if known else type(body).__name__
-            raise InvalidInput(
-                f"{owner}: {word} is made of {made}; give {wanted.__name__}, or Plated or Rod made of it."
-            )

@@ -73,12 +73,6 @@ class GradedHalfSpace:
     second: Body = RIGID
 
     def __post_init__(self) -> None:
-        for word, body in (("first", self.first), ("second", self.second)):
-            if not isinstance(body, PowerLawGraded | Rigid):
-                raise InvalidInput(
-                    f"GradedHalfSpace: {word} is a {type(body).__name__}; give PowerLawGraded(young, depth_scale, "
-                    "exponent, poisson) or Rigid()."
-                )
         if not self._graded:
             raise InvalidInput("GradedHalfSpace: both bodies are rigid; at least one must be a PowerLawGraded.")
         if len({body.exponent for body in self._graded}) > 1:

@@ -189,21 +189,11 @@ class CoatedHalfSpace(LayeredMedium):
     second: Solid = RIGID
 
     def __post_init__(self) -> None:
-        if not isinstance(self.layers, tuple) or not self.layers:
+        if not self.layers:
             raise InvalidInput(
                 "CoatedHalfSpace: layers must be a list of at least one Layer(solid, thickness); for a body without "
                 "layers give HalfSpace."
             )
-        for index, layer in enumerate(self.layers):
-            if not isinstance(layer, Layer):
-                raise InvalidInput(
-                    f"CoatedHalfSpace: layers[{index}] is a {type(layer).__name__}; give Layer(solid, thickness)."
-                )
-        for word, body in (("on", self.on), ("second", self.second)):
-            if not isinstance(body, Elastic | Rigid):
-                raise InvalidInput(
-                    f"CoatedHalfSpace: {word} is a {type(body).__name__}; give Elastic(young, poisson) or Rigid()."
-                )
 
     @property
     def response(self) -> NormalResponse:

@@ -10,15 +10,16 @@ narrow contacts feel the very top alone.
 from __future__ import annotations
 
 import functools
+from typing import Annotated
 
-from winkler.errors import InvalidInput
 from winkler.materials.depth_grading import DepthGrading
-from winkler.materials.elastic import Elastic, Rigid, Solid
+from winkler.materials.elastic import Rigid, Solid
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import Carried
 from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
 from winkler.media.punch_field import BodyField
+from winkler.number_checks import between
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -60,25 +61,7 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     grading: DepthGrading
     second: Solid = RIGID
-    tolerance: float = 1e-6
-
-    def __post_init__(self) -> None:
-        for word in ("young_at", "poisson_at", "settled_at"):
-            if not callable(getattr(self.grading, word, None)):
-                raise InvalidInput(
-                    f"DepthGradedHalfSpace: grading is a {type(self.grading).__name__}; give ExponentialGrading, "
-                    "SigmoidalGrading or TabulatedGrading."
-                )
-        if not isinstance(self.second, Elastic | Rigid):
-            raise InvalidInput(
-                f"DepthGradedHalfSpace: second is a {type(self.second).__name__}; give Elastic(young, poisson) or "
-                "Rigid()."
-            )
-        number = self.tolerance
-        if isinstance(number, bool) or not isinstance(number, int | float) or not TIGHTEST <= number <= LOOSEST:
-            raise InvalidInput(
-                f"DepthGradedHalfSpace: tolerance is {number!r}; give a number between {TIGHTEST:g} and {LOOSEST:g}."
-            )
+    tolerance: Annotated[float, between(TIGHTEST, LOOSEST)] = 1e-6
 
     @functools.cached_property
     def response(self) -> NormalDepthResponse:

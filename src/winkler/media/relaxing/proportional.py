@@ -11,11 +11,10 @@ otherwise, is none: the ratio of the moduli, and with it g, would change in time
 
 from __future__ import annotations
 
-import math
+from typing import Annotated
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
@@ -25,6 +24,7 @@ from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
+from winkler.number_checks import Advice, Positive
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -78,25 +78,7 @@ class RelaxingInProportion(RelaxingMedium):
 
     medium: ElasticMedium
     solid: ViscoelasticSolid
-    shear: float
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.medium, ElasticMedium):
-            raise InvalidInput(
-                f"RelaxingInProportion: medium is a {type(self.medium).__name__}; give an elastic one: "
-                "GradedHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace, TransverselyIsotropicHalfSpace or HalfSpace."
-            )
-        if not isinstance(self.solid, ViscoelasticSolid):
-            raise InvalidInput(
-                f"RelaxingInProportion: solid is a {type(self.solid).__name__}; give a viscoelastic one, such as "
-                "StandardSolid(...) or Prony(...)."
-            )
-        shear = self.shear
-        if isinstance(shear, bool) or not isinstance(shear, int | float) or not 0.0 < shear < math.inf:
-            raise InvalidInput(
-                f"RelaxingInProportion: shear is {shear!r}; give the shear modulus of the solid to which the moduli of "
-                "the medium belong, a positive number in Pa."
-            )
+    shear: Annotated[Positive, Advice("the shear modulus of the solid to which the moduli of the medium belong")]
 
     @property
     def elastic(self) -> ElasticMedium:

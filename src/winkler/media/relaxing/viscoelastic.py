@@ -70,12 +70,6 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     second: ViscoelasticSolid | Elastic | Rigid = RIGID
 
     def __post_init__(self) -> None:
-        for word, body in (("first", self.first), ("second", self.second)):
-            if not isinstance(body, ViscoelasticSolid | Elastic | Rigid):
-                raise InvalidInput(
-                    f"ViscoelasticHalfSpace: {word} is a {type(body).__name__}; give a viscoelastic solid such as "
-                    "Prony(...), Elastic(young, poisson) or Rigid()."
-                )
         if not any(isinstance(body, ViscoelasticSolid) for body in (self.first, self.second)):
             raise InvalidInput(
                 "ViscoelasticHalfSpace: neither of the bodies is viscoelastic; give Maxwell, Prony or another one, or "

@@ -16,11 +16,12 @@ import functools
 import keyword
 import math
 import re
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
+from winkler.number_checks import Advice
 from winkler.numerics.equations.taylor import (
     FUNCTIONS,
     OPERATORS,
@@ -176,13 +177,11 @@ class Expression:
     (9.0, 6.0, 2.0)
     """
 
-    text: str
+    text: Annotated[str, Advice("a formula such as 'r**2/(2*R)'")]
     variable: str = "r"
     constants: tuple[tuple[str, float], ...] = ()
 
     def __post_init__(self) -> None:
-        if not isinstance(self.text, str):
-            raise InvalidInput(f"a formula is a text, as 'r**2/(2*R)', not {self.text!r}.")
         if len(self.text) > LONGEST:
             raise InvalidInput(f"a formula of {len(self.text)} characters is too long; at most {LONGEST} are allowed.")
         for name, number in self.constants:

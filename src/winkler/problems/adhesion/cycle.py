@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.loading import Depth, Force
+from winkler.number_checks import POSITIVE_OR_INFINITE
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState
@@ -37,6 +38,11 @@ __all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
 
 ROUNDING = 1e-10
 """Part of the energies that meet in a jump by which their difference may come out negative."""
+
+
+HELD = POSITIVE_OR_INFINITE._replace(
+    demand="it must be positive{unit}, infinite for fixed grips; for a dead load give the path as Force([...])"
+)
 
 
 @value
@@ -85,37 +91,22 @@ class AdhesiveCycle:
     bed: Bed
     law: AdhesionLaw
     path: Depth | Force
-    machine_stiffness: float = math.inf
+    machine_stiffness: Annotated[float, HELD] = math.inf
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
-        if not isinstance(self.law, AdhesionLaw):
-            raise InvalidInput(
-                f"AdhesiveCycle: the law is a {type(self.law).__name__}; give ShortRange(work) or "
-                "ShortRange(work_closing=..., work_opening=...), Dugdale(work, strength), DerjaguinMullerToporov(work)."
-            )
-        if not isinstance(self.path, Depth | Force):
-            raise InvalidInput(
-                f"AdhesiveCycle: the path is a {type(self.path).__name__}; give Depth([...]) or Force([...])."
-            )
         if self._levels.ndim != 1:
             raise InvalidInput(
                 f"AdhesiveCycle: the path has the shape {self._levels.shape}; give its points one after the other in "
                 "one row."
             )
-        stiffness = self.machine_stiffness
-        if isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness > 0.0:
+        if isinstance(self.path, Force) and math.isfinite(self.machine_stiffness):
             raise InvalidInput(
-                f"AdhesiveCycle: machine_stiffness is {stiffness!r}; it must be positive, in N/m, infinite for fixed "
-                "grips; for a dead load give the path as Force([...])."
-            )
-        if isinstance(self.path, Force) and math.isfinite(stiffness):
-            raise InvalidInput(
-                f"AdhesiveCycle: under prescribed forces the machine's stiffness ({stiffness:g} N/m) plays no part; "
-                "leave it out, or prescribe positions as Depth([...])."
+                f"AdhesiveCycle: under prescribed forces the machine's stiffness ({self.machine_stiffness:g} N/m) "
+                "plays no part; leave it out, or prescribe positions as Depth([...])."
             )
 
     @property

@@ -8,18 +8,19 @@ at the position of the machine, to the next radius that is stable there, or the 
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
+from winkler.number_checks import Advice, Positive, Whole
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under, position
 from winkler.problems.adhesion.law_states import states_of
-from winkler.problems.adhesion.pull_off import checked_machine
+from winkler.problems.adhesion.pull_off import MachineStiffness
 from winkler.problems.adhesion.stability import Branch, branches
 from winkler.problems.adhesion.validity import adhesive_notes
 from winkler.problems.assumptions.declared import ADHESIVE
@@ -72,22 +73,15 @@ class Equilibrium:
 
     bed: Bed
     law: AdhesionLaw
-    reach: float
-    machine_stiffness: float = math.inf
-    count: int = 1000
+    reach: Annotated[Positive, Advice("the greatest contact radius")]
+    machine_stiffness: MachineStiffness = math.inf
+    count: Annotated[int, Whole(FEWEST, MOST)] = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971", "guduru_2007")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
-        checked_machine("Equilibrium", self.machine_stiffness)
-        if isinstance(self.reach, bool) or not isinstance(self.reach, int | float) or not 0.0 < self.reach < math.inf:
-            raise InvalidInput(
-                f"Equilibrium: reach is {self.reach!r}; give the greatest contact radius as a positive number in m."
-            )
-        if isinstance(self.count, bool) or not isinstance(self.count, int) or not FEWEST <= self.count <= MOST:
-            raise InvalidInput(f"Equilibrium: count is {self.count!r}; give a whole number from {FEWEST} to {MOST}.")
         end = end_of(self.bed)
         if self.reach > end:
             raise OutsideValidity(

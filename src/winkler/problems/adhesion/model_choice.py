@@ -17,9 +17,9 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.given import positive
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.loading import Force
+from winkler.number_checks import POSITIVE, checked
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff
@@ -40,7 +40,7 @@ UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": 
 
 def _positive(owner: str, **given: float) -> None:
     for word, number in given.items():
-        positive(owner, word, number, UNITS[word])
+        checked(POSITIVE, owner, word, number, UNITS[word])
 
 
 def tabor_parameter(*, curvature_radius: float, modulus: float, work: float, distance: float) -> float:

@@ -6,13 +6,13 @@ stable states; a dead load is :math:`k_m = 0`, fixed grips are :math:`k_m\to\inf
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
+from winkler.number_checks import Number
 from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position
 from winkler.problems.adhesion.law_states import states_of
@@ -21,17 +21,13 @@ from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
-__all__ = ["PullOff", "PullOffSolution", "checked_machine"]
+__all__ = ["MachineStiffness", "PullOff", "PullOffSolution"]
 
 
-def checked_machine(owner: str, stiffness: float) -> None:
-    """Refuse a machine stiffness that is negative or no number."""
-    wrong = isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness >= 0.0
-    if wrong:
-        raise InvalidInput(
-            f"{owner}: machine_stiffness is {stiffness!r}; give 0 for a dead load, inf for fixed grips, or a positive "
-            "number in N/m."
-        )
+MachineStiffness: TypeAlias = Annotated[
+    float, Number("give 0 for a dead load, inf for fixed grips, or a positive number{unit}", 0.0)
+]
+"""How much force a machine takes per length that it gives way [N/m]."""
 
 
 @value
@@ -69,14 +65,11 @@ class PullOff:
 
     bed: Bed
     law: AdhesionLaw
-    machine_stiffness: float = 0.0
+    machine_stiffness: MachineStiffness = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "johnson_kendall_roberts_1971")
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
-
-    def __post_init__(self) -> None:
-        checked_machine("PullOff", self.machine_stiffness)
 
     def solve(self) -> PullOffSolution:
         """Return depth, force and radius of the last stable contact.

@@ -112,14 +112,6 @@ class AdhesiveShear:
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
 
     def __post_init__(self) -> None:
-        for word, given, kinds in (
-            ("law", self.law, (ShortRange,)),
-            ("normal", self.normal, (Force, Depth)),
-            ("lateral", self.lateral, (Shift, ShearForce)),
-        ):
-            if not isinstance(given, kinds):
-                wanted = " or ".join(kind.__name__ for kind in kinds)
-                raise InvalidInput(f"AdhesiveShear: {word} is a {type(given).__name__}; give {wanted}.")
         if np.ndim(self._level) != 0:
             raise InvalidInput(
                 f"AdhesiveShear: the normal load has the shape {np.shape(self._level)}; give one number, and the array "

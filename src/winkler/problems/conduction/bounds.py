@@ -11,18 +11,18 @@ Both are reached where the chord is a tangent, so they are stiffnesses of the sm
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Force
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import BARBER
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.number_checks import NonNegative, Positive
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.single_contact import rises
@@ -77,8 +77,8 @@ class ConductanceBounds:
 
     bed: Bed
     conductors: ElectricalConductors
-    roughness: float
-    force: float
+    roughness: NonNegative
+    force: Positive
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003",)
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
@@ -86,16 +86,6 @@ class ConductanceBounds:
     )
 
     def __post_init__(self) -> None:
-        if not isinstance(self.conductors, ElectricalConductors):
-            raise InvalidInput(
-                f"ConductanceBounds: conductors is a {type(self.conductors).__name__}; give "
-                "ElectricalConductors(first, second)."
-            )
-        for word, unit, least in (("roughness", "m", "zero or a positive"), ("force", "N", "a positive")):
-            given = getattr(self, word)
-            number = isinstance(given, int | float) and not isinstance(given, bool) and math.isfinite(given)
-            if not number or given < 0.0 or (word == "force" and given == 0.0):
-                raise InvalidInput(f"ConductanceBounds: {word} is {given!r}; give {least}, finite number in {unit}.")
         if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):
             raise OutsideValidity(
                 f"ConductanceBounds: on a {type(self.bed.medium).__name__} stiffness and conductance are not in "

@@ -11,15 +11,14 @@ springs differ and the analogy ends, but a disc of radius a remains a disc.
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.number_checks import NonNegative
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc, mean_free_path_note
@@ -75,20 +74,10 @@ class Constriction:
     bed: Bed
     conductors: ElectricalConductors
     load: Load
-    mean_free_path: float = 0.0
+    mean_free_path: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("holm_1967", "barber_2003", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.conductors, ElectricalConductors):
-            raise InvalidInput(
-                f"Constriction: conductors is a {type(self.conductors).__name__}; give "
-                "ElectricalConductors(first, second)."
-            )
-        path = self.mean_free_path
-        if isinstance(path, bool) or not isinstance(path, int | float) or not 0.0 <= path < math.inf:
-            raise InvalidInput(f"Constriction: mean_free_path is {path!r}; give zero or a positive length in m.")
 
     def solve(self) -> ConstrictionSolution:
         """Return the resistance and its parts.

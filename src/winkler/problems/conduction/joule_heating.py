@@ -6,8 +6,7 @@ contact: :math:`T_{max}^2=T_0^2+V^2/(4L)` between ends of the temperature T_0, w
 
 from __future__ import annotations
 
-import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from winkler.loading import Load
 from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.number_checks import Advice, Positive
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.constriction import Constriction
@@ -82,25 +82,10 @@ class JouleHeating:
     load: Load
     drive: Drive
     law: WiedemannFranz = METAL
-    temperature: float = ROOM
+    temperature: Annotated[Positive, Advice("an absolute temperature")] = ROOM
 
     references: ClassVar[tuple[str, ...]] = ("kohlrausch_1900", "holm_1967", "barber_2003")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.TEMPERATURE}
-
-    def __post_init__(self) -> None:
-        wanted = (("conductors", ElectricalConductors), ("law", WiedemannFranz))
-        for word, cls in wanted:
-            if not isinstance(getattr(self, word), cls):
-                raise InvalidInput(
-                    f"JouleHeating: {word} is a {type(getattr(self, word)).__name__}; give a {cls.__name__}."
-                )
-        if not isinstance(self.drive, Current | Voltage):
-            raise InvalidInput(f"JouleHeating: drive is a {type(self.drive).__name__}; give Current or Voltage.")
-        given = self.temperature
-        if isinstance(given, bool) or not isinstance(given, int | float) or not 0.0 < given < math.inf:
-            raise InvalidInput(
-                f"JouleHeating: temperature is {given!r}; give a positive, finite absolute temperature in K."
-            )
 
     def solve(self) -> JouleHeatingSolution:
         """Return voltage, current, heat and temperatures in the steady state.

@@ -12,13 +12,14 @@ Here the currents are found so that all spots have one voltage (`winkler.numeric
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.materials.conducting_body import resistivity_of
 from winkler.materials.conductor import ElectricalConductor
+from winkler.number_checks import POSITIVE, Advice, FiniteRow, Numbers
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
@@ -64,9 +65,9 @@ class SpotCluster:
     (1.00767, 1.0052)
     """
 
-    x: Array
-    y: Array
-    radii: Array
+    x: FiniteRow
+    y: FiniteRow
+    radii: Annotated[Array, Numbers(POSITIVE), Advice("leave such spots out")]
     first: ElectricalConductor
     second: ElectricalConductor
 
@@ -74,15 +75,6 @@ class SpotCluster:
     assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.RESOLUTION,))
 
     def __post_init__(self) -> None:
-        for word in ("x", "y", "radii"):
-            try:
-                found = np.array(getattr(self, word), dtype=float)
-            except (TypeError, ValueError):
-                raise InvalidInput(f"SpotCluster: {word} are not numbers; give an array in m.") from None
-            if found.ndim != 1 or not np.all(np.isfinite(found)):
-                raise InvalidInput(f"SpotCluster: {word} must be a one-dimensional array of finite numbers in m.")
-            found.flags.writeable = False
-            object.__setattr__(self, word, found)
         sizes = {word: getattr(self, word).size for word in ("x", "y", "radii")}
         if len(set(sizes.values())) > 1 or self.radii.size == 0:
             raise InvalidInput(
@@ -94,16 +86,6 @@ class SpotCluster:
                 f"SpotCluster: {self.radii.size} spots are too many; give at most {DEGREES[-1][0]}, or take groups of "
                 "them for spots of their Holm radius."
             )
-        if np.min(self.radii) <= 0.0:
-            raise InvalidInput(
-                f"SpotCluster: the radius {np.min(self.radii):g} m is not positive; leave such spots out."
-            )
-        for word in ("first", "second"):
-            if not isinstance(getattr(self, word), ElectricalConductor):
-                raise InvalidInput(
-                    f"SpotCluster: {word} is a {type(getattr(self, word)).__name__}; give "
-                    "ElectricalConductor(resistivity)."
-                )
         spacing = self._spacing
         i, j = np.unravel_index(int(np.argmin(spacing - np.add.outer(self.radii, self.radii))), spacing.shape)
         if spacing[i, j] <= self.radii[i] + self.radii[j]:

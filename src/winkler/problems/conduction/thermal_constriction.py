@@ -7,17 +7,16 @@ elastic bodies: steady conduction, nothing lost around the contact.
 
 from __future__ import annotations
 
-import math
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.materials.conducting_body import surface_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.number_checks import Finite
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import conducting_disc
@@ -70,20 +69,10 @@ class ThermalConstriction:
     bed: Bed
     conductors: HeatConductors
     load: Load
-    temperature_drop: float
+    temperature_drop: Finite
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "holm_1967", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = CONDUCTING | {Assumption.STEADY}
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.conductors, HeatConductors):
-            raise InvalidInput(
-                f"ThermalConstriction: conductors is a {type(self.conductors).__name__}; give "
-                "HeatConductors(first, second)."
-            )
-        drop = self.temperature_drop
-        if isinstance(drop, bool) or not isinstance(drop, int | float) or not math.isfinite(drop):
-            raise InvalidInput(f"ThermalConstriction: temperature_drop is {drop!r}; give a finite number in K.")
 
     def solve(self) -> ThermalConstrictionSolution:
         """Return the heat rate and what stands in its way.

@@ -17,16 +17,17 @@ which is relaxation damping: for m = n = 1 and small :math:`A_z` it is
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.field_checks import Such
 from winkler.foundation.bed import Bed
-from winkler.given import affordable, whole_number
 from winkler.laws.friction import Coulomb
 from winkler.limits import SPRINGS
 from winkler.loading import Depth, Shift
+from winkler.number_checks import Advice, Count, Finite, FiniteQuantity, NonNegative, NonNegativeQuantity, affordable
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path
@@ -46,6 +47,13 @@ TOLERANCE = 1e-12
 """Of the integral over the springs."""
 EDGE = 30
 """How often the panels halve their distance from the edges of the widest and the narrowest contact."""
+
+
+RUBBING = Such(
+    lambda law: law.coefficient > 0.0,
+    "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
+)
+FAR = Advice("how far to each side; turn the phase by pi instead of a negative one")
 
 
 @value
@@ -95,38 +103,18 @@ class BimodalDamping:
     """
 
     bed: Bed
-    law: Coulomb
-    depth: float
-    depth_amplitude: float
-    shift_amplitude: Quantity
-    phase: Quantity = 0.0
-    normal_cycles: int = 1
-    lateral_cycles: int = 1
+    law: Annotated[Coulomb, RUBBING]
+    depth: Finite
+    depth_amplitude: Annotated[NonNegative, FAR]
+    shift_amplitude: Annotated[NonNegativeQuantity, FAR]
+    phase: FiniteQuantity = 0.0
+    normal_cycles: Count = 1
+    lateral_cycles: Count = 1
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015", "jaeger_1995")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
 
     def __post_init__(self) -> None:
-        if not isinstance(self.law, Coulomb) or not self.law.coefficient > 0.0:
-            raise InvalidInput(
-                f"BimodalDamping: the law is {self.law!r}; give Coulomb(coefficient) with a positive "
-                "coefficient, infinite if nothing slides."
-            )
-        for word in ("depth", "depth_amplitude"):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
-                raise InvalidInput(f"BimodalDamping: {word} is {number!r}; give one finite number in m.")
-        for word, unit in (("shift_amplitude", "m"), ("phase", "rad")):
-            numbers = np.asarray(getattr(self, word))
-            if numbers.dtype.kind not in "fiu" or not numbers.size or not np.all(np.isfinite(numbers)):
-                raise InvalidInput(f"BimodalDamping: {word} is {numbers!r}; give finite numbers in {unit}.")
-        if self.depth_amplitude < 0.0 or np.any(np.asarray(self.shift_amplitude) < 0.0):
-            raise InvalidInput(
-                "BimodalDamping: an amplitude is negative; give how far to each side, zero or more, and turn "
-                "the phase by pi instead."
-            )
-        for word in ("normal_cycles", "lateral_cycles"):
-            whole_number("BimodalDamping", word, getattr(self, word), 1)
         affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, SPRINGS)
         common = math.gcd(self.normal_cycles, self.lateral_cycles)
         if common > 1:

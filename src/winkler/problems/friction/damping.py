@@ -21,7 +21,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Sliding
+from winkler.load_checks import OneNormal, Swing
 from winkler.loading import Depth, Force, Normal, ShearForce, Shift
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
@@ -89,34 +90,12 @@ class FrictionDamping:
     """
 
     bed: Bed
-    law: Coulomb
-    normal: Normal
-    amplitude: Shift | ShearForce
+    law: Sliding
+    normal: OneNormal
+    amplitude: Swing
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "mindlin_deresiewicz_1953", "ciavarella_1998")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
-            raise InvalidInput(
-                f"FrictionDamping: the law is {self.law!r}; give Coulomb(coefficient) with a positive, finite "
-                "coefficient: without friction, or without sliding, nothing is lost under a steady normal load."
-            )
-        if not isinstance(self.normal, Depth | Force) or np.ndim(_number(self.normal)) != 0:
-            raise InvalidInput(
-                f"FrictionDamping: normal is {self.normal!r}; give Depth(d) or Force(F) with one number, and "
-                "sweep over several."
-            )
-        if not isinstance(self.amplitude, Shift | ShearForce):
-            raise InvalidInput(
-                f"FrictionDamping: amplitude is a {type(self.amplitude).__name__}; give Shift(U) in m or "
-                "ShearForce(F_x) in N."
-            )
-        least = float(np.min(_number(self.amplitude)))
-        if least < 0.0:
-            raise InvalidInput(
-                f"FrictionDamping: the amplitude {least:g} is negative; give how far to each side, zero or more."
-            )
 
     def solve(self) -> FrictionDampingSolution:
         """Return the loss per cycle with the stiffness and the loss factor that belong to it.

@@ -17,9 +17,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
+from winkler.number_checks import Finite, Positive
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import SHEARED
@@ -82,23 +83,12 @@ class RelaxationDamper:
     """
 
     bed: Bed
-    depth: float
-    depth_amplitude: float
-    frequency: float
+    depth: Finite
+    depth_amplitude: Positive
+    frequency: Positive
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_popov_pohrt_2015")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA}
-
-    def __post_init__(self) -> None:
-        for word, unit in (("depth", "m"), ("depth_amplitude", "m"), ("frequency", "Hz")):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
-                raise InvalidInput(f"RelaxationDamper: {word} is {number!r}; give one finite number in {unit}.")
-        if not (self.depth_amplitude > 0.0 and self.frequency > 0.0):
-            raise InvalidInput(
-                f"RelaxationDamper: depth_amplitude is {self.depth_amplitude:g} m and frequency "
-                f"{self.frequency:g} Hz; both must be positive."
-            )
 
     def solve(self) -> RelaxationDamperSolution:
         """Return the damper, and the spring beside it.

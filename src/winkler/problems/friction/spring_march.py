@@ -12,7 +12,7 @@ the springs agree with it to second order in their distance.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
+from winkler.number_checks import Whole
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.springs.slip_pull import pull_line
@@ -31,7 +32,7 @@ from winkler.problems.assumptions.coupling import coefficient_of, sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.spring_states import OwnLaw, Shearing, SpringLaw, SpringState, spring_notes
+from winkler.problems.friction.spring_states import Shearing, SpringLaw, SpringState, spring_notes
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import refuse_plane
 from winkler.validity import Assumption, Note
@@ -119,7 +120,7 @@ class SpringMarch:
     bed: Bed
     law: SpringLaw
     path: Path
-    count: int = 400
+    count: Annotated[int, Whole(2, what="springs")] = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015",)
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
@@ -130,13 +131,6 @@ class SpringMarch:
                 f"SpringMarch: the path's lateral load is a {type(self.path.lateral).__name__}; give Shift or "
                 "ShearForce."
             )
-        if not isinstance(self.law, Coulomb | StaticKinetic | OwnLaw):
-            raise InvalidInput(
-                f"SpringMarch: the law is a {type(self.law).__name__}; give Coulomb, StaticKinetic, or a law with a "
-                "method shear_bound(line_load)."
-            )
-        if not self.count >= 2:
-            raise InvalidInput(f"SpringMarch: count is {self.count!r}; give 2 springs or more.")
         refuse_plane("SpringMarch", self.bed, self.path)
 
     def steps(self) -> Iterator[SpringState]:

@@ -6,6 +6,7 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
 from winkler.foundation.sheared import ShearedSprings
@@ -22,6 +23,7 @@ ALIKE = 1e-9
 """Ratios of stiffness that differ by less are equal."""
 
 
+@offered("a law with a method shear_bound(line_load)")
 @runtime_checkable
 class OwnLaw(Protocol):
     """A law of friction of one's own, spoken to its implementer: how much springs bear along the surface.

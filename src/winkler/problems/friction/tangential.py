@@ -19,7 +19,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.laws.friction import Coulomb, StaticKinetic
+from winkler.laws.friction import Coulomb
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path
@@ -27,7 +27,7 @@ from winkler.problems.assumptions.declared import BALANCED, SHEARED
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.collect_states import rows
 from winkler.problems.friction.spring_march import march
-from winkler.problems.friction.spring_states import OwnLaw, SpringLaw, SpringState
+from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import SlipPath
 from winkler.problems.friction.tangential_states import TangentialState, friction_notes, stick_radii
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -84,15 +84,6 @@ class Tangential:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED
 
     def __post_init__(self) -> None:
-        if not isinstance(self.law, Coulomb | StaticKinetic | OwnLaw):
-            raise InvalidInput(
-                f"Tangential: the law is a {type(self.law).__name__}; give Coulomb(coefficient), "
-                "StaticKinetic(static_coefficient, kinetic_coefficient), or a law with a method shear_bound."
-            )
-        if not isinstance(self.path, Path):
-            raise InvalidInput(
-                f"Tangential: the path is a {type(self.path).__name__}; give Path(time, normal, lateral)."
-            )
         if not isinstance(self.path.lateral, Shift | ShearForce):
             raise InvalidInput(
                 f"Tangential: the path prescribes a {type(self.path.lateral).__name__}; give Shift or ShearForce, or "

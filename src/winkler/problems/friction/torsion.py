@@ -100,13 +100,10 @@ class Torsion:
     needs_round: ClassVar[str] = "torsion"
 
     def __post_init__(self) -> None:
-        if not isinstance(self.law, Coulomb):
-            raise InvalidInput(f"Torsion: the law is a {type(self.law).__name__}; give Coulomb(coefficient).")
-        if not isinstance(self.path, Path) or not isinstance(self.path.lateral, Angle | Torque):
-            given = self.path.lateral if isinstance(self.path, Path) else self.path
+        if not isinstance(self.path.lateral, Angle | Torque):
             raise InvalidInput(
-                f"Torsion: the path prescribes a {type(given).__name__}; give Path(time, normal, lateral) with the "
-                "lateral load Angle([...]) or Torque([...])."
+                f"Torsion: the path prescribes a {type(self.path.lateral).__name__}; give Path(time, normal, lateral) "
+                "with the lateral load Angle([...]) or Torque([...])."
             )
         if not isinstance(self.bed.medium, HomogeneousMedium):
             raise OutsideValidity(

@@ -22,13 +22,13 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.sheared_fields import sheared_surface
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.number_checks import Positive
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import projected
 from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import BALANCED, HEATED, SHEARED
 from winkler.problems.assumptions.temperature import temperature_note
-from winkler.problems.friction.damping import positive_frequency
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.validity import Assumption, Note, Standing
@@ -87,7 +87,7 @@ class FrettingHeat:
     """
 
     motion: Tangential
-    frequency: float
+    frequency: Positive
     conductors: HeatConductors
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "mindlin_deresiewicz_1953", "popov_hess_2015")
@@ -95,11 +95,6 @@ class FrettingHeat:
     needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:
-        if not isinstance(self.motion, Tangential):
-            raise InvalidInput(
-                f"FrettingHeat: motion is a {type(self.motion).__name__}; give Tangential(bed, law, path)."
-            )
-        positive_frequency(self.frequency)
         thick_bodies("FrettingHeat", self.conductors)
 
     @property

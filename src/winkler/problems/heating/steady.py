@@ -22,18 +22,20 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, HeatPartition
+from winkler.load_checks import load_number
 from winkler.loading import Load
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.number_checks import FiniteQuantity
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, first_share, shared, stationary, tian_kennedy
 from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
 from winkler.problems.heating.heated_body import HeatedBody
-from winkler.problems.heating.input_checks import all_finite, checked_heating, load_number, thick_bodies
+from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import heating_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import Rubbing
@@ -98,11 +100,11 @@ class FrictionHeating:
     """
 
     bed: Bed
-    law: Coulomb
+    law: Overcome
     load: Load
     conductors: HeatConductors
-    first_speed: Quantity
-    second_speed: Quantity = 0.0
+    first_speed: FiniteQuantity
+    second_speed: FiniteQuantity = 0.0
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "tian_kennedy_1994", "popov_hess_2015")
@@ -110,13 +112,8 @@ class FrictionHeating:
     needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
-        checked_heating("FrictionHeating", self.law, self.partition, self.conductors)
-        for word in ("first_speed", "second_speed"):
-            if not all_finite(getattr(self, word)):
-                raise InvalidInput(f"FrictionHeating: {word} is {getattr(self, word)!r}; give finite numbers in m/s.")
-        shapes = [
-            np.shape(each) for each in (load_number("FrictionHeating", self.load), self.first_speed, self.second_speed)
-        ]
+        thick_bodies("FrictionHeating", self.conductors)
+        shapes = [np.shape(each) for each in (load_number(self.load), self.first_speed, self.second_speed)]
         try:
             np.broadcast_shapes(*shapes)
         except ValueError:

@@ -16,13 +16,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, FixedShare, HeatPartition
-from winkler.loading import Load
+from winkler.load_checks import OneLoad
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.number_checks import NonNegative, PositiveRow
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.coupling import sliding_note
@@ -30,12 +30,12 @@ from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heating.estimates import first_share, shared
 from winkler.problems.heating.heat_source import heat_source
-from winkler.problems.heating.input_checks import all_finite, checked_heating, load_number, thick_bodies
+from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import STEADY_SOURCE
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yield_statement import Rubbing
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
@@ -91,11 +91,11 @@ class TransientHeating:
     """
 
     bed: Bed
-    law: Coulomb
-    load: Load
+    law: Overcome
+    load: OneLoad
     conductors: HeatConductors
-    speed: float
-    time: Array
+    speed: NonNegative
+    time: PositiveRow
     partition: HeatPartition = EqualMaximum()
 
     references: ClassVar[tuple[str, ...]] = ("carslaw_jaeger_1959", "jaeger_1942", "popov_hess_2015")
@@ -103,16 +103,7 @@ class TransientHeating:
     needs_round: ClassVar[str] = "the heat of friction, which follows the pressure from place to place,"
 
     def __post_init__(self) -> None:
-        speed = self.speed
-        if isinstance(speed, bool) or not isinstance(speed, int | float) or not 0.0 <= speed < math.inf:
-            raise InvalidInput(f"TransientHeating: speed is {speed!r}; give zero or a positive number in m/s.")
-        time = np.asarray(self.time, dtype=float) if all_finite(self.time) else np.empty(0)
-        if time.ndim != 1 or time.size == 0 or not np.all(time > 0.0):
-            raise InvalidInput("TransientHeating: time must be a list of positive, finite numbers in s.")
-        if np.ndim(load_number("TransientHeating", self.load)) != 0:
-            raise InvalidInput("TransientHeating: the load is an array; give one number, and sweep over several.")
-        checked_heating("TransientHeating", self.law, self.partition, self.conductors)
-        object.__setattr__(self, "time", frozen_array(time))
+        thick_bodies("TransientHeating", self.conductors)
 
     @property
     def _bodies(self) -> tuple[ThermalConductor, ThermalConductor]:

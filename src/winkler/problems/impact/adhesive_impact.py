@@ -15,15 +15,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.given import positive_fields
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
+from winkler.number_checks import Advice, Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
@@ -35,11 +34,14 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.collect_states import rows
 from winkler.problems.impact.approach_and_rebound import swing
 from winkler.problems.impact.states import AdhesiveImpactState
-from winkler.problems.impact.validity import checked_count, gravity_note
+from winkler.problems.impact.validity import Moments, gravity_note
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
 
 __all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
+
+
+TOUCHING = Advice("attraction from afar begins before the touch")
 
 
 @value
@@ -82,10 +84,10 @@ class AdhesiveImpact:
     """
 
     bed: Bed
-    law: ShortRange
-    mass: float
-    velocity: float
-    count: int = 201
+    law: Annotated[ShortRange, TOUCHING]
+    mass: PositiveNotTiny
+    velocity: Positive
+    count: Moments = 201
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -94,15 +96,6 @@ class AdhesiveImpact:
     )
     assumptions: ClassVar[frozenset[Assumption]] = ADHESIVE | BALANCED | {Assumption.INERTIA}
     needs_round: ClassVar[str] = "adhesion, whose edge runs round the contact,"
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.law, ShortRange):
-            raise InvalidInput(
-                f"AdhesiveImpact: the law is a {type(self.law).__name__}; give ShortRange(work) or "
-                "ShortRange(work_closing=..., work_opening=...): attraction from afar begins before the touch."
-            )
-        positive_fields(self, mass="kg", velocity="m/s")
-        checked_count("AdhesiveImpact", self.count)
 
     @property
     def total(self) -> int:

@@ -19,8 +19,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.given import positive_fields
 from winkler.laws.friction import Coulomb
+from winkler.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
@@ -30,7 +30,7 @@ from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.collect_states import rows
 from winkler.problems.impact.march import Moment, Motion, stages, turning
 from winkler.problems.impact.states import ImpactStage, ImpactState
-from winkler.problems.impact.validity import PLANAR, checked_count, gravity_note
+from winkler.problems.impact.validity import PLANAR, Moments, gravity_note
 from winkler.problems.normal.force_curve import deepest, normal_curve, stiffness_ratio
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.problems.normal.validity import indentation_notes
@@ -99,13 +99,13 @@ class Impact:
 
     bed: Bed
     law: Coulomb
-    mass: float
-    velocity: float
-    lateral_velocity: float = 0.0
-    angular_velocity: float = 0.0
-    inertia: float = math.inf
-    lever: float = 0.0
-    count: int = 201
+    mass: PositiveNotTiny
+    velocity: Positive
+    lateral_velocity: Finite = 0.0
+    angular_velocity: Finite = 0.0
+    inertia: PositiveOrInfinite = math.inf
+    lever: NonNegative = 0.0
+    count: Moments = 201
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -116,26 +116,16 @@ class Impact:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
-        if not isinstance(self.law, Coulomb):
-            raise InvalidInput(f"Impact: the law is a {type(self.law).__name__}; give Coulomb(coefficient).")
         if MUCH < self.law.coefficient < math.inf:
             raise InvalidInput(
                 f"Impact: with a friction coefficient of {self.law.coefficient:g} hardly a spring slides, and rounding "
                 f"hides which; give at most {MUCH:g}, or Coulomb(math.inf) if nothing slides."
             )
-        positive_fields(self, mass="kg", velocity="m/s")
-        if self.inertia != math.inf:
-            positive_fields(self, inertia="kg m^2")
-        for word, unit in (("lateral_velocity", "m/s"), ("angular_velocity", "rad/s"), ("lever", "m")):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
-                raise InvalidInput(f"Impact: {word} is {number!r}; give a finite number in {unit}.")
-        if self.lever < 0.0 or (self.lever == 0.0 and self.angular_velocity != 0.0):
+        if self.lever == 0.0 and self.angular_velocity != 0.0:
             raise InvalidInput(
                 f"Impact: with an angular velocity of {self.angular_velocity:g} rad/s the lever is {self.lever:g} m; "
                 "it must be positive: give the distance from the centre of mass to the surface, the radius of a ball."
             )
-        checked_count("Impact", self.count)
 
     @property
     def sliding_velocity(self) -> float:

@@ -1,17 +1,18 @@
-"""What every impact says about itself, and which numbers it refuses."""
+"""What every impact says about itself, and how many moments it takes."""
 
 from __future__ import annotations
 
+from typing import Annotated, TypeAlias
+
 import numpy as np
 
-from winkler.errors import InvalidInput
+from winkler.number_checks import Whole
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["PLANAR", "checked_count", "gravity_note"]
+__all__ = ["PLANAR", "Moments", "gravity_note"]
 
 MAW = "N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/0043-1648(76)90201-5"
-FEWEST, MOST = 2, 1_000_000
 
 PLANAR = Note(
     Assumption.SLIP,
@@ -32,7 +33,4 @@ def gravity_note(force: Array) -> Note:
     )
 
 
-def checked_count(owner: str, count: int) -> None:
-    """Refuse what is no sensible number of moments."""
-    if isinstance(count, bool) or not isinstance(count, int) or not FEWEST <= count <= MOST:
-        raise InvalidInput(f"{owner}: count is {count!r}; give a whole number of moments from {FEWEST} to {MOST}.")
+Moments: TypeAlias = Annotated[int, Whole(2, 1_000_000, "moments")]

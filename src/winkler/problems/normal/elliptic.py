@@ -13,7 +13,7 @@ than force, depth and stiffness runs on its springs, `winkler.foundation.ellipti
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.number_checks import Advice
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
@@ -72,24 +73,11 @@ class EllipticIndentation:
     """
 
     bodies: CurvedBodies
-    medium: HomogeneousMedium
+    medium: Annotated[HomogeneousMedium, Advice("Hertz's ellipse is known on no other")]
     load: Force | Depth
 
     references: ClassVar[tuple[str, ...]] = ("hertz_1882", "johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.bodies, CurvedBodies):
-            raise InvalidInput(
-                f"EllipticIndentation: bodies is a {type(self.bodies).__name__}; give CurvedBodies(R_x, R_y)."
-            )
-        if not isinstance(self.medium, HomogeneousMedium):
-            raise InvalidInput(
-                f"EllipticIndentation: the medium is a {type(self.medium).__name__}; Hertz's ellipse is known on "
-                "homogeneous half-spaces alone, give HalfSpace."
-            )
-        if not isinstance(self.load, Force | Depth):
-            raise InvalidInput(f"EllipticIndentation: the load is a {type(self.load).__name__}; give Force or Depth.")
 
     @property
     def equivalent_radius(self) -> float:

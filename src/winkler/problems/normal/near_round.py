@@ -12,11 +12,12 @@ with means over the directions; for round bodies the last equation is g(a) = d.
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.field_checks import Such
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
@@ -45,6 +46,12 @@ OVAL = 1.5
 Where it would be more than about 3 the equations have no solution any more.
 """
 MEASURED = "exact ellipses, and boundary elements for pyramids and a square"
+
+
+PRESSED_TOGETHER = Such(
+    lambda load: bool(np.all((load.force if isinstance(load, Force) else load.depth) > 0.0)),
+    "give a positive Force or Depth, or an array of them",
+)
 
 
 @value
@@ -86,24 +93,16 @@ class NearlyRoundIndentation:
 
     profiles: tuple[Profile, ...]
     medium: HomogeneousMedium
-    load: Force | Depth
+    load: Annotated[Force | Depth, PRESSED_TOGETHER]
 
     references: ClassVar[tuple[str, ...]] = ("popov_2022", "barber_1974", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def __post_init__(self) -> None:
-        profiles = self.profiles if isinstance(self.profiles, tuple) else ()
-        if len(profiles) < 4 or not all(callable(getattr(profile, "gap", None)) for profile in profiles):
+        if len(self.profiles) < 4:
             raise InvalidInput(
                 "NearlyRoundIndentation: profiles must be at least four, one for each of equally spaced directions."
             )
-        if not isinstance(self.medium, HomogeneousMedium):
-            raise InvalidInput(
-                f"NearlyRoundIndentation: the medium is a {type(self.medium).__name__}; give HalfSpace, homogeneous "
-                "bodies."
-            )
-        if not isinstance(self.load, Force | Depth) or np.any(self._given <= 0.0):
-            raise InvalidInput("NearlyRoundIndentation: give a positive Force or Depth, or an array of them.")
 
     @property
     def _given(self) -> Array:

@@ -11,13 +11,14 @@ and above its tangents, and a straight line errs by no more than the height of t
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
+from winkler.number_checks import Number, Positive
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.indentation import Indentation
@@ -69,17 +70,11 @@ class ContactLaw:
     """
 
     bed: Bed
-    deepest: float
-    tolerance: float = 1e-6
+    deepest: Positive
+    tolerance: Annotated[float, Number("give a positive number below 0.1", 0.0, 0.1, (0.0, 0.1))] = 1e-6
 
     references: ClassVar[tuple[str, ...]] = Indentation.references
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
-
-    def __post_init__(self) -> None:
-        for name, greatest in (("deepest", math.inf), ("tolerance", 0.1)):
-            number = getattr(self, name)
-            if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < greatest:
-                raise InvalidInput(f"ContactLaw: {name} is {number!r}; give a positive number below {greatest:g}.")
 
     def solve(self) -> ContactLawSolution:
         """Return the table; rows lie where they are needed.

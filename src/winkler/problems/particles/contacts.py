@@ -10,16 +10,17 @@ to
 from __future__ import annotations
 
 import dataclasses
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.content import refuse_size
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
+from winkler.number_checks import NON_NEGATIVE, POSITIVE, Numbers, Whole, checked
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array, ArrayLike
+from winkler.physical_size import refuse_size
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace
@@ -65,13 +66,13 @@ class Contacts:
         If the shapes do not agree, or a number has the wrong sign.
     """
 
-    curvature_radius: Array
-    modulus: Array
-    shear_modulus: Array
-    torsional_modulus: Array
-    coefficient: Array
-    rolling_arm: Array
-    reach: Array
+    curvature_radius: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    shear_modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    torsional_modulus: Annotated[Array, Numbers(POSITIVE, fewest=0)]
+    coefficient: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0)]
+    rolling_arm: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0)]
+    reach: Annotated[Array, Numbers(POSITIVE, fewest=0)]
     depth: Array
     displaced: Array
     twisted: Array
@@ -103,12 +104,6 @@ class Contacts:
                 f"Contacts: displaced has the shape {shape} and rolled {np.shape(self.rolled)} for {many[0]} contacts; "
                 "give (contacts, springs, 2) and (contacts, 2)."
             )
-        for word in PROPERTIES:
-            numbers = getattr(self, word)
-            low = np.min(numbers, initial=np.inf)
-            if not np.all(np.isfinite(numbers)) or low < 0.0 or (word not in MAY_BE_ZERO and low == 0.0):
-                kind = "zero or positive" if word in MAY_BE_ZERO else "positive"
-                raise InvalidInput(f"Contacts: {word} holds {low:g}; give {kind}, finite numbers in SI units.")
 
     @classmethod
     def apart(
@@ -146,8 +141,7 @@ class Contacts:
         >>> (np.hypot(*beads.shear_force.T) / beads.force).round(3)
         array([0.3  , 0.124])
         """
-        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-            raise InvalidInput(f"Contacts: count is {count!r}; give a whole number of springs from 1.")
+        checked(Whole(1, what="springs"), "Contacts", "count", count)
         moduli = (medium.modulus, medium.shear_modulus, medium.torsional_modulus)
         try:
             given = np.broadcast_arrays(*np.atleast_1d(curvature_radius, *moduli, coefficient, rolling_arm, reach))
@@ -349,7 +343,6 @@ PROPERTIES = (
     "rolling_arm",
     "reach",
 )
-MAY_BE_ZERO = ("coefficient", "rolling_arm")
 
 
 def _hertz(contacts: Contacts, pressed: Array) -> Array:
@@ -369,5 +362,5 @@ def _filled(word: str, given: ArrayLike, shape: tuple[int, ...]) -> Array:
         raise InvalidInput(f"Contacts: {word} has the shape {numbers.shape}; give {shape}, or one number for all.")
     if not np.all(np.isfinite(numbers)):
         raise InvalidInput(f"Contacts: {word} holds what is no finite number; give finite ones in SI units.")
-    refuse_size("Contacts", word, numbers)
+    refuse_size(f"Contacts: {word}", numbers)
     return np.ascontiguousarray(np.broadcast_to(numbers, shape))

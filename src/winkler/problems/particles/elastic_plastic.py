@@ -13,7 +13,6 @@ work of adhesion.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
@@ -22,6 +21,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
+from winkler.number_checks import NonNegative, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.problems.collect_states import rows
 from winkler.problems.particles.elastic_plastic_march import March, ParticleHistory
@@ -87,11 +87,11 @@ class ElasticPlasticParticle:
     12.944
     """
 
-    curvature_radius: float
+    curvature_radius: PositiveNotTiny
     solid: Elastic
     path: Depth | Force
-    work_opening: float = 0.0
-    work_closing: float = 0.0
+    work_opening: NonNegative = 0.0
+    work_closing: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = (
         "zunker_kamrin_2024",
@@ -103,23 +103,11 @@ class ElasticPlasticParticle:
 
     def __post_init__(self) -> None:
         owner = "ElasticPlasticParticle"
-        if not isinstance(self.solid, Elastic):
-            raise InvalidInput(
-                f"{owner}: solid is a {type(self.solid).__name__}; give Elastic(young, poisson, strength)."
-            )
-        for word, unit in (("curvature_radius", "m"), ("work_opening", "J/m^2"), ("work_closing", "J/m^2")):
-            number = getattr(self, word)
-            wrong = isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number)
-            if wrong or number < 0.0 or (word == "curvature_radius" and number == 0.0):
-                kind = "a positive" if word == "curvature_radius" else "zero or a positive"
-                raise InvalidInput(f"{owner}: {word} is {number!r}; give {kind} number in {unit}.")
         if self.work_closing > self.work_opening:
             raise InvalidInput(
                 f"{owner}: work_closing ({self.work_closing:g} J/m^2) exceeds work_opening ({self.work_opening:g}), so "
                 "that every cycle would give energy away; closing gains at most what opening costs."
             )
-        if not isinstance(self.path, Depth | Force):
-            raise InvalidInput(f"{owner}: the path is a {type(self.path).__name__}; give Depth([...]) or Force([...]).")
         if self._levels.ndim != 1:
             raise InvalidInput(
                 f"{owner}: the path has the shape {self._levels.shape}; give its points one after the other in one row."

@@ -6,12 +6,13 @@ exactly along its straight line.  Energy is kept to second order in the steps.
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.media.halfspace import HalfSpace
+from winkler.number_checks import NOT_TINY, Count, NonNegativeQuantity, Numbers, PositiveQuantity, Whole
 from winkler.numerics.springs.contact_kernels import impact_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array
@@ -83,39 +84,31 @@ class BallImpacts:
     """
 
     medium: HalfSpace
-    curvature_radius: Array | float
-    coefficient: Array | float
-    mass: Array | float
-    mobility: Array | float
-    velocity: Array | float
-    sliding_velocity: Array
-    steps: int = 200
-    count: int = 32
+    curvature_radius: Annotated[Array | float, Numbers(NOT_TINY, any_shape=True)]
+    coefficient: NonNegativeQuantity
+    mass: Annotated[Array | float, Numbers(NOT_TINY, any_shape=True)]
+    mobility: PositiveQuantity
+    velocity: PositiveQuantity
+    sliding_velocity: Annotated[Array, Numbers(fewest=0, any_shape=True)]
+    steps: Annotated[int, Whole(10)] = 200
+    count: Count = 32
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "hertz_1882", "maw_barber_fawcett_1976")
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | BALANCED | {Assumption.INERTIA}
 
     def __post_init__(self) -> None:
-        sliding = np.asarray(self.sliding_velocity, dtype=float)
-        if sliding.ndim != 2 or sliding.shape[1] != 2 or not np.all(np.isfinite(sliding)):
+        shape = np.shape(self.sliding_velocity)
+        if len(shape) != 2 or shape[1] != 2:
             raise InvalidInput(
-                f"BallImpacts: sliding_velocity has the shape {sliding.shape}; give finite numbers, (contacts, 2)."
+                f"BallImpacts: sliding_velocity has the shape {shape}; give finite numbers, (contacts, 2)."
             )
-        object.__setattr__(self, "sliding_velocity", sliding)
-        for word in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
-            numbers = np.asarray(getattr(self, word), dtype=float)
-            if numbers.shape not in ((), sliding.shape[:1]):
+        for name in ("curvature_radius", "coefficient", "mass", "mobility", "velocity"):
+            given = np.shape(getattr(self, name))
+            if given not in ((), shape[:1]):
                 raise InvalidInput(
-                    f"BallImpacts: {word} has the shape {numbers.shape} for {sliding.shape[0]} contacts; give one "
-                    "number for each, or one for all."
+                    f"BallImpacts: {name} has the shape {given} for {shape[0]} contacts; give one number for each, "
+                    "or one for all."
                 )
-            low = np.min(numbers, initial=np.inf)
-            if not np.all(np.isfinite(numbers)) or low < 0.0 or (low == 0.0 and word != "coefficient"):
-                raise InvalidInput(f"BallImpacts: {word} holds {low:g}; give positive, finite numbers in SI units.")
-        for word, least in (("steps", 10), ("count", 1)):
-            number = getattr(self, word)
-            if isinstance(number, bool) or not isinstance(number, int) or number < least:
-                raise InvalidInput(f"BallImpacts: {word} is {number!r}; give a whole number from {least}.")
 
     def solve(self) -> BallImpactsSolution:
         """Return how all balls part.

@@ -12,17 +12,16 @@ Below it the shift stops growing (shakedown), above it every cycle adds its step
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.given import whole_number
-from winkler.laws.friction import Coulomb
-from winkler.loading import Load
+from winkler.laws.friction import Sliding
+from winkler.load_checks import OneLoad
+from winkler.number_checks import NonNegative, Positive, Whole
 from winkler.numerics.springs.rolling_kernels import push
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import ROLLING
@@ -96,28 +95,20 @@ class OscillatingRolling:
     """
 
     bed: Bed
-    friction: Coulomb
-    amplitude: float
-    shear_force: float
-    load: Load
+    friction: Sliding
+    amplitude: Positive
+    shear_force: NonNegative
+    load: OneLoad
     calibration: Kalker | Uncalibrated = KALKER
-    cycles: int = 30
-    count: int = 200
+    cycles: Annotated[int, Whole(1, 100_000)] = 30
+    count: Annotated[int, Whole(20, 100_000)] = 200
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "wetter_popov_2014")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
     needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
-        check_rolling("OscillatingRolling", self.bed, self.friction, Creepage(), self.load)
-        for word, unit, least in (("amplitude", "m", False), ("shear_force", "N", True)):
-            number = getattr(self, word)
-            good = not isinstance(number, bool) and isinstance(number, int | float) and math.isfinite(number)
-            if not good or number < 0.0 or (number == 0.0 and not least):
-                allowed = "zero or more" if least else "positive"
-                raise InvalidInput(f"OscillatingRolling: {word} is {number!r}; give one number, {allowed}, in {unit}.")
-        whole_number("OscillatingRolling", "cycles", self.cycles, 1, 100_000)
-        whole_number("OscillatingRolling", "count", self.count, 20, 100_000)
+        check_rolling("OscillatingRolling", self.bed, Creepage())
 
     @property
     def shakedown_force(self) -> float:

@@ -12,14 +12,16 @@ strip by strip; here the steps are those of `winkler.numerics.springs.fastsim`, 
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.laws.friction import Coulomb
+from winkler.field_checks import Such
+from winkler.laws.friction import Sliding
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
+from winkler.number_checks import Advice, Whole
 from winkler.numerics.springs.fastsim import mapped, rolled
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note
@@ -27,7 +29,6 @@ from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.rolling.creepage import AtCreepages, Creepage
 from winkler.problems.rolling.kalker import CreepCoefficients, creep_coefficients, rolling_pair
-from winkler.problems.rolling.steady import check_friction
 from winkler.profiles.ellipse import ContactEllipse, CurvedBodies
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -37,6 +38,12 @@ __all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731"
 MOMENT = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
+
+
+ISOTROPIC = Advice("Kalker's coefficients are those of homogeneous, isotropic bodies")
+ONE_FORCE = Such(
+    lambda load: np.ndim(load.force) == 0 and float(load.force) > 0.0, "give Force(F) with one positive number"
+)
 
 
 @value
@@ -83,38 +90,14 @@ class SimplifiedRolling:
     """
 
     footprint: ContactEllipse | CurvedBodies
-    medium: HalfSpace
-    friction: Coulomb
+    medium: Annotated[HalfSpace, ISOTROPIC]
+    friction: Sliding
     creepage: Creepage
-    load: Force
-    count: int = 32
+    load: Annotated[Force, ONE_FORCE]
+    count: Annotated[int, Whole(4, 4096, "strips")] = 32
 
     references: ClassVar[tuple[str, ...]] = ("kalker_1982", "kalker_1990", "vollebregt_wilders_2011")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
-
-    def __post_init__(self) -> None:
-        check_friction("SimplifiedRolling", self.friction)
-        if not isinstance(self.footprint, ContactEllipse | CurvedBodies):
-            raise InvalidInput(
-                f"SimplifiedRolling: footprint is a {type(self.footprint).__name__}; give ContactEllipse or "
-                "CurvedBodies."
-            )
-        if not isinstance(self.medium, HalfSpace):
-            raise InvalidInput(
-                f"SimplifiedRolling: the medium is a {type(self.medium).__name__}; give a HalfSpace: Kalker's "
-                "coefficients are those of homogeneous, isotropic bodies."
-            )
-        if not isinstance(self.creepage, Creepage):
-            raise InvalidInput(
-                f"SimplifiedRolling: the creepage is a {type(self.creepage).__name__}; give "
-                "Creepage(longitudinal, lateral, spin)."
-            )
-        if not isinstance(self.load, Force) or np.ndim(self.load.force) != 0 or not float(self.load.force) > 0.0:
-            raise InvalidInput(f"SimplifiedRolling: the load is {self.load!r}; give Force(F) with one positive number.")
-        if isinstance(self.count, bool) or not isinstance(self.count, int) or not 4 <= self.count <= 4096:
-            raise InvalidInput(
-                f"SimplifiedRolling: count is {self.count!r}; give a whole number of strips, from 4 to 4096."
-            )
 
     def solve(self) -> SimplifiedRollingSolution:
         """Return the creep forces.

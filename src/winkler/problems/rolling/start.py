@@ -9,17 +9,18 @@ the contact, 2a, the last spring of the beginning has left.  Without slip and fr
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
+from winkler.field_checks import Such
 from winkler.foundation.bed import Bed
-from winkler.given import whole_number
-from winkler.laws.friction import Coulomb
-from winkler.loading import Load, ShearForce
+from winkler.laws.friction import Sliding
+from winkler.load_checks import OneLoad
+from winkler.loading import ShearForce
+from winkler.number_checks import Advice, Positive, Whole
 from winkler.numerics.springs.rolling_kernels import push, roll
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import ROLLING
@@ -38,6 +39,9 @@ KALKER = Kalker()
 AT_REST = ShearForce(0.0)
 ROUNDING = 1e-12
 """Part of its bound by which a spring that slides may miss it."""
+
+
+ONE_FORCE = Such(lambda load: np.ndim(load.shear_force) == 0, "give ShearForce(F) with one number")
 
 
 @value
@@ -91,30 +95,23 @@ class RollingStart:
     """
 
     bed: Bed
-    friction: Coulomb
+    friction: Sliding
     creepage: Creepage
-    load: Load
-    distance: float
-    start: ShearForce = AT_REST
+    load: OneLoad
+    distance: Annotated[Positive, Advice("how far it rolls")]
+    start: Annotated[ShearForce, ONE_FORCE] = AT_REST
     calibration: Kalker | Uncalibrated = KALKER
-    points: int = 100
-    count: int = 400
+    points: Annotated[int, Whole(1, 100_000)] = 100
+    count: Annotated[int, Whole(20, 100_000)] = 400
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "kalker_1990", "cattaneo_1938")
     assumptions: ClassVar[frozenset[Assumption]] = ROLLING
     needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
-        check_rolling("RollingStart", self.bed, self.friction, self.creepage, self.load)
+        check_rolling("RollingStart", self.bed, self.creepage)
         if self.creepage.shape != ():
             raise InvalidInput("RollingStart: the creepage is an array; give one number each, and sweep over several.")
-        far = self.distance
-        if isinstance(far, bool) or not isinstance(far, int | float) or not 0.0 < far < math.inf:
-            raise InvalidInput(f"RollingStart: the distance is {far!r}; give how far it rolls, positive, in m.")
-        if not isinstance(self.start, ShearForce) or np.ndim(self.start.shear_force) != 0:
-            raise InvalidInput(f"RollingStart: start is {self.start!r}; give ShearForce(F) with one number.")
-        whole_number("RollingStart", "points", self.points, 1, 100_000)
-        whole_number("RollingStart", "count", self.count, 20, 100_000)
 
     @property
     def steady(self) -> RollingSolution:

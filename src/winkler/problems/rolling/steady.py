@@ -19,8 +19,9 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.laws.friction import Coulomb
-from winkler.loading import Depth, Force, Load, Radius
+from winkler.laws.friction import Coulomb, Sliding
+from winkler.load_checks import OneLoad
+from winkler.loading import Load
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note
@@ -87,9 +88,9 @@ class Rolling:
     """
 
     bed: Bed
-    friction: Coulomb
+    friction: Sliding
     creepage: Creepage
-    load: Load
+    load: OneLoad
     calibration: Kalker | Uncalibrated = KALKER
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "vermeulen_johnson_1964", "kalker_1990")
@@ -97,7 +98,7 @@ class Rolling:
     needs_round: ClassVar[str] = "rolling along the line"
 
     def __post_init__(self) -> None:
-        check_rolling("Rolling", self.bed, self.friction, self.creepage, self.load)
+        check_rolling("Rolling", self.bed, self.creepage)
 
     def solve(self) -> RollingSolution:
         """Return the creep forces.
@@ -233,44 +234,22 @@ def rolling_notes(
     return (*contact.notes_with(rubbing), sticking_note(bed.medium, friction.coefficient), *notes, STRIPS)
 
 
-def check_rolling(owner: str, bed: Bed, friction: Coulomb, creepage: Creepage, load: Load) -> None:
+def check_rolling(owner: str, bed: Bed, creepage: Creepage) -> None:
     """Refuse what does not roll on a line.
 
     Raises
     ------
     InvalidInput, OutsideValidity
     """
-    check_friction(owner, friction)
     if not isinstance(bed.medium, HomogeneousMedium):
         raise InvalidInput(
             f"{owner}: the medium is a {type(bed.medium).__name__}; give a homogeneous one: a spring that rolls "
             "through the contact keeps its stiffness."
         )
-    if not isinstance(creepage, Creepage):
-        raise InvalidInput(
-            f"{owner}: the creepage is a {type(creepage).__name__}; give Creepage(longitudinal, lateral)."
-        )
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
             f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
             "ask for SimplifiedRolling."
-        )
-    match load:
-        case Depth(number) | Force(number) | Radius(number) if np.ndim(number) == 0:
-            return
-    raise InvalidInput(f"{owner}: the load is {load!r}; give Force, Depth or Radius with one number.")
-
-
-def check_friction(owner: str, friction: Coulomb) -> None:
-    """Refuse what is no dry friction that slides.
-
-    Raises
-    ------
-    InvalidInput
-    """
-    if not isinstance(friction, Coulomb) or not 0.0 < friction.coefficient < math.inf:
-        raise InvalidInput(
-            f"{owner}: friction is {friction!r}; give Coulomb(coefficient) with a positive, finite coefficient."
         )
 
 

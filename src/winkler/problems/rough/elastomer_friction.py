@@ -11,17 +11,16 @@ tenth of the line touches; where half of it does, it is right at and beyond the 
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.materials.viscoelastic import ViscoelasticSolid
+from winkler.number_checks import POSITIVE, Numbers
 from winkler.numerics.types import Array
-from winkler.problems.rough.line_checks import check_spectrum
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 from winkler.validity import Assumption, Note, Standing
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
 
@@ -66,27 +65,10 @@ class ElastomerFriction:
 
     spectrum: Spectrum
     solid: ViscoelasticSolid
-    velocity: Array
+    velocity: Annotated[Array, Numbers(POSITIVE, any_shape=True)]
 
     references: ClassVar[tuple[str, ...]] = ("li_2013", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = frozenset((Assumption.ROUGHNESS,))
-
-    def __post_init__(self) -> None:
-        check_spectrum("ElastomerFriction", self.spectrum)
-        if not isinstance(self.solid, ViscoelasticSolid):
-            raise InvalidInput(
-                f"ElastomerFriction: the solid is a {type(self.solid).__name__}; give a viscoelastic one such as "
-                "Prony(...)."
-            )
-        try:
-            velocity = np.array(self.velocity, dtype=float)
-        except (TypeError, ValueError):
-            velocity = np.array(np.nan)
-        if not (np.all(np.isfinite(velocity)) and np.all(velocity > 0.0)):
-            raise InvalidInput(
-                f"ElastomerFriction: velocity is {self.velocity!r}; give positive, finite numbers in m/s."
-            )
-        object.__setattr__(self, "velocity", frozen_array(velocity))
 
     def solve(self) -> ElastomerFrictionSolution:
         """Return the coefficient of friction at every velocity."""

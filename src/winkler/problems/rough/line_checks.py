@@ -3,36 +3,30 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable, whole_number
 from winkler.limits import MOST_NUMBERS, SPRINGS
 from winkler.loading import Depth, Force
+from winkler.number_checks import Whole, affordable
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
 from winkler.problems.rough.spring_line import prescribed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["check_ensemble", "check_spectrum", "line_notes"]
+__all__ = ["LineSprings", "Realisations", "check_ensemble", "line_notes"]
 
 ROUNDING = 1e-9
 
 
-def check_spectrum(owner: str, spectrum: object) -> None:
-    """Refuse what does not tell its power at a wave number."""
-    if not callable(getattr(spectrum, "at", None)):
-        raise InvalidInput(f"{owner}: spectrum is a {type(spectrum).__name__}; give SelfAffine or PowerSpectrum.")
+Realisations: TypeAlias = Annotated[int, Whole(1, SPRINGS)]
+LineSprings: TypeAlias = Annotated[int, Whole(16, SPRINGS)]
 
 
-def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: int, seed: int) -> None:
-    """Refuse loads that are none or pull, and numbers of lines and springs that are none."""
-    for word, number, least in (("realisations", realisations, 1), ("count", count, 16), ("seed", seed, 0)):
-        whole_number(owner, word, number, least, math.inf if word == "seed" else SPRINGS)
+def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: int) -> None:
+    """Refuse loads that are none or pull, and more springs than are computed with."""
     affordable(owner, "springs of all realisations", realisations * count, MOST_NUMBERS)
-    if not isinstance(load, Force | Depth):
-        raise InvalidInput(f"{owner}: the load is a {type(load).__name__}; give Force or Depth.")
     least_load = float(np.min(prescribed(load)))
     if least_load <= 0.0:
         raise InvalidInput(

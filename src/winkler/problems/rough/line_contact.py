@@ -8,16 +8,15 @@ gap: both are Persson's here.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.number_checks import Advice, Positive, Seed
 from winkler.numerics.types import Quantity, shaped
-from winkler.problems.rough.line_checks import check_ensemble, check_spectrum, line_notes
+from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
 from winkler.problems.rough.line_solution import RoughSolution
 from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
@@ -67,12 +66,12 @@ class RoughContact:
     """
 
     spectrum: Spectrum
-    medium: HomogeneousMedium
-    side: float
+    medium: Annotated[HomogeneousMedium, Advice("roughness is known on no other")]
+    side: Positive
     load: Force | Depth
-    realisations: int = 50
-    count: int = 4096
-    seed: int = 0
+    realisations: Realisations = 50
+    count: LineSprings = 4096
+    seed: Seed = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001", "yang_persson_2008")
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
@@ -80,14 +79,7 @@ class RoughContact:
     )
 
     def __post_init__(self) -> None:
-        if not isinstance(self.medium, HomogeneousMedium):
-            raise InvalidInput(
-                f"RoughContact: the medium is a {type(self.medium).__name__}; roughness is known on homogeneous "
-                "half-spaces alone, give HalfSpace."
-            )
-        positive_fields(self, side="m")
-        check_spectrum("RoughContact", self.spectrum)
-        check_ensemble("RoughContact", self.load, self.realisations, self.count, self.seed)
+        check_ensemble("RoughContact", self.load, self.realisations, self.count)
 
     @property
     def length(self) -> float:

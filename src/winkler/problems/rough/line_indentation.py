@@ -15,14 +15,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
-from winkler.given import positive_fields
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.number_checks import Positive, Seed
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
-from winkler.problems.rough.line_checks import check_ensemble, check_spectrum, line_notes
+from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
 from winkler.problems.rough.line_solution import RoughSolution
 from winkler.problems.rough.persson import area_fraction
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds, prescribed
@@ -71,11 +71,11 @@ class RoughIndentation:
 
     spectrum: Spectrum
     bed: Bed
-    length: float
+    length: Positive
     load: Force | Depth
-    realisations: int = 50
-    count: int = 4096
-    seed: int = 0
+    realisations: Realisations = 50
+    count: LineSprings = 4096
+    seed: Seed = 0
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "pohrt_popov_2012", "persson_2001")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.ROUGHNESS}
@@ -87,9 +87,7 @@ class RoughIndentation:
                 "RoughIndentation: roughness is known on homogeneous half-spaces alone; give Foundation(profile, "
                 "HalfSpace(...))."
             )
-        positive_fields(self, length="m")
-        check_spectrum("RoughIndentation", self.spectrum)
-        check_ensemble("RoughIndentation", self.load, self.realisations, self.count, self.seed)
+        check_ensemble("RoughIndentation", self.load, self.realisations, self.count)
 
     @property
     def medium(self) -> HomogeneousMedium:

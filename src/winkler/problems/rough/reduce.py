@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.number_checks import Positive, between
 from winkler.numerics.types import Array
 from winkler.problems.normal.yield_statement import unknown_yield
 from winkler.problems.rough.contact_springs import Points, room, springs_of
@@ -78,8 +79,8 @@ class Reduction:
 
     topography: Topography
     medium: HomogeneousMedium
-    depth: float
-    tolerance: float = 1e-3
+    depth: Positive
+    tolerance: Annotated[float, between(1e-4, 0.1)] = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("barber_1974", "polonsky_keer_1999", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = frozenset(
@@ -87,17 +88,12 @@ class Reduction:
     )
 
     def __post_init__(self) -> None:
-        depth = self.depth
-        if isinstance(depth, bool) or not isinstance(depth, int | float) or not 0.0 < depth < math.inf:
-            raise InvalidInput(f"Reduction: depth is {depth!r}; give one positive depth in m.")
         SurfaceContact(self.topography, self.medium, Depth(self.depth))  # refuses what it would refuse later
         if self.topography.periodic:
             raise InvalidInput(
                 "Reduction: the map is periodic and has no finite stiffness radius; cut a part out with "
                 "topography.cropped(...), or use a RoughContact."
             )
-        if isinstance(self.tolerance, bool) or not 1e-4 <= self.tolerance <= 0.1:
-            raise InvalidInput(f"Reduction: tolerance is {self.tolerance!r}; give a number between 1e-4 and 0.1.")
 
     @property
     def total(self) -> None:

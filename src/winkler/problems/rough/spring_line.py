@@ -11,15 +11,14 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.given import positive_fields
 from winkler.loading import Depth, Force
+from winkler.number_checks import Numbers, Positive
 from winkler.numerics.types import Array
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["Ensemble", "RoughLine", "ensemble", "line_seeds", "prescribed"]
 
@@ -47,16 +46,9 @@ class RoughLine:
     (array([1., 2.]), array([1. , 1.5]))
     """
 
-    heights: Array
-    length: float
-    modulus: float
-
-    def __post_init__(self) -> None:
-        numbers = np.array(self.heights, dtype=float)
-        if numbers.ndim != 1 or numbers.size < 2 or not np.all(np.isfinite(numbers)):
-            raise InvalidInput("RoughLine: heights must be a row of at least two finite numbers in m.")
-        positive_fields(self, length="m", modulus="Pa")
-        object.__setattr__(self, "heights", frozen_array(numbers))
+    heights: Annotated[Array, Numbers(fewest=2)]
+    length: Positive
+    modulus: Positive
 
     @functools.cached_property
     def _sorted(self) -> tuple[Array, Array]:

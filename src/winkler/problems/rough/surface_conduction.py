@@ -12,15 +12,14 @@ tangents to both force curves bound that of the rough surface by :math:`F/(F/k_\
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
-from winkler.given import whole_number
 from winkler.limits import SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors
+from winkler.number_checks import Seed, Whole
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
@@ -67,8 +66,8 @@ class SurfaceConduction:
 
     contact: SurfaceContact
     conductors: ElectricalConductors
-    realisations: int = 20
-    seed: int = 0
+    realisations: Annotated[int, Whole(1, SPRINGS // 256)] = 20
+    seed: Seed = 0
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "pohrt_popov_2012")
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED | {
@@ -78,17 +77,6 @@ class SurfaceConduction:
     }
 
     def __post_init__(self) -> None:
-        if not isinstance(self.contact, SurfaceContact):
-            raise InvalidInput(
-                f"SurfaceConduction: the contact is a {type(self.contact).__name__}; give SurfaceContact."
-            )
-        if not isinstance(self.conductors, ElectricalConductors):
-            raise InvalidInput(
-                f"SurfaceConduction: conductors is a {type(self.conductors).__name__}; give "
-                "ElectricalConductors(first, second)."
-            )
-        whole_number("SurfaceConduction", "realisations", self.realisations, 1, SPRINGS // 256)
-        whole_number("SurfaceConduction", "seed", self.seed, 0)
         conductance_of_stiffness("SurfaceConduction", self.contact.medium, self.conductors)
 
     def solve(self) -> SurfaceConductionSolution:

@@ -13,15 +13,15 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.given import affordable
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.number_checks import Advice, PositiveOrInfinite, affordable, between
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import bytes_needed
@@ -92,10 +92,10 @@ class SurfaceContact:
     """
 
     topography: Topography
-    medium: HomogeneousMedium
+    medium: Annotated[HomogeneousMedium, Advice("the boundary elements know no other")]
     load: Force | Depth
-    hardness: float = math.inf
-    tolerance: float = 1e-6
+    hardness: PositiveOrInfinite = math.inf
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-6
 
     references: ClassVar[tuple[str, ...]] = (
         "polonsky_keer_1999", "stanley_kato_1997", "barber_2003", "yastrebov_2017", "almqvist_2007",
@@ -103,15 +103,6 @@ class SurfaceContact:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def __post_init__(self) -> None:
-        if not isinstance(self.topography, Topography):
-            raise InvalidInput(
-                f"SurfaceContact: the topography is a {type(self.topography).__name__}; give Topography."
-            )
-        if not isinstance(self.medium, HomogeneousMedium):
-            raise InvalidInput(
-                f"SurfaceContact: the medium is a {type(self.medium).__name__}; the boundary elements know homogeneous "
-                "half-spaces alone, give HalfSpace."
-            )
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
         affordable(
             "SurfaceContact", "pixels with their surroundings", around * self.topography.heights.size, MOST_NUMBERS
@@ -126,16 +117,6 @@ class SurfaceContact:
             raise InvalidInput(
                 "SurfaceContact: the periodic map is flat and touches everywhere at once; nothing to solve."
             )
-        if not isinstance(self.load, Force | Depth):
-            raise InvalidInput(f"SurfaceContact: the load is a {type(self.load).__name__}; give Force or Depth.")
-        for word, number, least, most in (
-            ("hardness", self.hardness, 0.0, math.inf),
-            ("tolerance", self.tolerance, 1e-12, 0.1),
-        ):
-            if isinstance(number, bool) or not isinstance(number, int | float) or not least < number <= most:
-                raise InvalidInput(
-                    f"SurfaceContact: {word} is {number!r}; give a number above {least:g} and at most {most:g}."
-                )
         flat = self._loads
         bad = np.flatnonzero(~(flat > 0.0))
         if bad.size:

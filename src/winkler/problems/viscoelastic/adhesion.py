@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from winkler.loading import Depth, Shift
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.number_checks import POSITIVE_OR_INFINITE, Advice
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesion.edge import Machine, adhesive_edge
@@ -78,6 +79,9 @@ class ViscoelasticAdhesionState:
     dissipation: float
 
 
+HELD = POSITIVE_OR_INFINITE._replace(demand="it must be positive{unit}, infinite for fixed grips")
+
+
 @value
 class ViscoelasticAdhesion:
     """A body that sticks to rubber, pressed on and pulled off along a path.
@@ -125,9 +129,9 @@ class ViscoelasticAdhesion:
     """
 
     bed: Bed
-    law: CrackLaw
+    law: Annotated[CrackLaw, Advice("laws that know no speed are those of AdhesiveCycle")]
     path: Path
-    machine_stiffness: float = math.inf
+    machine_stiffness: Annotated[float, HELD] = math.inf
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -145,25 +149,13 @@ class ViscoelasticAdhesion:
                 "ViscoelasticAdhesion: the body flows for ever and has no relaxed state to be pulled off from; give a "
                 "solid with a relaxed modulus."
             )
-        if not isinstance(self.law, CrackLaw):
+        if not isinstance(self.path.normal, Depth):
             raise InvalidInput(
-                f"ViscoelasticAdhesion: the law is a {type(self.law).__name__}; give RateDependentWork(work, "
-                "reference_speed, exponent) or SaturatingWork, or ask for AdhesiveCycle, which knows no speed."
-            )
-        if not isinstance(self.path, Path) or not isinstance(self.path.normal, Depth):
-            what = self.path.normal if isinstance(self.path, Path) else self.path
-            raise InvalidInput(
-                f"ViscoelasticAdhesion: a {type(what).__name__} is prescribed; give Path(time, Depth([...])): a dead "
-                "load is almost a machine with little stiffness."
+                f"ViscoelasticAdhesion: a {type(self.path.normal).__name__} is prescribed; give Path(time, "
+                "Depth([...])): a dead load is almost a machine with little stiffness."
             )
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput("ViscoelasticAdhesion: the path moves along the surface; leave the lateral load out.")
-        stiffness = self.machine_stiffness
-        if isinstance(stiffness, bool) or not isinstance(stiffness, int | float) or not stiffness > 0.0:
-            raise InvalidInput(
-                f"ViscoelasticAdhesion: machine_stiffness is {stiffness!r}; it must be positive, in N/m, infinite for "
-                "fixed grips."
-            )
 
     @property
     def _relaxed(self) -> Bed:

@@ -10,15 +10,15 @@ springs; so what it loses in kinetic energy is exactly the work done on them.
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
-from winkler.given import positive_fields, whole_number
 from winkler.limits import RELAXING_SPRINGS
+from winkler.number_checks import Positive, PositiveNotTiny, Whole, between
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
@@ -87,10 +87,10 @@ class ViscoelasticImpact:
     """
 
     bed: Bed
-    mass: float
-    velocity: float
-    count: int = 500
-    tolerance: float = 1e-5
+    mass: PositiveNotTiny
+    velocity: Positive
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
+    tolerance: Annotated[float, between(1e-9, 0.1)] = 1e-5
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -102,12 +102,6 @@ class ViscoelasticImpact:
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticImpact", self.bed)
-        positive_fields(self, mass="kg", velocity="m/s")
-        whole_number("ViscoelasticImpact", "count", self.count, 2, RELAXING_SPRINGS)
-        if isinstance(self.tolerance, bool) or not 1e-9 <= self.tolerance <= 0.1:
-            raise InvalidInput(
-                f"ViscoelasticImpact: tolerance is {self.tolerance!r}; give a number between 1e-9 and 0.1."
-            )
 
     def solve(self) -> ViscoelasticImpactSolution:
         """Return the whole impact.

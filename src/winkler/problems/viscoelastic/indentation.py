@@ -13,17 +13,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
-from winkler.given import whole_number
 from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.number_checks import Whole, between
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
@@ -96,8 +96,8 @@ class ViscoelasticIndentation:
 
     bed: Bed
     path: Path
-    count: int = 500
-    tolerance: float = 1e-7
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-7
 
     references: ClassVar[tuple[str, ...]] = (
         "popov_hess_2015",
@@ -110,10 +110,6 @@ class ViscoelasticIndentation:
 
     def __post_init__(self) -> None:
         relaxation_of("ViscoelasticIndentation", self.bed)
-        if not isinstance(self.path, Path):
-            raise InvalidInput(
-                f"ViscoelasticIndentation: the path is a {type(self.path).__name__}; give Path(time, Depth([...]))."
-            )
         if not isinstance(self.path.lateral, Shift) or np.any(self.path.along != 0.0):
             raise InvalidInput(
                 "ViscoelasticIndentation: the path moves along the surface; ask for ViscoelasticTangential, or leave "
@@ -123,12 +119,6 @@ class ViscoelasticIndentation:
             raise InvalidInput(
                 f"ViscoelasticIndentation: the force {np.min(self.path.across):.6g} N is tensile; without adhesion "
                 "bodies can only be pressed together."
-            )
-        whole_number("ViscoelasticIndentation", "count", self.count, 2, RELAXING_SPRINGS)
-        tolerance = self.tolerance
-        if isinstance(tolerance, bool) or not isinstance(tolerance, int | float) or not 1e-12 <= tolerance <= 0.1:
-            raise InvalidInput(
-                f"ViscoelasticIndentation: tolerance is {tolerance!r}; give a number between 1e-12 and 0.1."
             )
 
     @property

@@ -16,9 +16,10 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.given import positive_fields
+from winkler.load_checks import OnePositiveNormal
 from winkler.loading import Depth, Force
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
+from winkler.number_checks import Positive, PositiveQuantity, PositiveRow
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
@@ -66,16 +67,14 @@ class CreepTest:
     """
 
     bed: Bed
-    force: float
-    time: Array
+    force: Positive
+    time: PositiveRow
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         relaxation_of("CreepTest", self.bed)
-        positive_fields(self, force="N")
-        object.__setattr__(self, "time", _checked_row("CreepTest", "time", self.time, "s"))
 
     def solve(self) -> StepSolution:
         """Return how the body sinks.
@@ -129,16 +128,14 @@ class RelaxationTest:
     """
 
     bed: Bed
-    depth: float
-    time: Array
+    depth: Positive
+    time: PositiveRow
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         relaxation_of("RelaxationTest", self.bed)
-        positive_fields(self, depth="m")
-        object.__setattr__(self, "time", _checked_row("RelaxationTest", "time", self.time, "s"))
 
     def solve(self) -> StepSolution:
         """Return how the force falls.
@@ -226,28 +223,17 @@ class HarmonicIndentation:
     """
 
     bed: Bed
-    normal: Depth | Force
-    angular_frequency: Quantity
+    normal: OnePositiveNormal
+    angular_frequency: PositiveQuantity
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "lee_radok_1960")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
 
     def __post_init__(self) -> None:
         series = relaxation_of("HarmonicIndentation", self.bed)
-        load = self.normal.depth if isinstance(self.normal, Depth) else getattr(self.normal, "force", None)
-        if not isinstance(self.normal, Depth | Force) or np.ndim(np.asarray(load)) != 0 or not float(load or 0.0) > 0.0:
-            raise InvalidInput(
-                f"HarmonicIndentation: normal is {self.normal!r}; give Depth(d) or Force(F) with one positive number."
-            )
         if isinstance(self.normal, Force) and series.relaxed == 0.0:
             raise InvalidInput(
                 "HarmonicIndentation: the body flows for ever, so that it never rests under a force; give a Depth."
-            )
-        frequencies = np.asarray(self.angular_frequency, dtype=float)
-        if not frequencies.size or not np.all(np.isfinite(frequencies)) or np.any(frequencies <= 0.0):
-            raise InvalidInput(
-                f"HarmonicIndentation: angular_frequency is {self.angular_frequency!r}; give positive, finite numbers "
-                "in rad/s."
             )
 
     def solve(self) -> HarmonicSolution:
@@ -327,14 +313,3 @@ class HarmonicSolution:
         place = np.array([self.depth]), np.array([self.radius])
         times = times_notes(bed, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))
         return (*bed.notes, *contact_notes(elastic_like(bed), *place), *times, small, *relaxing_yield(bed.medium))
-
-
-def _checked_row(owner: str, word: str, given: Array, unit: str) -> Array:
-    try:
-        numbers = np.array(given, dtype=float)
-    except (TypeError, ValueError):
-        numbers = np.empty(0)
-    if numbers.ndim != 1 or not numbers.size or not np.all(np.isfinite(numbers)) or np.any(numbers <= 0.0):
-        raise InvalidInput(f"{owner}: {word} is {given!r}; give a row of positive, finite numbers in {unit}.")
-    numbers.flags.writeable = False
-    return numbers

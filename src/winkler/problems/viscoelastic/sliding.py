@@ -14,16 +14,17 @@ speed (`winkler.problems.viscoelastic.sliding_factor`).
 from __future__ import annotations
 
 import math
-from typing import ClassVar, NamedTuple
+from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
-from winkler.given import whole_number
 from winkler.limits import RELAXING_SPRINGS
-from winkler.loading import Depth, Force
+from winkler.load_checks import OnePositiveNormal
+from winkler.loading import Depth
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.number_checks import PositiveQuantity, Whole
 from winkler.numerics.equations.roots import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.springs.free_relaxation import Recovery
@@ -110,9 +111,9 @@ class SlidingResistance:
     """
 
     bed: Bed
-    normal: Depth | Force
-    speed: Quantity
-    count: int = 1000
+    normal: OnePositiveNormal
+    speed: PositiveQuantity
+    count: Annotated[int, Whole(10, RELAXING_SPRINGS)] = 1000
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "brilliantov_poschel_1998")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING
@@ -125,18 +126,6 @@ class SlidingResistance:
                 "ViscoelasticHalfSpace(solid)): what a line of springs loses in sliding is known for half-spaces only."
             )
         relaxation_of("SlidingResistance", self.bed)
-        load = self.normal.depth if isinstance(self.normal, Depth) else getattr(self.normal, "force", None)
-        if not isinstance(self.normal, Depth | Force) or np.ndim(np.asarray(load)) != 0 or not float(load or 0.0) > 0.0:
-            raise InvalidInput(
-                f"SlidingResistance: normal is {self.normal!r}; give Depth(d) or Force(F) with one positive number."
-            )
-        try:
-            speeds = np.asarray(self.speed, dtype=float)
-        except (TypeError, ValueError):
-            speeds = np.empty(0)
-        if not speeds.size or not np.all(np.isfinite(speeds)) or np.any(speeds <= 0.0):
-            raise InvalidInput(f"SlidingResistance: speed is {self.speed!r}; give positive, finite numbers in m/s.")
-        whole_number("SlidingResistance", "count", self.count, 10, RELAXING_SPRINGS)
 
     def solve(self) -> SlidingResistanceSolution:
         """Return the resistance at every speed.

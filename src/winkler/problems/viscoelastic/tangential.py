@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
@@ -21,8 +21,10 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb
+from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, ShearForce, Shift
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.number_checks import Whole, between
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note
@@ -96,8 +98,8 @@ class ViscoelasticTangential:
     bed: Bed
     law: Coulomb
     path: Path
-    count: int = 500
-    tolerance: float = 1e-5
+    count: Annotated[int, Whole(2, RELAXING_SPRINGS)] = 500
+    tolerance: Annotated[float, between(1e-12, 0.1)] = 1e-5
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_willert_hess_2018", "mindlin_1949")
     assumptions: ClassVar[frozenset[Assumption]] = RELAXING | SHEARED | BALANCED
@@ -107,14 +109,6 @@ class ViscoelasticTangential:
             raise InvalidInput(
                 f"ViscoelasticTangential: the bed stands on a {type(self.bed.medium).__name__}; give "
                 "Foundation(profile, ViscoelasticHalfSpace(solid))."
-            )
-        if not isinstance(self.law, Coulomb):
-            raise InvalidInput(
-                f"ViscoelasticTangential: the law is a {type(self.law).__name__}; give Coulomb(coefficient)."
-            )
-        if not isinstance(self.path, Path):
-            raise InvalidInput(
-                f"ViscoelasticTangential: the path is a {type(self.path).__name__}; give Path(time, normal, lateral)."
             )
         if not isinstance(self.path.lateral, Shift | ShearForce) or self.path.in_plane:
             raise InvalidInput(

@@ -11,22 +11,23 @@ more (`winkler.problems.wear.limiting_profile`).  In gross slip the contact grow
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
-from winkler.loading import Normal, ShearForce, Shift
-from winkler.numerics.types import Array, Quantity
+from winkler.load_checks import OnePositiveNormal, OnePositiveSwing
+from winkler.loading import ShearForce
+from winkler.number_checks import FiniteQuantity
+from winkler.numerics.types import Array
 from winkler.path import numbers_of
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
-from winkler.problems.wear.input_checks import check_fineness, check_normal, check_wear, wearable
+from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
 from winkler.problems.wear.march import Moment
 from winkler.problems.wear.states import FrettingState, goals_of
@@ -93,12 +94,12 @@ class FrettingWear:
 
     bed: Foundation
     wear: WearLaw
-    law: Coulomb
-    normal: Normal
-    amplitude: Shift | ShearForce
-    cycles: Quantity
-    count: int = 400
-    tolerance: float = 1e-3
+    law: Sliding
+    normal: OnePositiveNormal
+    amplitude: OnePositiveSwing
+    cycles: FiniteQuantity
+    count: Cells = 400
+    tolerance: WearTolerance = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "popov_2014", "archard_1953")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
@@ -106,24 +107,7 @@ class FrettingWear:
 
     def __post_init__(self) -> None:
         wearable("FrettingWear", self.bed)
-        check_wear("FrettingWear", self.wear)
-        if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
-            raise InvalidInput(
-                f"FrettingWear: the law is {self.law!r}; give Coulomb(coefficient) with a positive, finite coefficient."
-            )
-        check_normal("FrettingWear", self.normal)
-        if not isinstance(self.amplitude, Shift | ShearForce):
-            raise InvalidInput(
-                f"FrettingWear: amplitude is a {type(self.amplitude).__name__}; give Shift(U) in m or ShearForce(F_x) "
-                "in N."
-            )
-        size = numbers_of(self.amplitude)
-        if size.ndim != 0 or not float(size) > 0.0:
-            raise InvalidInput(
-                f"FrettingWear: the amplitude is {self.amplitude!r}; give one positive number, how far to each side."
-            )
         goals_of("FrettingWear", "cycles", "", self.cycles)
-        check_fineness("FrettingWear", self.count, self.tolerance)
 
     @property
     def goals(self) -> Array:

@@ -13,14 +13,15 @@ whatever the law of wear (Popov).  The displacement u is the medium's own: the r
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput, OutsideValidity
+from winkler.errors import OutsideValidity
+from winkler.field_checks import Such
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
-from winkler.laws.friction import Coulomb
+from winkler.laws.friction import Sliding
 from winkler.loading import Depth, Shift
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -78,6 +79,17 @@ class Core:
         return -self.bed.gap_slope(x)
 
 
+ONE_DEPTH = Such(
+    lambda load: numbers_of(load).ndim == 0 and float(load.depth) > 0.0,
+    "give Depth(d) with one positive number: under a steady force the core takes over what the worn ring lets go, "
+    "ask for FrettingWear",
+)
+ONE_SHIFT = Such(
+    lambda load: numbers_of(load).ndim == 0 and float(load.shift) > 0.0,
+    "give Shift(U) with one positive number, how far to each side",
+)
+
+
 @value
 class LimitingProfile:
     """The shape and the contact in which fretting wear ends, under a steady depth and a steady amplitude.
@@ -118,35 +130,13 @@ class LimitingProfile:
     """
 
     bed: Foundation
-    law: Coulomb
-    normal: Depth
-    amplitude: Shift
+    law: Sliding
+    normal: Annotated[Depth, ONE_DEPTH]
+    amplitude: Annotated[Shift, ONE_SHIFT]
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "popov_2014", "dmitriev_2016")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
     needs_round: ClassVar[str] = "wear, which follows the slip from place to place,"
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.bed, Foundation):
-            raise InvalidInput(
-                f"LimitingProfile: the bed is a {type(self.bed).__name__}; give Foundation(profile, medium): what "
-                "wears is the profile."
-            )
-        if not isinstance(self.law, Coulomb) or not 0.0 < self.law.coefficient < math.inf:
-            raise InvalidInput(
-                f"LimitingProfile: the law is {self.law!r}; give Coulomb(coefficient) with a positive, finite "
-                "coefficient."
-            )
-        if not isinstance(self.normal, Depth) or numbers_of(self.normal).ndim != 0 or not float(self.normal.depth) > 0:
-            raise InvalidInput(
-                f"LimitingProfile: normal is {self.normal!r}; give Depth(d) with one positive number: under a steady "
-                "force the core takes over what the worn ring lets go, ask for FrettingWear."
-            )
-        size = self.amplitude
-        if not isinstance(size, Shift) or numbers_of(size).ndim != 0 or not float(size.shift) > 0.0:
-            raise InvalidInput(
-                f"LimitingProfile: amplitude is {size!r}; give Shift(U) with one positive number, how far to each side."
-            )
 
     @property
     def contact(self) -> IndentationSolution:

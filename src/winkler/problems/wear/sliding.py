@@ -10,18 +10,18 @@ volume :math:`\kappa F s = \pi a^4/4R`, once that is much deeper than the elasti
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.errors import InvalidInput
 from winkler.foundation.foundation import Foundation
-from winkler.laws.wear import Archard, OwnWear, PairWear
-from winkler.loading import Normal
-from winkler.numerics.types import Array, Quantity
+from winkler.laws.wear import Archard, OwnWear
+from winkler.load_checks import OnePositiveNormal
+from winkler.number_checks import Advice, FiniteQuantity
+from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
-from winkler.problems.wear.input_checks import check_fineness, check_normal, check_wear, wearable
+from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.line import WearLine, WornContact
 from winkler.problems.wear.march import Moment
 from winkler.problems.wear.states import WearState, goals_of
@@ -31,6 +31,9 @@ from winkler.validity import Assumption, Note
 from winkler.values import value
 
 __all__ = ["SlidingSolution", "SlidingWear"]
+
+
+ONE_BODY = Advice("the law of the body that stays in contact; where both wear, ask for FrettingWear")
 
 
 @value
@@ -82,11 +85,11 @@ class SlidingWear:
     """
 
     bed: Foundation
-    wear: Archard | OwnWear
-    normal: Normal
-    distance: Quantity
-    count: int = 400
-    tolerance: float = 1e-3
+    wear: Annotated[Archard | OwnWear, ONE_BODY]
+    normal: OnePositiveNormal
+    distance: FiniteQuantity
+    count: Cells = 400
+    tolerance: WearTolerance = 1e-3
 
     references: ClassVar[tuple[str, ...]] = ("popov_hess_2015", "dimaki_2014", "archard_1953")
     assumptions: ClassVar[frozenset[Assumption]] = WORN
@@ -94,15 +97,7 @@ class SlidingWear:
 
     def __post_init__(self) -> None:
         wearable("SlidingWear", self.bed)
-        check_wear("SlidingWear", self.wear)
-        if isinstance(self.wear, PairWear):
-            raise InvalidInput(
-                "SlidingWear: wear is a PairWear; give the law of the body that stays in contact, or ask for "
-                "FrettingWear, where both do."
-            )
-        check_normal("SlidingWear", self.normal)
         goals_of("SlidingWear", "distance", " in m", self.distance)
-        check_fineness("SlidingWear", self.count, self.tolerance)
 
     @property
     def goals(self) -> Array:

@@ -11,13 +11,16 @@ it is a power law, and it is continued by one beyond the last, where the scan ha
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.number_checks import Numbers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["LineScan", "spectrum_of_lines"]
 
@@ -54,23 +57,15 @@ class LineScan:
     70.7
     """
 
-    position: Array
-    heights: Array
+    position: Annotated[Array, Numbers(fewest=FEWEST, order="rising")]
+    heights: Annotated[Array, Numbers(fewest=FEWEST)]
 
     def __post_init__(self) -> None:
-        try:
-            x, z = np.array(self.position, dtype=float), np.array(self.heights, dtype=float)
-        except (TypeError, ValueError):
-            raise InvalidInput("LineScan: position and heights must be numbers in m; give two rows.") from None
-        if x.ndim != 1 or x.shape != z.shape or x.size < FEWEST:
+        if self.position.size != self.heights.size:
             raise InvalidInput(
-                f"LineScan: there are {x.shape} places and {z.shape} heights; give two equally long rows of at least "
-                f"{FEWEST} numbers."
+                f"LineScan: there are {self.position.size} places and {self.heights.size} heights; give two equally "
+                "long rows."
             )
-        if not (np.all(np.isfinite(x)) and np.all(np.isfinite(z)) and np.all(np.diff(x) > 0.0)):
-            raise InvalidInput("LineScan: places must rise, and all numbers be finite; sort the rows, delete gaps.")
-        object.__setattr__(self, "position", frozen_array(x))
-        object.__setattr__(self, "heights", frozen_array(z))
 
     @property
     def _levelled(self) -> tuple[float, Array]:

@@ -19,8 +19,8 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import MADE_PIXELS
+from winkler.number_checks import affordable
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.profiles.rough.topography import Topography

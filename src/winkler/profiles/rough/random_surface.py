@@ -7,6 +7,7 @@ import dataclasses
 import numpy as np
 
 from winkler.errors import InvalidInput
+from winkler.number_checks import Seed
 from winkler.numerics.types import Array
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import Spectrum
@@ -54,7 +55,7 @@ class RandomTopography(Topography):
     periodic: bool = dataclasses.field(default=True, kw_only=True)
     spectrum: Spectrum = dataclasses.field()
     shape: tuple[int, int] = (256, 256)
-    seed: int = 0
+    seed: Seed = 0
 
     def __post_init__(self) -> None:
         given = self.shape if isinstance(self.shape, tuple | list) else ()

@@ -11,14 +11,15 @@ how spectra are measured, and what goes wrong; their C is (2 pi)^2 times this on
 from __future__ import annotations
 
 import math
-from typing import Protocol
+from typing import Annotated, Protocol
 
 import numpy as np
 
+from winkler.contract import offered
 from winkler.errors import InvalidInput
-from winkler.given import positive_fields
+from winkler.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
 from winkler.numerics.types import Array
-from winkler.values import frozen_array, value
+from winkler.values import value
 
 __all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 
@@ -26,6 +27,7 @@ PER_DECADE = 20
 """Bins of a measured spectrum, equal on a logarithmic axis."""
 
 
+@offered("a spectrum: SelfAffine or PowerSpectrum")
 class Spectrum(Protocol):
     """The contract of a spectrum, spoken to its implementer."""
 
@@ -83,16 +85,13 @@ class SelfAffine:
     0.22
     """
 
-    hurst: float
-    rms_height: float
-    longest: float
-    shortest: float
-    roll_off: float = math.inf
+    hurst: Annotated[float, Number("give a number above 0 and at most 1", 0.0, 1.0, (0.0,))]
+    rms_height: Positive
+    longest: Positive
+    shortest: Positive
+    roll_off: PositiveOrInfinite = math.inf
 
     def __post_init__(self) -> None:
-        positive_fields(self, rms_height="m", longest="m", shortest="m")
-        if isinstance(self.hurst, bool) or not isinstance(self.hurst, int | float) or not 0.0 < self.hurst <= 1.0:
-            raise InvalidInput(f"SelfAffine: hurst is {self.hurst!r}; give a number above 0 and at most 1.")
         if not self.shortest < min(self.roll_off, self.longest):
             raise InvalidInput(
                 f"SelfAffine: the wavelengths are not in order; give shortest ({self.shortest:.6g} m) below roll_off "
@@ -154,25 +153,15 @@ class PowerSpectrum:
         If they do not fit one another, do not rise, or are not positive.
     """
 
-    wave_numbers: Array
-    densities: Array
+    wave_numbers: Annotated[Array, Numbers(POSITIVE, fewest=2, order="rising")]
+    densities: Annotated[Array, Numbers(POSITIVE, fewest=2)]
 
     def __post_init__(self) -> None:
-        for word in ("wave_numbers", "densities"):
-            try:
-                numbers = np.array(getattr(self, word), dtype=float)
-            except (TypeError, ValueError):
-                raise InvalidInput(f"PowerSpectrum: {word} are not numbers; give an array.") from None
-            if numbers.ndim != 1 or numbers.size < 2 or not (np.all(np.isfinite(numbers)) and np.all(numbers > 0.0)):
-                raise InvalidInput(f"PowerSpectrum: {word} must be a row of at least two positive, finite numbers.")
-            object.__setattr__(self, word, frozen_array(numbers))
         if self.wave_numbers.size != self.densities.size:
             raise InvalidInput(
                 f"PowerSpectrum: there are {self.wave_numbers.size} wave_numbers and {self.densities.size} densities; "
                 "give as many of each."
             )
-        if np.any(np.diff(self.wave_numbers) <= 0.0):
-            raise InvalidInput("PowerSpectrum: the wave numbers do not rise from each to the next; sort them.")
 
     @property
     def smallest(self) -> float:

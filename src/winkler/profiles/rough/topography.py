@@ -3,13 +3,15 @@ r"""A height map: the heights of a surface on a rectangular grid, as an instrume
 from __future__ import annotations
 
 import math
+from typing import Annotated
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import HOLES
+from winkler.number_checks import POSITIVE, Advice, Numbers, affordable
 from winkler.numerics.types import Array, ArrayLike
+from winkler.physical_size import refuse_size
 from winkler.profiles.rough.spikes import Spikes
 from winkler.values import frozen_array, value
 
@@ -46,7 +48,7 @@ class Topography:
     """
 
     heights: Array
-    lengths: Array
+    lengths: Annotated[Array, Numbers(POSITIVE), Advice("two positive lengths in m")]
     periodic: bool = False
 
     def __post_init__(self) -> None:
@@ -54,21 +56,18 @@ class Topography:
             if np.iscomplexobj(self.heights):
                 raise TypeError("heights are real")
             heights = np.array(self.heights, dtype=float)
-            lengths = np.array(self.lengths, dtype=float)
         except (TypeError, ValueError):
-            raise InvalidInput("Topography: heights and lengths must be numbers in m; give arrays.") from None
+            raise InvalidInput("Topography: heights must be numbers in m; give an array.") from None
         if heights.ndim != 2 or min(heights.shape) < 2:
             raise InvalidInput(
                 f"Topography: heights have the shape {heights.shape}; give a map of at least 2 x 2 pixels, (nx, ny)."
             )
-        if lengths.shape != (2,) or not (np.all(np.isfinite(lengths)) and np.all(lengths > 0.0)):
+        if self.lengths.shape != (2,):
             raise InvalidInput(f"Topography: lengths are {self.lengths!r}; give two positive lengths in m.")
         if np.any(np.isinf(heights)) or np.all(np.isnan(heights)):
             raise InvalidInput("Topography: heights are infinite, or all missing; give finite ones, nan for missing.")
-        if not isinstance(self.periodic, bool | np.bool_):
-            raise InvalidInput(f"Topography: periodic is {self.periodic!r}; give True or False.")
+        refuse_size("Topography: heights", heights)
         object.__setattr__(self, "heights", frozen_array(heights))
-        object.__setattr__(self, "lengths", frozen_array(lengths))
 
     @property
     def pixel(self) -> tuple[float, float]:

@@ -14,9 +14,10 @@ import time
 from collections.abc import Callable, Collection, Iterator
 from concurrent.futures import CancelledError
 from importlib.metadata import version
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from winkler.errors import InvalidInput, NotConverged
+from winkler.number_checks import Advice
 from winkler.values import value
 
 __all__ = ["Cluster", "Connection", "connected"]
@@ -25,6 +26,9 @@ PATIENCE = 10.0
 """How long a scheduler is waited for [s]."""
 BEAT = 1.0
 """How long answers are waited for before the workers are counted [s], at most."""
+
+
+SCHEDULER = Advice("give that of a scheduler, such as 'tcp://host:8786'")
 
 
 @value
@@ -39,11 +43,11 @@ class Cluster:
         How long it may be without any worker before a sweep is given up [s].
     """
 
-    address: str
+    address: Annotated[str, SCHEDULER]
     patience: float = 60.0
 
     def __post_init__(self) -> None:
-        if not isinstance(self.address, str) or not self.address.strip():
+        if not self.address.strip():
             raise InvalidInput(
                 f"cluster: the address is {self.address!r}; give that of a scheduler, such as 'tcp://host:8786'."
             )

@@ -16,9 +16,10 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import resource_tracker
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 from winkler.errors import InvalidInput, NotConverged
+from winkler.number_checks import Number
 from winkler.study.batch.cluster import Cluster, connected
 from winkler.study.batch.stopping import held
 from winkler.values import value
@@ -39,11 +40,7 @@ class Machine:
         For how long one process is at it alone [s]; starting others takes about as long.
     """
 
-    patience: float = 1.0
-
-    def __post_init__(self) -> None:
-        if not self.patience >= 0.0:
-            raise InvalidInput(f"Machine: patience is {self.patience!r}; it must be zero or a positive time in s.")
+    patience: Annotated[float, Number("it must be zero or a positive time in s", 0.0)] = 1.0
 
     @property
     def processors(self) -> int:

@@ -97,13 +97,16 @@ def assembled(form: BaseModel, *, folder: Path, file: str, key: str) -> Any:
         raise type(error)(_located(str(error), line.cls, f"{file}: {key}" if file else key)) from None
 
 
+VERBS = ("is ", "has ", "does ", "falls ")
+"""How sentences about a field go on after its name."""
+
+
 def _located(sentence: str, cls: type, key: str) -> str:
     """Return a sentence of a class with the key that it is about in front."""
-    for field in dataclasses.fields(cls):
-        begin = f"{cls.__name__}: {field.name} is "
-        if sentence.startswith(begin):
-            return f"{key}.{field.name} is {sentence.removeprefix(begin)}"
-    return f"{key}: {sentence}"
+    begin, _, rest = sentence.partition(": ")
+    field, _, said = rest.partition(" ")
+    named = begin == cls.__name__ and field in {item.name for item in dataclasses.fields(cls)}
+    return f"{key}.{field} {said}" if named and said.startswith(VERBS) else f"{key}: {sentence}"
 
 
 def _found(folder: Path, name: str) -> Path:

@@ -12,13 +12,13 @@ from __future__ import annotations
 
 import functools
 import math
-from typing import ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import MOST_NUMBERS, SWEPT
+from winkler.number_checks import Whole, affordable
 from winkler.numerics.types import Array
 from winkler.study.language.varied import Axis, Range
 from winkler.values import value
@@ -47,14 +47,12 @@ class Zipped:
     told: ClassVar[str] = "They vary together."
 
 
-def _counted(owner: str, count: int, seed: int, *, doubled: bool) -> None:
-    for name, number, least in (("count", count, 1), ("seed", seed, 0)):
-        if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= SWEPT:
-            raise InvalidInput(f"sweep.design.{name} is {number!r}; give a whole number from {least} to {SWEPT}.")
-    if doubled and count & (count - 1):
+def _refuse_uneven(count: int) -> None:
+    if count & (count - 1):
         below = 2 ** (count.bit_length() - 1)
         raise InvalidInput(
-            f"sweep.design.count is {count}; {owner} is even with a power of two only: give {below} or {2 * below}."
+            f"sweep.design.count is {count}; a Sobol sequence is even with a power of two only: give {below} or "
+            f"{2 * below}."
         )
 
 
@@ -75,15 +73,13 @@ class LatinHypercube:
     output from a computer code. Technometrics 21 (1979) 239, doi:10.1080/00401706.1979.10489755
     """
 
-    count: int
-    seed: int = 0
+    count: Annotated[int, Whole(1, SWEPT)]
+    seed: Annotated[int, Whole(0, SWEPT)] = 0
 
     kind: ClassVar[str] = "latin_hypercube"
+    section: ClassVar[str] = "sweep.design"
     draws: ClassVar[bool] = True
     told: ClassVar[str] = "The points are a Latin hypercube."
-
-    def __post_init__(self) -> None:
-        _counted("a Latin hypercube", self.count, self.seed, doubled=False)
 
     def shares(self, keys: int) -> Array:
         """Return where the points stand in the ranges of so many keys, shape ``(points, keys)``, from zero to one."""
@@ -110,15 +106,16 @@ class Sobol:
     Matousek: On the L2-discrepancy for anchored boxes. Journal of Complexity 14 (1998) 527 (the scrambling)
     """
 
-    count: int
-    seed: int = 0
+    count: Annotated[int, Whole(1, SWEPT)]
+    seed: Annotated[int, Whole(0, SWEPT)] = 0
 
     kind: ClassVar[str] = "sobol"
+    section: ClassVar[str] = "sweep.design"
     draws: ClassVar[bool] = True
     told: ClassVar[str] = "The points are a scrambled Sobol sequence."
 
     def __post_init__(self) -> None:
-        _counted("a Sobol sequence", self.count, self.seed, doubled=True)
+        _refuse_uneven(self.count)
 
     def shares(self, keys: int) -> Array:
         """Return where the points stand in the ranges of so many keys, shape ``(points, keys)``, from zero to one."""
@@ -147,15 +144,16 @@ class Sensitivity:
     Computer Physics Communications 181 (2010) 259, doi:10.1016/j.cpc.2009.09.018
     """
 
-    count: int
-    seed: int = 0
+    count: Annotated[int, Whole(1, SWEPT)]
+    seed: Annotated[int, Whole(0, SWEPT)] = 0
 
     kind: ClassVar[str] = "sensitivity"
+    section: ClassVar[str] = "sweep.design"
     draws: ClassVar[bool] = True
     told: ClassVar[str] = "Pairs of points of a Sobol sequence have their keys exchanged one by one."
 
     def __post_init__(self) -> None:
-        _counted("a Sobol sequence", self.count, self.seed, doubled=True)
+        _refuse_uneven(self.count)
 
     def shares(self, keys: int) -> Array:
         """Return where the points stand in the ranges of so many keys, shape ``(points, keys)``, from zero to one."""

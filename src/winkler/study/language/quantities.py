@@ -17,13 +17,12 @@ from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
 from winkler.errors import InvalidInput, WinklerError, suggest
+from winkler.field_checks import numbers_taken
 from winkler.numerics.types import Array
 from winkler.units import quantity, to_si
 from winkler.vocabulary import word
 
 __all__ = [
-    "ENDLESS",
-    "ENDLESS_OF",
     "GRIDS",
     "INDEXED",
     "INFINITE",
@@ -74,17 +73,6 @@ GRIDS: frozenset[tuple[str, str]] = frozenset({("Designed", "slopes")})
 
 
 INFINITE = "infinite"
-ENDLESS: frozenset[str] = frozenset({"machine_stiffness", "inertia"})
-"""Fields that may be infinite, written as that word."""
-ENDLESS_OF: frozenset[tuple[str, str]] = frozenset(
-    {
-        ("Coulomb", "coefficient"),
-        ("ThermalInterface", "interface_conductance"),
-        ("SurfaceContact", "hardness"),
-        ("SelfAffine", "roll_off"),
-    }
-)
-"""The same, of one class alone."""
 
 
 def wrong(sentence: str, *key: str) -> NoReturn:
@@ -103,8 +91,9 @@ def unit_of(owner: type, field: str) -> str | None:
 
 
 def endless(owner: type, field: str) -> bool:
-    """Return whether a number may be infinite."""
-    return field in ENDLESS or (owner.__name__, field) in ENDLESS_OF
+    """Return whether a number may be infinite, after its type."""
+    number = numbers_taken(owner, field)
+    return number is not None and number.admits(math.inf)
 
 
 def dependent(owner: type) -> tuple[str, ...]:

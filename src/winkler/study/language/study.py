@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.given import affordable
 from winkler.limits import FIELD_PLACES, KEY_LETTERS
-from winkler.numerics.types import Array, Quantity
+from winkler.number_checks import FiniteQuantity, NonNegative, Numbers, affordable
+from winkler.numerics.types import Array
 from winkler.study.language.designs import POINT, Crossed, Design, Zipped, axes_of
 from winkler.study.language.varied import Axis, Range
 from winkler.values import value
@@ -43,12 +43,10 @@ class Places:
         Whether the values are multiples of the contact radius of each solution.
     """
 
-    values: Array
+    values: Annotated[Array, Numbers(fewest=0)]
     relative: bool = False
 
-    def __post_init__(self) -> None:
-        if self.values.ndim != 1 or not np.all(np.isfinite(self.values)):
-            raise InvalidInput(f"fields: places are a list of finite numbers; got shape {self.values.shape}.")
+    section: ClassVar[str] = "fields"
 
     def within(self, radius: float) -> Array:
         """Return the places in [m] for a contact of the given `radius` [m]."""
@@ -140,20 +138,16 @@ class Expectation:
     """
 
     quantity: str
-    expected: Quantity
-    tolerance: float
+    expected: FiniteQuantity
+    tolerance: NonNegative
     place: tuple[tuple[str, float], ...] = ()
-    scale: float = 0.0
+    scale: NonNegative = 0.0
+
+    section: ClassVar[str] = "expect"
 
     def __post_init__(self) -> None:
         if named(self.quantity) not in GLOSSARY:
             raise InvalidInput(f"expect: '{self.quantity}' is no quantity of the glossary.")
-        if not np.all(np.isfinite(self.expected)):
-            raise InvalidInput(f"expect: the expected {self.quantity} is not finite; give finite numbers.")
-        if not (math.isfinite(self.tolerance) and self.tolerance >= 0.0):
-            raise InvalidInput(f"expect: tolerance is {self.tolerance!r}; give a number that is zero or positive.")
-        if not (math.isfinite(self.scale) and self.scale >= 0.0):
-            raise InvalidInput(f"expect: scale is {self.scale!r}; give a number that is zero or positive.")
         if self.scale == 0.0 and np.any(np.asarray(self.expected) == 0.0):
             raise InvalidInput(
                 f"expect: the expected {self.quantity} is zero, so that no deviation is small against it; add scale."

@@ -1,0 +1,34 @@
+"""The half-angle that a conical shape is made from: a number of radians, and the most frequent mistake is degrees."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, NamedTuple, TypeAlias
+
+from winkler.errors import InvalidInput
+from winkler.number_checks import Check, Ending, Number
+from winkler.physical_size import shown
+
+__all__ = ["HalfAngle"]
+
+RIGHT = 0.5 * math.pi
+WITHIN = Number("measured from the axis it must lie between 0 and pi/2", 0.0, RIGHT, (0.0, RIGHT))
+
+
+class Angle(NamedTuple):
+    """A half-angle between 0 and pi/2, both excluded; a number that looks like degrees is refused with its radians."""
+
+    def check(self, where: str, ending: Ending) -> Check:
+        """Return what refuses contents of a field that are no such angle."""
+
+        def checked(content: Any) -> Any:
+            if not WITHIN.admits(content):
+                degrees = type(content) in (float, int) and RIGHT <= content < 90.0
+                hint = f"if {content:g} are degrees, give math.radians({content:g})" if degrees else ""
+                raise InvalidInput(f"{where} is {shown(content)} rad; {ending(WITHIN.demand)}{f'; {hint}' * degrees}.")
+            return content
+
+        return checked
+
+
+HalfAngle: TypeAlias = Annotated[float, Angle()]
