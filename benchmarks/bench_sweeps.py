@@ -16,7 +16,7 @@ import pytest
 import winkler as wk
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.run import run
-from winkler.study.batch.sweep import journaled
+from winkler.study.batch.sweep import solve_points
 from winkler.study.language.designs import Sensitivity, Sobol
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
@@ -63,7 +63,7 @@ def bench_ten_thousand_points_recalled(benchmark, below, tmp_path):
     study = Study("x", BALL, sweep=(Axis(KEYS[0].key, forces), Axis(KEYS[1].key, youngs)))
     path = tmp_path / "x.journal"
     with Journal(path, study) as journal:
-        for _ in journaled(study, journal):
+        for _ in solve_points(study, journal):
             pass
 
     def again() -> Path:

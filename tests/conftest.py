@@ -1,15 +1,18 @@
-"""What every test may rely on: no window system, no stale compiled code, the same random numbers in every run."""
+"""What every test may rely on: no window system, the same random numbers in every run, one place for compiled kernels.
+
+Compiled kernels are kept from run to run in pytest's own cache (`pytest --cache-clear` drops them): compiling all of
+them costs about a minute of processor time.  They are found by the content of a kernel and of all that it calls, so
+what is stale is never used; see `winkler.numerics.jit`.
+"""
 
 from __future__ import annotations
 
+import gc
 import os
 import tempfile
 from pathlib import Path
 
 os.environ["MPLBACKEND"] = "Agg"
-if "NUMBA_CACHE_DIR" not in os.environ:
-    _fresh = tempfile.TemporaryDirectory(prefix="winkler-numba-")
-    os.environ["NUMBA_CACHE_DIR"] = _fresh.name
 
 import hypothesis
 import pytest
@@ -18,6 +21,23 @@ ROOT = Path(__file__).resolve().parents[1]
 
 hypothesis.settings.register_profile("house", deadline=None, derandomize=True, database=None, print_blob=True)
 hypothesis.settings.load_profile("house")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Name the place for compiled kernels before numba is imported; the workers and their children inherit it."""
+    if "NUMBA_CACHE_DIR" not in os.environ:
+        try:
+            os.environ["NUMBA_CACHE_DIR"] = str(config.cache.mkdir("kernels"))
+        except (AttributeError, OSError):  # no cache is wanted, or it cannot be written
+            fresh = tempfile.TemporaryDirectory(prefix="winkler-numba-")
+            config.add_cleanup(fresh.cleanup)
+            os.environ["NUMBA_CACHE_DIR"] = fresh.name
+
+
+def pytest_collection_finish() -> None:
+    """Look no more for garbage among some ten thousand collected tests and what they imported: each look takes long."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,7 @@
 """Every example runs: the scripts as a reader would start them, the studies through the command line.
 
-By default the scripts run one after the other in this process, as the manual's gallery runs them; each in a process of
-its own, and the longer studies, among the slow tests.
+Scripts and studies run one after the other in this process, as the manual's gallery runs them; each script in a process
+of its own, and the longer studies, among the slow tests.
 """
 
 from __future__ import annotations
@@ -14,23 +14,11 @@ from pathlib import Path
 
 import pytest
 
+from winkler.cli import main
+
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 SCRIPTS = sorted(EXAMPLES.rglob("*.py"))
 STUDIES = sorted((EXAMPLES / "studies").rglob("*.toml"))
-
-
-def start(arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, *arguments],
-        cwd=folder,
-        env={**os.environ, "MPLBACKEND": "Agg", "PYTHONWARNINGS": "error::RuntimeWarning", "PYTHONIOENCODING": "utf-8"},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        timeout=600,
-        check=False,
-    )
 
 
 def name(path: Path) -> str:
@@ -57,7 +45,17 @@ def test_script(script, tmp_path, monkeypatch):
 @pytest.mark.slow
 @pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
 def test_script_on_its_own(script, tmp_path):
-    answer = start([str(script)], tmp_path)
+    answer = subprocess.run(
+        [sys.executable, str(script)],
+        cwd=tmp_path,
+        env={**os.environ, "MPLBACKEND": "Agg", "PYTHONWARNINGS": "error::RuntimeWarning", "PYTHONIOENCODING": "utf-8"},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=600,
+        check=False,
+    )
     assert answer.returncode == 0, answer.stdout + answer.stderr
 
 
@@ -90,11 +88,11 @@ SLOW = {"cone", "formula", "flat_punch", "bolted_joint", "bouncing_ball", "fit_s
     [pytest.param(study, marks=[pytest.mark.slow] if study.stem in SLOW else []) for study in STUDIES],
     ids=map(name, STUDIES),
 )
-def test_study(study, tmp_path):
+def test_study(study, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
     output = tmp_path / "answer"
     command = "fit" if "\n[fit]\n" in study.read_text(encoding="utf-8") else "run"
-    answer = start(["-m", "winkler", command, str(study), "--output", str(output)], tmp_path)
-    assert answer.returncode == 0, answer.stdout + answer.stderr
+    assert main([command, str(study), "--output", str(output), "--workers", "1"]) == 0, capsys.readouterr()
     report = list(output.rglob("report.html"))
     assert report, f"no report.html in {sorted(path.name for path in output.rglob('*'))}"
     assert all(path.stat().st_size > 0 for path in output.rglob("*") if path.is_file())

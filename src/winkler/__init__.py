@@ -32,5 +32,11 @@ else:
         names = [*door.__all__, "__version__"]
         globals().update({word: getattr(door, word) for word in door.__all__}, __all__=sorted(names))
         if name not in globals():
-            raise AttributeError(f"module 'winkler' has no attribute {name!r}")
+            from winkler.errors import suggest
+
+            raise AttributeError(f"module 'winkler' has no attribute {name!r}{suggest(name, names)}", name=name)
         return globals()[name]
+
+    def __dir__():
+        """List the public names."""
+        return list(__getattr__("__all__"))

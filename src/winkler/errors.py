@@ -18,6 +18,8 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+from winkler.synonyms import SYNONYMS
+
 __all__ = [
     "Interrupted",
     "InvalidInput",
@@ -26,6 +28,7 @@ __all__ = [
     "OutsideValidity",
     "WinklerError",
     "mistake_in",
+    "nearest",
     "suggest",
 ]
 
@@ -88,7 +91,29 @@ def mistake_in(error: BaseException) -> str:
     return f"winkler made a mistake ({type(error).__name__}: {text}{place})"
 
 
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return the known word that `word` was meant to be, or an empty string.
+
+    The same word in capitals or small letters; one for which that word is usual elsewhere (`winkler.synonyms`); one of
+    similar spelling; one that has it as a part, or is a part of it.
+
+    Examples
+    --------
+    >>> nearest("depht", ["force", "depth"]), nearest("nu", ["young", "poisson"]), nearest("poisson_ratio", ["poisson"])
+    ('depth', 'poisson', 'poisson')
+    """
+    names = list(known)
+    same = [name for name in names if name.lower() == word.lower() and len(word) > 1]
+    meant = [name for name in SYNONYMS.get(word) or SYNONYMS.get(word.lower(), ()) if name in names]
+    if same or meant:
+        return (same or meant)[0]
+    if close := difflib.get_close_matches(word, names, n=1, cutoff=0.6):
+        return close[0]
+    parts = [name for name in names if word in name.split("_") or name in word.split("_")]
+    return parts[0] if len(parts) == 1 else ""
+
+
 def suggest(word: str, known: Iterable[str]) -> str:
     """Return `` (did you mean 'x'?)`` for the known word nearest to `word`, or an empty string."""
-    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
-    return f" (did you mean '{near[0]}'?)" if near else ""
+    near = nearest(word, known)
+    return f" (did you mean '{near}'?)" if near else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import Any
 
 from winkler.assumption import Assumption
@@ -59,6 +60,16 @@ def refuse_relaxing(content: Any) -> None:
         return
     for field in dataclasses.fields(content):
         part = getattr(content, field.name)
-        timeless = getattr(part, "timeless", None) or getattr(getattr(part, "medium", None), "timeless", None)
-        if timeless is not None:
-            raise timeless()
+        for body in (part, _held(part, "medium")):
+            if (refusal := _held(body, "timeless")) is not None:
+                raise refusal()
+
+
+def _held(holder: Any, name: str) -> Any:
+    """Return an attribute, or None; values of a class that lacks it are not asked, since their refusal takes longer."""
+    return None if _lacks(holder.__class__, name) else getattr(holder, name, None)
+
+
+@functools.cache
+def _lacks(cls: type, name: str) -> bool:
+    return dataclasses.is_dataclass(cls) and not hasattr(cls, name) and name not in cls.__dataclass_fields__

@@ -50,6 +50,9 @@ class Note:
     def __str__(self) -> str:
         return f"{self.standing.value}: {self.statement} [{self.source}]"
 
+    def __repr__(self) -> str:
+        return f"<{self}>"
+
 
 def standing_of(number: float, small: float, large: float) -> Standing:
     """Return asymptotic up to the limit `small`, approximate up to `large`, and outside beyond, or of no number."""

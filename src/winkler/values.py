@@ -14,10 +14,12 @@ from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
+from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
 from winkler.field_checks import checks_of
 from winkler.float_range import guarded, guarded_answer, guarded_stream
 from winkler.outline import refuse_outline, refuse_relaxing
+from winkler.wrong_names import checked_arguments, unknown_attribute
 
 __all__ = ["frozen_array", "value"]
 
@@ -96,7 +98,8 @@ def value(cls: type[T]) -> type[T]:
 
     The fields are frozen and compared with their types (`winkler.field_checks`); then a class's own ``__post_init__``
     runs, the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
-    properties of a solution, say in one sentence if numbers leave the range of floating-point numbers.
+    properties of a solution, say in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
+    takes a few lines (`winkler.display`), and a wrong name is answered by the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
@@ -127,6 +130,9 @@ def value(cls: type[T]) -> type[T]:
         ("__hash__", _hash),
         ("__getstate__", _getstate),
         ("__setstate__", _setstate),
+        ("__getattr__", unknown_attribute),
+        ("__repr__", vars(cls).get("__repr__", short)),
+        ("_repr_html_", html_table),
     ):
         setattr(cls, name, method)
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
@@ -136,6 +142,8 @@ def value(cls: type[T]) -> type[T]:
         for name, member in list(vars(cls).items()):
             if isinstance(member, property) and member.fget is not None:
                 setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
-    made = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made.__init__ = checked_arguments(made, made.__init__)
     given = functools.cache(functools.partial(checks_of, made))
-    return made
+    result: type[T] = made
+    return result

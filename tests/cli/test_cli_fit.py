@@ -205,6 +205,8 @@ def test_another_fit_is_refused_until_it_is_told_to_begin_anew(here, monkeypatch
     capsys.readouterr()
     assert main(["fit", "gel.toml", "--output", "out", "--overwrite"]) == 2
     assert "holds curves of another study, or of another version of this one; add --anew" in capsys.readouterr().err
+    assert main(["fit", "gel.toml", "--output", "out", "--anew"]) == 2
+    assert (here / ".out.journal").exists()  # nothing is forgotten before the folder may be written
     assert main(["fit", "gel.toml", "--output", "out", "--overwrite", "--anew"]) == 0
     assert not (here / ".out.journal").exists()
     assert "known from the run before" not in capsys.readouterr().out
@@ -216,7 +218,7 @@ def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, mom
     """A forked run kills itself; the next one fits what is missing, and all files are those of a run in peace."""
     from winkler.study.batch import fit_run
     from winkler.study.batch.journal import Journal
-    from winkler.study.report import fit_writing
+    from winkler.study.report import writing
 
     (here / "gel" / "curve2.csv").write_text("?\n", encoding="utf-8")  # no answer, but its reason
     made = fit_run.provenance("", 1.0, "gel.toml")
@@ -237,7 +239,7 @@ def test_a_batch_that_is_killed_goes_on_to_the_same_bytes(here, monkeypatch, mom
                     Journal, "_write", lambda self, text: torn(self) if "curve2" in text else write(self, text)
                 )
             elif moment == "at the end":
-                monkeypatch.setattr(fit_writing, "write_provenance", lambda *_, **__: killed())
+                monkeypatch.setattr(writing, "write_provenance", lambda *_, **__: killed())
             else:
                 stopping(monkeypatch, f"curve{done + 1}.csv", killed)
             main(["fit", "gel.toml", "--quiet"])

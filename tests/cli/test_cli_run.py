@@ -220,8 +220,8 @@ def test_a_run_that_is_stopped_leaves_what_was_there(error, before, here, monkey
     else:
         assert code == 70
         assert re.fullmatch(
-            r"winkler: winkler made a mistake \(RuntimeError: broken at winkler\.study\.writing:\d+\); run again with "
-            r"--traceback and report it\.\n",
+            r"winkler: winkler made a mistake \(RuntimeError: broken at winkler\.study\.report\.writing:\d+\); run "
+            r"again with --traceback and report it\.\n",
             told,
         )
     assert {name: (here / name).read_bytes() for name in names(here)} == kept

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
+import functools
+import io
 import json
 import math
 
@@ -167,23 +170,42 @@ def test_every_kind_is_in_the_table():
     assert set(PYTHON) == set(kinds())
 
 
+@functools.cache
+def solved(problem):
+    """Return the solution of a problem; many kinds have the same one."""
+    return problem.solve()
+
+
+@pytest.fixture(scope="module")
+def answered(tmp_path_factory):
+    """Return what solves a study in Python and by the command line, the same study under another title once."""
+    known = {}
+
+    def numbers(text):
+        without_title = text.partition("\n")[2]
+        if without_title not in known:
+            folder = tmp_path_factory.mktemp("answer")
+            (folder / "study.toml").write_text(text + LIGHT, encoding="utf-8")
+            with contextlib.redirect_stdout(io.StringIO()) as out:
+                assert main(["run", str(folder / "study.toml"), "--json", "--output", str(folder / "answer")]) == 0
+            told = {column["name"]: column["values"] for column in json.loads(out.getvalue())["answers"]}
+            with (folder / "answer" / "results.csv").open(encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
+            known[without_title] = run(parse_study(text)).points[0].answers, told, kept
+        return known[without_title]
+
+    return numbers
+
+
 @pytest.mark.parametrize("kind", list(PYTHON))
-def test_same_numbers(kind, tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-    problem = PYTHON[kind]
-    solution = problem.solve()
-    text = whole_text(kind)
-    study = parse_study(text)
+def test_same_numbers(kind, answered):
+    problem, text = PYTHON[kind], whole_text(kind)
+    solution, study = solved(problem), parse_study(text)
     assert study.problem == problem
     assert parse_study(study_text(study)) == study
 
-    answers = run(study).points[0].answers
-    (tmp_path / "study.toml").write_text(text + LIGHT, encoding="utf-8")
-    assert main(["run", "study.toml", "--json", "--output", "answer"]) == 0
-    told = {column["name"]: column["values"] for column in json.loads(capsys.readouterr().out)["answers"]}
-    with (tmp_path / "answer" / "results.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
+    answers, told, kept = answered(text)
     assert set(answers) == set(told) == set(kept)
     assert len(answers) >= 2
     for name in answers:

@@ -17,7 +17,7 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.sweep import journaled
+from winkler.study.batch.sweep import solve_points
 from winkler.study.language.reading import read_study
 
 STUDY = """title = "Balls"
@@ -53,7 +53,7 @@ def begun(here: Path, count: int) -> Path:
     study, folder = read_study(here / "balls.toml"), here / "results" / "balls"
     (here / "results" / ".balls.0123456789ab.partial").mkdir(parents=True)
     with Journal.beside(folder, study) as journal:
-        points = journaled(study, journal)
+        points = solve_points(study, journal)
         for _ in range(count):
             next(points)
     return journal.path

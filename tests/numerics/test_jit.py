@@ -40,7 +40,8 @@ def test_a_kernel_may_call_kernels_of_its_file():
 
 def test_what_it_calls_belongs_to_its_cache():
     """numba goes by the file of a kernel alone: what other files give to it must stand in its closure."""
-    assert squares.machine.py_func.__closure__[0].cell_contents == squares.content
+    for kernel in (square, squares):
+        assert kernel.machine.py_func.__closure__[0].cell_contents == kernel.content
 
     def cubes(x):
         return x * x * x
@@ -50,6 +51,11 @@ def test_what_it_calls_belongs_to_its_cache():
     assert other.content != squares.content
     assert other(np.array([1.0, 2.0])) == 9.0
     assert square.content == Kernel(square.function).content != Kernel(quotient.function).content
+
+
+def test_what_the_compiler_may_do_belongs_to_its_cache(monkeypatch):
+    monkeypatch.setattr(jit, "FREEDOMS", frozenset({"nsz"}))
+    assert Kernel(square.function).content != square.content
 
 
 def test_it_keeps_its_name():

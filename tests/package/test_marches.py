@@ -9,7 +9,7 @@ import typing
 import numpy as np
 import pytest
 
-from winkler.plot import draw
+from winkler.plot.draw import sheet_of
 from winkler.study.batch.marching import is_march, marched
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.stopping import INTERRUPTED
@@ -104,6 +104,6 @@ def test_stages_of_half_an_impact_end_where_it_was_stopped():
 def test_every_answer_has_a_picture(name):
     answer = typing.get_type_hints(inspect.unwrap(PROBLEMS[name].cls.solve))["return"]
     assert dataclasses.is_dataclass(answer)
-    assert draw.dispatch(answer) is not draw.dispatch(object), (
+    assert sheet_of.dispatch(answer) is not sheet_of.dispatch(object), (
         f"register a picture of {answer.__name__} in winkler.plot"
     )

@@ -8,7 +8,6 @@ import keyword
 import re
 
 import pint
-import pytest
 
 from winkler.vocabulary import GLOSSARY, OWNED, word
 
@@ -79,21 +78,21 @@ def test_an_owned_word_has_an_owner(modules):
 ENTRIES = [*GLOSSARY.items(), *((".".join(key), entry) for key, entry in OWNED.items())]
 
 
-@pytest.mark.parametrize(("name", "entry"), ENTRIES, ids=[name for name, _ in ENTRIES])
-def test_an_entry_is_complete(name, entry):
-    assert all(part.isidentifier() and not keyword.iskeyword(part) for part in name.split("."))
-    assert entry.meaning
-    assert "\n" not in entry.meaning
-    assert not entry.meaning.endswith(".")
-    assert entry.symbol.count("$") == 0
-    assert entry.symbol.count("{") == entry.symbol.count("}")
+def incomplete(name, entry):
+    """Return whether a name is none of Python, or what is said of it is not one line with a whole symbol."""
+    named = all(part.isidentifier() and not keyword.iskeyword(part) for part in name.split("."))
+    told = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
+    return not (named and told and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
 
 
-REGISTRY = pint.UnitRegistry()
+def test_every_entry_is_complete():
+    assert [name for name, entry in ENTRIES if incomplete(name, entry)] == []
 
 
-@pytest.mark.parametrize(("name", "entry"), ENTRIES, ids=[name for name, _ in ENTRIES])
-def test_a_unit_is_si_without_a_prefix(name, entry):
-    if entry.unit is None or "n" in re.findall(r"\b[a-z]\b", entry.unit.partition("^")[2]):
-        pytest.skip("not a quantity, or a unit whose exponent depends on the law")
-    assert REGISTRY.Quantity(1.0, entry.unit or "dimensionless").to_base_units().magnitude == 1.0
+def test_every_unit_is_si_without_a_prefix():
+    """Apart from what is no quantity, and from units whose exponent depends on the law."""
+    registry = pint.UnitRegistry()
+    units = {name: entry.unit or "dimensionless" for name, entry in ENTRIES if entry.unit is not None}
+    fixed = {name: unit for name, unit in units.items() if "n" not in re.findall(r"\b[a-z]\b", unit.partition("^")[2])}
+    assert len(fixed) > 0.5 * len(ENTRIES)
+    assert [name for name, unit in fixed.items() if registry.Quantity(1.0, unit).to_base_units().magnitude != 1.0] == []

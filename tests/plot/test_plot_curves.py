@@ -10,13 +10,14 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.halfspace import HalfSpace
-from winkler.plot import style
 from winkler.plot.extent import around, is_singular, sunk, typical
 from winkler.plot.families import spans_decades
 from winkler.plot.normal.body import _revolved, _round
 from winkler.plot.normal.curves import force_depth, line_load, load_curves, surface
-from winkler.plot.normal.springs import draw_springs, plane_profile, stretched
+from winkler.plot.normal.springs import plane_profile, springs_panel, stretched
 from winkler.plot.normal.stresses import stressed_first
+from winkler.plot.panel import Sheet
+from winkler.plot.render import render
 from winkler.problems.normal.indentation import Indentation
 from winkler.profiles.conical import Cone, SpheroConical, TruncatedCone
 from winkler.profiles.flat import CappedCylinder, FlatPunch
@@ -59,9 +60,7 @@ def test_springs_that_only_round_do_not_pull():
 
 
 def sheet_of_springs(solution):
-    axes = style.figure().subplots()
-    draw_springs(axes, solution.pressed, 2.0 * solution.radius)
-    return axes
+    return render(Sheet((springs_panel(solution.pressed, 2.0 * solution.radius),))).axes[0]
 
 
 def test_the_line_load_jumps_at_a_pinned_edge():

@@ -17,8 +17,9 @@ from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.plot import draw, style
-from winkler.plot.families import bar_picture, family_picture
-from winkler.plot.method import picture, pictures_of
+from winkler.plot.families import bar_sheet, family_sheet
+from winkler.plot.method import method_sheet, pictures_of
+from winkler.plot.render import render
 from winkler.plot.series import series
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.yielding import YieldOnset
@@ -209,23 +210,23 @@ def test_stresses_that_are_not_known_are_refused_by_the_medium():
     solution = solved(Sphere(10e-3), Depth(1e-6), wood)
     assert len(draw(solution).axes) == 4
     with pytest.raises(OutsideValidity, match="not known"):
-        picture("stress", solution)
+        render(method_sheet("stress", solution))
 
 
 @pytest.mark.parametrize("name", pictures_of(CONTACT))
 def test_every_picture_of_the_method(name, tmp_path):
-    picture(name, CONTACT).savefig(tmp_path / "one.svg")
+    render(method_sheet(name, CONTACT)).savefig(tmp_path / "one.svg")
     assert (tmp_path / "one.svg").read_text(encoding="utf-8").startswith("<?xml")
 
 
 @pytest.mark.parametrize("name", ["stress", "force"])
 def test_without_a_contact_there_is_nothing_to_show(name):
     with pytest.raises(InvalidInput, match="do not touch"):
-        picture(name, solved(Sphere(10e-3), Depth(-1e-6)))
+        render(method_sheet(name, solved(Sphere(10e-3), Depth(-1e-6))))
 
 
 def test_the_mark_on_the_stress_map_is_the_known_greatest_stress():
-    figure = picture("stress", solved(Paraboloid(10e-3), Force(20.0)))
+    figure = render(method_sheet("stress", solved(Paraboloid(10e-3), Force(20.0))))
     note = next(text.get_text() for text in texts(figure) if text.get_text().startswith("greatest"))
     solution = solved(Paraboloid(10e-3), Force(20.0))
     peak = 1.5 * solution.mean_pressure * 2 * 0.310020502  # theory sheet, 1.2
@@ -246,7 +247,7 @@ def test_families_tell_many_curves_apart():
     x = series("Force", "force", np.geomspace(1.0, 1e3, 9))
     for count in (1, 3, 12):
         curves = [series("Depth", "depth", (1 + n) * 1e-6 * x.content ** (2 / 3)) for n in range(count)]
-        figure = family_picture([x] * count, curves, [f"R = {n} mm" for n in range(count)])
+        figure = render(family_sheet([x] * count, curves, [f"R = {n} mm" for n in range(count)]))
         axes = figure.axes[0]
         looks = {(line.get_color(), str(line.get_linestyle())) for line in axes.lines}
         assert len(looks) == count
@@ -256,7 +257,7 @@ def test_families_tell_many_curves_apart():
 
 
 def test_bars_leave_out_what_has_no_answer():
-    figure = bar_picture(["cone", "ball", "ring"], series("Depth", "depth", np.array([1e-6, 2e-6, np.nan])))
+    figure = render(bar_sheet(["cone", "ball", "ring"], series("Depth", "depth", np.array([1e-6, 2e-6, np.nan]))))
     assert [bar.get_width() for bar in figure.axes[0].patches] == pytest.approx([1.0, 2.0, 0.0])
 
 

@@ -16,7 +16,7 @@ from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Torque
 from winkler.path import Path
 from winkler.plot import draw, style
-from winkler.plot.friction.curves import lost_told
+from winkler.plot.friction.curves import lost_words
 from winkler.problems.friction.bimodal_damping import BimodalDamping
 from winkler.problems.friction.damping import FrictionDamping
 from winkler.problems.friction.relaxation_damping import RelaxationDamper
@@ -201,8 +201,8 @@ def test_the_greatest_stress_is_told():
 
 
 def test_no_loss_is_told_as_none():
-    assert lost_told(1e-25, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "nothing lost"
-    assert lost_told(1e-9, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "lost on the way: 1 nJ"
+    assert lost_words(1e-25, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "nothing lost"
+    assert lost_words(1e-9, np.array([0.0, 1e-7]), np.array([0.0, 20.0])) == "lost on the way: 1 nJ"
 
 
 def test_the_loop_of_a_damper_encloses_its_loss():

@@ -10,8 +10,9 @@ from winkler.errors import InvalidInput, OutsideValidity
 from winkler.plot import draw
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces, is_varied, typical_width
-from winkler.plot.method import PICTURES, picture, pictures_of
+from winkler.plot.method import PICTURES, method_sheet, pictures_of
 from winkler.plot.normal.curves import line_load
+from winkler.plot.render import render
 
 STEEL = wk.Elastic(210e9, 0.3)
 CARBON, CHROMIUM = wk.Elastic(180e9, 0.22), wk.Elastic(279e9, 0.21)
@@ -58,7 +59,7 @@ def test_layers_are_told_with_their_numbers_and_stand_at_their_depths():
 
 
 def test_the_stress_map_has_a_line_at_every_interface_and_a_step_across_it(pressed):
-    figure = picture("stress", pressed)
+    figure = render(method_sheet("stress", pressed))
     axes = figure.axes[0]
     levels = sorted(float(line.get_ydata()[0]) for line in axes.lines if line.get_linestyle() == "--")
     assert levels == pytest.approx([2.0, 2.5])
@@ -105,20 +106,20 @@ def test_pictures_of_the_medium_are_for_media_that_have_something_to_show(presse
     assert "medium" not in pictures_of(even)
     assert pictures_of(pressed) == tuple(PICTURES)
     with pytest.raises(InvalidInput, match="the same at every depth"):
-        picture("medium", even)
+        render(method_sheet("medium", even))
     with pytest.raises(InvalidInput, match="the same at every depth"):
         typical_width(wk.HalfSpace(STEEL))
 
 
 @pytest.mark.parametrize("name", list(PICTURES))
 def test_every_picture_of_a_coated_contact(name, pressed, tmp_path):
-    picture(name, pressed).savefig(tmp_path / "one.svg")
+    render(method_sheet(name, pressed)).savefig(tmp_path / "one.svg")
 
 
 def test_a_graded_contact_has_no_stress_map_and_says_why():
     contact = wk.Indentation(wk.Foundation(wk.Paraboloid(1e-2), SOIL), wk.Force(10.0)).solve()
     with pytest.raises(OutsideValidity, match="not known"):
-        picture("stress", contact)
+        render(method_sheet("stress", contact))
 
 
 def test_a_measured_bed_shows_what_was_measured_and_its_springs():
@@ -143,12 +144,12 @@ def test_a_measured_contact_shows_springs_and_curves_and_refuses_fields():
         "force over depth",
     ]
     for name in ("medium", "springs", "line_load", "force"):
-        picture(name, contact)
+        render(method_sheet(name, contact))
     for name in ("shape", "pressure", "displacement", "stress"):
         with pytest.raises(
             OutsideValidity, match="needs a round contact|The area of the contact is not known|cannot be restored"
         ):
-            picture(name, contact)
+            render(method_sheet(name, contact))
     many = wk.Indentation(MEASURED, wk.Depth(np.linspace(0.05e-6, 0.4e-6, 8))).solve()
     assert len(draw(many).axes) == 3
     untouched = wk.Indentation(MEASURED, wk.Depth(-1e-9)).solve()

@@ -7,8 +7,10 @@ import pytest
 
 import winkler as wk
 from winkler.plot import draw
-from winkler.plot.rough.roughness import SHOWN, draw_map, heights_of
-from winkler.plot.style import figure, reliefs, styled
+from winkler.plot.panel import Sheet
+from winkler.plot.render import render
+from winkler.plot.rough.roughness import SHOWN, heights_of, map_panel
+from winkler.plot.style import RELIEFS
 
 STEEL = wk.HalfSpace(wk.Elastic(210e9, 0.3))
 BLASTED = wk.SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=60e-6)
@@ -47,9 +49,7 @@ def test_missing_heights_are_white_and_have_no_spectrum():
 
 def test_large_maps_are_shown_with_means():
     large = wk.Topography(np.add.outer(np.arange(1100.0), np.zeros(64)), [1.1, 0.064])
-    with styled():
-        axes = figure().subplots()
-        draw_map(axes, large, heights_of(large), reliefs(), lowest=np.inf)
+    axes = render(Sheet((map_panel(large, heights_of(large), RELIEFS, lowest=np.inf),))).axes[0]
     shown = np.asarray(axes.images[0].get_array())
     assert max(shown.shape) <= SHOWN
     assert np.ptp(shown) == pytest.approx(1097.0, abs=3.0)

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import winkler as wk
+from winkler.plot.render import render
 from winkler.plot.series import Series
-from winkler.plot.sweeps import Part, cloud_picture, map_picture, part_picture
+from winkler.plot.sweeps import Part, cloud_sheet, map_sheet, part_sheet
 from winkler.study.batch.run import run
 from winkler.study.language.designs import Sensitivity, Sobol, Zipped
 from winkler.study.language.study import Axis, Study
@@ -28,7 +29,7 @@ def test_a_map_shows_every_number_in_its_place():
     force, depth = np.geomspace(1.0, 100.0, 12), np.linspace(1e-6, 3e-6, 13)[::-1]
     content = np.arange(12 * 13, dtype=float).reshape(12, 13) + 1.0
     content[3, 4] = np.nan
-    axes, bar = map_picture(named("force", force), named("depth", depth), named("radius", 1e-6 * content)).axes
+    axes, bar = render(map_sheet(named("force", force), named("depth", depth), named("radius", 1e-6 * content))).axes
     shown = axes.collections[0].get_array().reshape(13, 12)
     np.testing.assert_allclose(shown.filled(np.nan), content[:, ::-1].T)
     assert axes.get_xscale() == "log"
@@ -41,7 +42,9 @@ def test_a_map_shows_every_number_in_its_place():
 
 def test_a_cloud_has_a_panel_for_every_key():
     drawn = np.random.default_rng(0).random(50)
-    figure = cloud_picture([named("force", drawn), named("depth", 1e-6 * drawn)], named("radius", 1e-3 * drawn**2))
+    figure = render(
+        cloud_sheet([named("force", drawn), named("depth", 1e-6 * drawn)], named("radius", 1e-3 * drawn**2))
+    )
     first, second = figure.axes
     for panel in (first, second):
         np.testing.assert_allclose(panel.collections[0].get_offsets()[:, 1], drawn**2 * 1e3)
@@ -52,7 +55,8 @@ def test_a_cloud_has_a_panel_for_every_key():
 
 def test_bars_show_the_indices_and_their_intervals():
     part = Part("alone", np.array([0.7, 0.2]), np.array([0.6, 0.1]), np.array([0.8, 0.35]))
-    (axes,) = part_picture(["load.force", "bed.medium.first.young"], [part, part._replace(label="both")]).axes
+    sheet = part_sheet(["load.force", "bed.medium.first.young"], [part, part._replace(label="both")])
+    (axes,) = render(sheet).axes
     assert [bar.get_width() for bar in axes.patches] == [0.7, 0.2, 0.7, 0.2]
     ends = [line.get_segments() for line in axes.collections]
     np.testing.assert_allclose([segment[:, 0] for segment in ends[0]], [[0.6, 0.8], [0.1, 0.35]])

@@ -69,7 +69,7 @@ def test_the_picture_holds_the_curve_and_what_is_left_over(bench, room):
     chart = json.loads(first.chart)
     fit = bench.outcome.fitted[0].fit
     curve = read_curve(room / "gel_bead.csv")
-    dots, left, law = chart["data"][:3]
+    dots, law, left = chart["data"][:3]
     scale = 1e9  # to nN
     assert np.sort(dots["y"]) == pytest.approx(np.sort(curve.force) * scale, rel=1e-6, abs=1e-6)
     assert np.sort(left["y"]) == pytest.approx(np.sort(curve.force - fit.predicted) * 1e12, rel=1e-4, abs=1e-4)

@@ -68,7 +68,8 @@ def test_pictures_are_plain_data(bench, tmp_path):
     depth = bench.outcome.points[0].solution.depth
     assert force["data"][-1]["x"] == pytest.approx([depth * 1e6])
     assert force["data"][-1]["y"] == pytest.approx([100.0])
-    profile = springs["data"][-2]  # g(x) - d in micrometres, deepest on the axis
+    # the thickest line is g(x) - d in micrometres, deepest on the axis
+    profile = max(springs["data"], key=lambda one: one["line"]["width"])
     assert float(np.min(profile["y"])) == pytest.approx(-depth * 1e6, rel=1e-6)
 
 

@@ -53,10 +53,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _command(words: list[str]) -> int:
-    from winkler.cli.app import app
+    from winkler.cli.app import command
 
     stopping.look()  # what is imported may swallow a signal
-    answer = app(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
+    answer = command(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
     stopping.look()
     if answer == stopping.INTERRUPTED:  # what typer makes of Ctrl-C
         raise KeyboardInterrupt

@@ -9,7 +9,7 @@ import typer
 from winkler.cli import browser, cite, draw, fit, new, run, show, table, validate
 from winkler.cli.saying import say
 
-__all__ = ["app"]
+__all__ = ["app", "command"]
 
 EXAMPLES = """Examples:
 
@@ -62,3 +62,5 @@ app.command()(new.new)
 app.command()(cite.cite)
 app.command()(validate.validate)
 app.command()(browser.app)
+command = typer.main.get_command(app)
+"""All commands, put together once: a program that calls `main` many times does not pay for it each time."""

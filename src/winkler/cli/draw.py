@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -49,8 +50,9 @@ def draw(
     """
     from winkler.errors import InvalidInput, suggest
     from winkler.fields import SubsurfaceFields
-    from winkler.plot import draw as picture_of
-    from winkler.plot.normal.stresses import mark_interfaces
+    from winkler.plot import sheet_of
+    from winkler.plot.normal.stresses import interface_rules
+    from winkler.plot.render import render
     from winkler.study.language.reading import read_study
     from winkler.study.language.study import PICTURES
     from winkler.study.report.single_file import write_whole
@@ -67,11 +69,12 @@ def draw(
         raise InvalidInput(f"draw: '{path}' exists; add --overwrite to replace it, or give another file with --output.")
     answer = _solved(read_study(study), point)
     item = _item(answer, part, load)
-    figure = picture_of(item)
+    sheet = sheet_of(item)
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
-        mark_interfaces(figure.axes[0], item, answer.problem.bed.medium)
+        rules = interface_rules(item, answer.problem.bed.medium)
+        sheet = dataclasses.replace(sheet, panels=(sheet.panels[0].plus(*rules),))
     with io.BytesIO() as drawn:
-        figure.savefig(drawn, format=path.suffix[1:].lower())
+        render(sheet).savefig(drawn, format=path.suffix[1:].lower())
         write_whole(path, drawn.getvalue())
     say(f"Written {path}")
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
-from winkler.cli.saying import read_or_not, say, say_json
+from winkler.cli.results import resumed, say_outcome
+from winkler.cli.saying import read_or_not, say
 
 if TYPE_CHECKING:
     from winkler.fitting.compare import AnyFit
@@ -54,17 +55,15 @@ def fit(
     Example: winkler fit examples/studies/fitting/fit_gel.toml --output results/gel
     """
     from winkler.cli import terminal
-    from winkler.cli.run import may_overwrite
     from winkler.errors import Interrupted, InvalidInput, WinklerError
     from winkler.study.batch.fit_outcome import Fitted
     from winkler.study.batch.fit_recording import recalled_fits
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
+    from winkler.study.batch.run import named
     from winkler.study.batch.stopping import answered
     from winkler.study.language.fit_reading import read_fit_study
-    from winkler.study.report.fit_writing import write_fits
-    from winkler.study.report.reserving import reserved
-    from winkler.study.report.writing import holds_results, missing, placed
+    from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
@@ -78,56 +77,31 @@ def fit(
     found: dict[int, Any] = {}
     under_way = _UnderWay(asked)
     journal = Journal.beside(folder, asked)
-    with reserved(folder):
-        if anew:
-            journal.remove()
-        with journal:
-            if holds_results(folder) and not overwrite:  # those of the run that is to go on need not be kept
-                overwrite = bool(journal.count and missing(folder)) or may_overwrite(folder)
-            known = recalled_fits(asked, todo, journal)
-            stream = fit_curves(
-                asked,
-                todo,
-                workers=workers,
-                watch=under_way.watch,
-                known=known,
-                journal=journal if len(todo) > 1 else None,
-            )
-            watched = terminal.tracked(
-                stream, len(todo), hidden=quiet or as_json, doing=under_way.told, before=len(known)
-            )
-            try:
-                with placed(folder, overwrite=overwrite) as partial:
-                    try:
-                        for place, results in watched:
-                            found[place] = results
-                    except KeyboardInterrupt:
-                        if not found and under_way.state is not None:
-                            raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
-                        if not any(isinstance(result, Fitted) for results in found.values() for result in results):
-                            raise
-                        answered()
-                    left = len(todo) - len(found)
-                    try:
-                        outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
-                    except WinklerError as error:
-                        raise type(error)(f"{study.name}: {error}") from None
-                    write_fits(outcome, partial)
-            except KeyboardInterrupt:
-                if not journal.count:
-                    raise
-                raise Interrupted(
-                    f"interrupted; {journal.count} of {many} are kept beside {folder}, and the same command goes on "
-                    "from there."
-                ) from None
-            if not left:
-                journal.remove()
+    with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as partial:
+        before, kept = recalled_fits(asked, todo, journal), journal if len(todo) > 1 else None
+        known, hidden = len(before), quiet or as_json
+        stream = fit_curves(asked, todo, before, workers=workers, watch=under_way.watch, journal=kept)
+        try:
+            found.update(terminal.tracked(stream, len(todo), hidden=hidden, doing=under_way.progress, before=known))
+        except KeyboardInterrupt:
+            if not found and under_way.state is not None:
+                raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
+            if not any(isinstance(result, Fitted) for results in found.values() for result in results):
+                raise
+            answered()
+        left = len(todo) - len(found)
+        try:
+            outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
+        except WinklerError as error:
+            raise named(error, study.name) from None
+        write_outcome(outcome, partial)
+        journal.complete = not left
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
         _print(outcome, folder)
         if known:
-            say(f"{len(known)} of {many} were known from the run before.")
+            say(f"{known} of {many} were known from the run before.")
     if left:
         raise Interrupted(
             f"interrupted; {len(outcome.results)} curves were done and are in {folder}, {left} of {many} are missing; "
@@ -153,7 +127,7 @@ class _UnderWay:
             self.state = state if isinstance(state, FitState) else None
             yield state
 
-    def told(self) -> str:
+    def progress(self) -> str:
         """Return how far it has come, in a few words."""
         return f"fitting: {_course(self.state, self.study)}" if self.state is not None else "fitting"
 
@@ -186,10 +160,7 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
         for flag in result.fit.flags:
             where = f"{result.name}, " if len(outcome.results) > 1 else ""
             out.print(f"  {where}{flag}", soft_wrap=True)
-    if outcome.validity:
-        out.print("How far this can be trusted:")
-    for note in outcome.validity:
-        out.print(f"  {note.standing.value}: {note.statement}", soft_wrap=True)
+    terminal.notes(outcome, out)
     if outcome.refused:
         first = outcome.refused[0]
         out.print(
@@ -202,21 +173,19 @@ def _print(outcome: FitOutcome, folder: Path) -> None:
 
 def _table(outcome: FitOutcome, out: Any) -> None:
     """Show a list for one curve, a table of numbers and errors for many."""
-    import numpy as np
     from rich import box
     from rich.table import Table
 
-    from winkler.plot.series import middle_scale, told
+    from winkler.cli import terminal
+    from winkler.plot.series import told
     from winkler.study.language.explain import plain_symbol
+    from winkler.study.report.fit_tables import curve_texts, number_texts
 
     study = outcome.study
     if len(outcome.results) == 1:
         fit = outcome.fitted[0].fit
         table = Table("free", "symbol", "fitted", "standard error", "95 % interval", box=box.SIMPLE_HEAD)
-        for free in study.free:
-            word = study.word(free.key)
-            low, high = (told(end, word.unit, 5) for end in fit.interval(free.path))
-            number, error = told(fit.value(free.path), word.unit, 5), told(fit.error(free.path), word.unit, 3)
+        for free, word, number, error, low, high in number_texts(outcome, fit):
             table.add_row(free.key, plain_symbol(word.symbol), number, error, f"{low} ... {high}")
         out.print(table)
         out.print(
@@ -227,41 +196,19 @@ def _table(outcome: FitOutcome, out: Any) -> None:
         )
         return
     table = Table("curve", box=box.SIMPLE_HEAD)
-    columns = []
+    columns = [[result.name for result in outcome.results]]
     for free in study.free:
-        numbers, errors = outcome.numbers(free), outcome.errors(free)
-        scale = middle_scale(study.word(free.key).unit, np.fmax(np.abs(numbers), errors))
-        unit = f"\n[{scale.unit}]" if scale.unit else ""
-        table.add_column(f"{free.label}{unit}", justify="right")
-        columns.append(
-            [
-                f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "-"
-                for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
-            ]
-        )
+        unit, texts = curve_texts(outcome, free, "-")
+        table.add_column(f"{free.label}\n[{unit}]" if unit else free.label, justify="right")
+        columns.append(texts)
     table.add_column("flags")
-    rows = len(outcome.results)
-    for row, result in enumerate(outcome.results):
-        if rows > SHOWN and row == SHOWN // 2:
-            table.add_row("...")
-        if rows <= SHOWN or row < SHOWN // 2 or row >= rows - SHOWN // 2:
-            flags = ", ".join(flag.name for flag in result.fit.flags) if hasattr(result, "fit") else "no answer"
-            table.add_row(result.name, *(column[row] for column in columns), flags)
+    columns.append(outcome.flags(", ", "no answer"))
+    terminal.add_rows(table, columns)
     out.print(table)
 
 
 def _print_json(outcome: FitOutcome, folder: Path) -> None:
-
-    made = outcome.provenance
-    content: dict[str, Any] = {
-        "title": outcome.study.title,
-        "folder": str(folder),
-        "version": made.version,
-        "hash": made.hash,
-        "seconds": made.seconds,
-        "columns": [
-            {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
-        ],
+    more = {
         "flags": [
             {"curve": result.name, "name": flag.name, "statement": flag.statement}
             for result in outcome.fitted
@@ -269,14 +216,5 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
         ],
         "failed": [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.refused],
         "left": outcome.left,
-        "validity": [
-            {
-                "assumption": note.assumption.value,
-                "standing": note.standing.value,
-                "statement": note.statement,
-                "source": note.source,
-            }
-            for note in outcome.validity
-        ],
     }
-    say_json(content)
+    say_outcome(outcome, folder, "columns", more)

@@ -5,18 +5,19 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
-from winkler.cli.saying import read_or_not, safe, say, say_json
+from winkler.cli.results import resumed, say_outcome
+from winkler.cli.saying import read_or_not, say
 
 if TYPE_CHECKING:
     from winkler.errors import WinklerError
     from winkler.study.batch.outcome import Outcome
 
-__all__ = ["may_overwrite", "run"]
+__all__ = ["run"]
 
 MISSED = 1
 
@@ -57,11 +58,9 @@ def run(
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.pool import Machine
     from winkler.study.batch.run import gather, named
-    from winkler.study.batch.stopping import held
-    from winkler.study.batch.sweep import journaled, solve_points
+    from winkler.study.batch.sweep import solve_points
     from winkler.study.language.reading import read_study
-    from winkler.study.report.reserving import reserved
-    from winkler.study.report.writing import holds_results, placed, write_outcome
+    from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()
     if cluster and workers is not None:
@@ -69,39 +68,20 @@ def run(
     asked = read_study(study)
     folder = output or Path(asked.output.folder or Path("results") / study.stem)
     many, hidden = math.prod(asked.shape), quiet or as_json
-    with reserved(folder):
-        if holds_results(folder) and not overwrite:
-            overwrite = may_overwrite(folder)
-        journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
-        if anew:
-            journal.remove()
-            keep.forget()
-        with journal:
-            before = journal.count
-            who = Cluster(cluster) if cluster else Machine() if workers is None else workers
-            watch = terminal.marching(hidden=hidden or many > 1)
-            try:
-                with placed(folder, overwrite=overwrite) as partial:
-                    if many > 1:
-                        points = journaled(asked, journal, workers=who, watch=watch, keep=keep)
-                    else:
-                        points = solve_points(asked, workers=who, watch=watch, keep=keep)
-                    watched = terminal.tracked(points, many, hidden=hidden, before=before)
-                    try:
-                        outcome = gather(asked, watched, started=started, source=study.name)
-                        write_outcome(outcome, partial)
-                    except WinklerError as error:
-                        raise named(error, study.name) from None
-            except KeyboardInterrupt:
-                if not journal.count:
-                    raise
-                kept = f"{journal.count} of {many} points are kept beside {folder}"
-                raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
-            code = _code(outcome)
-            if code != Interrupted.exit_code:
-                with held():
-                    journal.remove()
-                    keep.forget()
+    journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
+    with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
+        before = journal.count
+        who = Cluster(cluster) if cluster else Machine() if workers is None else workers
+        watch = terminal.marching(hidden=hidden or many > 1)
+        points = solve_points(asked, journal if many > 1 else None, workers=who, watch=watch, keep=keep)
+        watched = terminal.tracked(points, many, hidden=hidden, before=before)
+        try:
+            outcome = gather(asked, watched, started=started, source=study.name)
+            write_outcome(outcome, partial)
+        except WinklerError as error:
+            raise named(error, study.name) from None
+        code = _code(outcome)
+        journal.complete = code != Interrupted.exit_code
     if as_json:
         _print_json(outcome, folder)
     elif not quiet:
@@ -113,22 +93,6 @@ def run(
     if code == Mistake.exit_code:
         raise _mistake(study.name, outcome, folder)
     return code
-
-
-def may_overwrite(folder: Path) -> bool:
-    """Ask whether the results in `folder` may be replaced; refuse where nobody can answer."""
-    import sys
-
-    from winkler.errors import InvalidInput
-
-    if not sys.stdin.isatty():
-        raise InvalidInput(
-            f"output: '{folder}' already holds results; add --overwrite to replace them, or give another folder with "
-            "--output."
-        )
-    if typer.confirm(safe(f"'{folder}' already holds results. Replace them?"), err=True):
-        return True
-    raise InvalidInput(f"output: '{folder}' was kept; give another folder with --output.")
 
 
 def _code(outcome: Outcome) -> int:
@@ -180,27 +144,10 @@ def _print(outcome: Outcome, folder: Path) -> None:
 def _print_json(outcome: Outcome, folder: Path) -> None:
     from winkler.cli.validate import verdict_json
 
-    content: dict[str, Any] = {
-        "title": outcome.study.title,
-        "folder": str(folder),
-        "version": outcome.provenance.version,
-        "hash": outcome.provenance.hash,
-        "seconds": outcome.provenance.seconds,
-        "answers": [
-            {"name": column.name, "unit": column.word.unit, "values": column.content} for column in outcome.table()
-        ],
+    more = {
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
-        "validity": [
-            {
-                "assumption": note.assumption.value,
-                "standing": note.standing.value,
-                "statement": note.statement,
-                "source": note.source,
-            }
-            for note in outcome.validity
-        ],
     }
-    say_json(content)
+    say_outcome(outcome, folder, "answers", more)

@@ -12,13 +12,15 @@ import numpy as np
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
     from rich.text import Text
 
+    from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Column, Outcome
 
 from winkler.cli.saying import safe
 
-__all__ = ["answers", "console", "indices", "marching", "notes", "prefixed", "tracked"]
+__all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "prefixed", "tracked"]
 
 T = TypeVar("T")
 
@@ -111,12 +113,18 @@ def answers(outcome: Outcome, out: Console) -> None:
         for column, (unit, _) in zip(columns, shown, strict=True):
             name = column.name.removeprefix("problem.")
             table.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
-        for row in range(rows):
-            if rows > ROWS and row == ROWS // 2:
-                table.add_row("...")
-            if rows <= ROWS or row < ROWS // 2 or row >= rows - ROWS // 2:
-                table.add_row(*(texts[row] for _, texts in shown))
+        add_rows(table, [texts for _, texts in shown])
     out.print(table)
+
+
+def add_rows(table: Table, columns: list[list[str]]) -> None:
+    """Fill a table; a long one is cut in the middle."""
+    rows = len(columns[0])
+    for row, texts in enumerate(zip(*columns, strict=True)):
+        if rows > ROWS and row == ROWS // 2:
+            table.add_row("...")
+        if rows <= ROWS or row < ROWS // 2 or row >= rows - ROWS // 2:
+            table.add_row(*texts)
 
 
 def indices(outcome: Outcome, out: Console) -> None:
@@ -139,7 +147,7 @@ def indices(outcome: Outcome, out: Console) -> None:
     out.print(table)
 
 
-def notes(outcome: Outcome, out: Console) -> None:
+def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
     """Show how far the numbers can be trusted, each statement once."""
     if outcome.validity:
         out.print("How far this can be trusted:")

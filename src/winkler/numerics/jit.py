@@ -63,13 +63,13 @@ class Kernel(Generic[P, R]):
 
     @functools.cached_property
     def content(self) -> str:
-        """A digest of this kernel and of all that it calls, numbers of their modules included."""
+        """A digest of this kernel and of all that it calls, numbers of their modules and the freedoms included."""
         source = self.function
         assert isinstance(source, types.FunctionType)
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
         own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, NUMBERS)]
-        parts = [code.co_code, code.co_consts, code.co_names, own]
+        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FREEDOMS)]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
 
@@ -90,11 +90,10 @@ class Kernel(Generic[P, R]):
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
             known[name] = kernel.machine
-        if self._called:
-            # numba's cache goes by the code of a function and by what its closure holds
-            code = code.replace(co_freevars=(*code.co_freevars, "called"))
-            cells = (*cells, types.CellType(self.content))
-        copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells or None)
+        # numba's cache goes by the code of a function and by what its closure holds
+        code = code.replace(co_freevars=(*code.co_freevars, "content"))
+        cells = (*cells, types.CellType(self.content))
+        copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
         machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FREEDOMS), error_model="numpy")(copy)
         if cached:

@@ -5,10 +5,10 @@ from winkler.caches import with_fonts
 
 with_fonts()
 
-# imported so that draw() knows what they draw
+# imported so that draw() knows what they show
 from winkler.plot import restored  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
-from winkler.plot.draw import draw
+from winkler.plot.draw import draw, sheet_of
 from winkler.plot.heating import heating  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import lines, roughness  # noqa: F401
@@ -17,4 +17,4 @@ from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # 
 from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
 from winkler.plot.wear import wear  # noqa: F401
 
-__all__ = ["draw"]
+__all__ = ["draw", "sheet_of"]

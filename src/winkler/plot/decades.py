@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+import dataclasses
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.families import spans_decades, stretch
+from winkler.plot.families import spans_decades
+from winkler.plot.panel import Axis, Line, Panel
 from winkler.plot.series import Series, middle_scale
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from matplotlib.axes import Axes
-
-__all__ = ["Line", "draw_decades"]
+__all__ = ["Quantity", "decades_panel"]
 
 FEW = 60
 """More points than these are not shown one by one."""
 CROWDED = 5.0
 """Over more decades than these not each of them is labelled."""
+MARGIN = 0.08
 LEAST = 1e-4
 """A logarithmic axis ends at this part of the greatest number."""
 
 
-class Line(NamedTuple):
+class Quantity(NamedTuple):
     """One quantity, its name for the legend, and points of it that were measured or asked for."""
 
     of: Series
@@ -33,48 +32,33 @@ class Line(NamedTuple):
     points: tuple[np.ndarray, np.ndarray] = (np.empty(0), np.empty(0))
 
 
-def draw_decades(axes: Axes, along: Series, lines: Sequence[Line], ylabel: str = "") -> None:
-    """Draw quantities of one unit over decades of another.
+def decades_panel(along: Series, quantities: Sequence[Quantity], label: str = "") -> Panel:
+    """Return quantities of one unit over decades of another.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     along : Series
         Positive numbers.
-    lines : sequence of Line
+    quantities : sequence of Quantity
         Over these.
-    ylabel : str
+    label : str
         What they are together, without a unit; the label of the first one if empty.
     """
-    from matplotlib.ticker import LogLocator
-
-    contents = np.concatenate([np.ravel(line.of.content) for line in lines])
-    across, upright = along.scale, middle_scale(lines[0].of.word.unit, contents)
-    for place, line in enumerate(lines):
-        colour = style.CYCLE[place]
-        axes.plot(
-            along.shown(across),
-            line.of.shown(upright),
-            color=colour,
-            linestyle=style.DASHES[place % len(style.DASHES)],
-            label=line.name or None,
-        )
-        x, y = line.points
-        if 0 < x.size <= FEW:
-            axes.plot(x / across.factor, y / upright.factor, "o", color=colour, markersize=4.0, zorder=5)
-    axes.margins(x=0.04, y=0.08)
-    stretch(axes, axes.xaxis)
-    if np.ptp(np.log10(along.content)) > CROWDED:
-        axes.xaxis.set_major_locator(LogLocator(numticks=5))
+    contents = np.concatenate([np.ravel(one.of.content) for one in quantities])
+    marks = []
+    for place, one in enumerate(quantities):
+        colour, dash = style.CYCLE[place], style.DASHES[place % len(style.DASHES)]
+        marks.append(Line(along.content, one.of.content, colour, dash=dash, name=one.name))
+        if 0 < one.points[0].size <= FEW:
+            marks.append(Line(*one.points, colour, width=0.0, marker="o", size=4.0, order=5.0))
+    crowded = np.ptp(np.log10(along.content)) > CROWDED
+    across = Axis.of(along, margin=0.04, log=True, plain=True, parts=5 if crowded else 0)
+    greatest = float(np.max(contents))
+    fitted = float(np.min(contents)) - MARGIN * float(np.ptp(contents))
+    ends: dict[str, Any] = {"low": 0.0} if fitted > 0.0 else {}
     if spans_decades(contents):
-        lowest = max(0.7 * float(np.min(contents)), LEAST * float(np.max(contents)))
-        axes.set_ylim(lowest / upright.factor, 1.5 * float(np.max(contents)) / upright.factor)
-        stretch(axes, axes.yaxis)
-    else:
-        low, high = axes.get_ylim()
-        axes.set_ylim(min(low, 0.0), high)
-    axes.set_xlabel(along.label(across))
-    axes.set_ylabel(f"{ylabel} [{upright.unit}]" if ylabel and upright.unit else ylabel or lines[0].of.label(upright))
-    if len(lines) > 1:
-        style.framed_legend(axes, loc="best")
+        lowest = max(0.7 * float(np.min(contents)), LEAST * greatest)
+        ends = {"low": lowest, "high": 1.5 * greatest, "log": True, "plain": True}
+    upright = Axis.of(quantities[0].of, middle_scale(quantities[0].of.word.unit, contents), margin=MARGIN, **ends)
+    upright = dataclasses.replace(upright, label=label) if label else upright
+    return Panel(tuple(marks), across, upright, legend="best" if len(quantities) > 1 else "")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,7 +30,7 @@ from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.plot import style
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.fitting.fits import fit_picture
+from winkler.plot.fitting.fits import fit_sheet
 from winkler.plot.fitting.unloading import segments_sheet, unloading_sheet
 from winkler.plot.friction.damping import bimodal_sheet, damping_sheet, relaxation_sheet
 from winkler.plot.friction.sheets import (
@@ -43,32 +44,31 @@ from winkler.plot.friction.sheets import (
 from winkler.plot.impact.impact import adhesive_impact_sheet, impact_sheet
 from winkler.plot.medium import (
     body_is_known,
-    draw_makeup,
-    draw_spring_stiffness,
-    draw_stiffness,
-    stiffness_told,
+    makeup_panel,
+    spring_stiffness_panel,
+    stiffness_panel,
+    stiffness_words,
     typical_width,
 )
-from winkler.plot.method import Contact, draw_bed_makeup, headline
-from winkler.plot.normal.body import draw_body, draw_contact
+from winkler.plot.method import Contact, bed_panels
+from winkler.plot.normal.body import body_panel, contact_panel
 from winkler.plot.normal.curves import (
-    draw_curve,
-    draw_line_load,
-    draw_pressure,
+    curve_panel,
     force_depth,
+    line_load_panel,
     load_curves,
+    loaded_so_far,
+    pressure_panel,
 )
-from winkler.plot.normal.outline import draw_profile
-from winkler.plot.normal.punches import draw_pressures, draw_steps
-from winkler.plot.normal.springs import at_first_touch, draw_springs
-from winkler.plot.normal.stresses import draw_stress
+from winkler.plot.normal.outline import profile_panel
+from winkler.plot.normal.punches import pressures_panel, steps_panel
+from winkler.plot.normal.springs import at_first_touch, springs_panel
+from winkler.plot.normal.stresses import stress_panel
+from winkler.plot.panel import Line, Panel, Sheet, note, titled
 from winkler.plot.particles.elastic_plastic import particle_sheet
+from winkler.plot.series import headline
 from winkler.plot.sheets import SHEETS, contact_sheet
-from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
-from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.adhesion.pull_off import PullOffSolution
-from winkler.problems.adhesion.shear import AdhesiveShearSolution
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDampingSolution
 from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
@@ -86,11 +86,9 @@ from winkler.profiles.profile import Shape
 from winkler.stairs import Staircase
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from winkler.plot.picture import Picture
 
-__all__ = ["draw"]
+__all__ = ["draw", "sheet_of"]
 
 DRAWN = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
@@ -100,7 +98,6 @@ DRAWN = (
 CONTRACT = ("height", "gap", "reach", "rim", "size", "kinks")
 
 
-@functools.singledispatch
 def draw(item: Any, *, extent: float | None = None) -> Picture:
     """Return a figure of `item`.
 
@@ -153,164 +150,125 @@ def draw(item: Any, *, extent: float | None = None) -> Picture:
     >>> draw(Sphere(curvature_radius=10e-3), extent=2e-3)
     <Picture of 8.8 x 3.3 inches; save it with savefig(path)>
     """
+    from winkler.plot.render import render  # matplotlib is loaded by the first figure
+
+    return render(sheet_of(item, extent=extent))
+
+
+@functools.singledispatch
+def sheet_of(item: Any, *, extent: float | None = None) -> Sheet:
+    """Return the panels that show `item`, as plain data; parameters and errors as for `draw`."""
     if all(hasattr(item, name) for name in CONTRACT):
         return _profile(item, extent=extent)
     raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWN}.")
 
 
-def _sheet(columns: int, rows: int = 1, **sizes: float) -> tuple[Picture, Any]:
-    figure = style.figure(columns, rows, **sizes)
-    return figure, figure.subplots(rows, columns, squeeze=False).ravel()
-
-
-@draw.register(Shape)
-def _profile(item: Shape, *, extent: float | None = None) -> Picture:
+@sheet_of.register(Shape)
+def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or typical(item)
-    with style.styled():
-        figure, (left, right) = _sheet(2, height=3.3)
-        draw_body(left, item, end)
-        draw_profile(right, item, end)
-        left.set_title(type(item).__name__)
-        right.set_title("shape and equivalent profile")
-    return figure
+    panels = titled(
+        (body_panel(item, end), profile_panel(item, end)), type(item).__name__, "shape and equivalent profile"
+    )
+    return Sheet(panels, height=3.3)
 
 
-@draw.register(Foundation)
-@draw.register(PlaneFoundation)
-def _bed(item: Any, *, extent: float | None = None) -> Picture:
+@sheet_of.register(Foundation)
+@sheet_of.register(PlaneFoundation)
+def _bed(item: Any, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
     if not body_is_known(item):
         return _outlined(item, extent)
     shape = item.profile if isinstance(item, Foundation) else item.plane_profile
-    relaxes = isinstance(item.medium, RelaxingMedium)
-    bed = dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
-    with style.styled():
-        figure, (left, right) = _sheet(2, height=3.3)
-        draw_body(left, bed, end)
-        draw_springs(right, at_first_touch(bed), end)
-        left.set_title(type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$")
-        right.set_title(f"springs {'that relax' if relaxes else stiffness_told(bed, end)} under $g(x)$")
-    return figure
+    name = type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$"
+    bed = _elastic(item)
+    return _over_springs(item, body_panel(bed, end).plus(title=name), bed, end)
 
 
-@draw.register(EllipticFoundation)
-def _outlined(item: Any, extent: float | None = None) -> Picture:
-    """Draw springs that stand for a body that is none of revolution: their load tells no pressure."""
-    relaxes = isinstance(item.medium, RelaxingMedium)
-    bed = dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
+@sheet_of.register(EllipticFoundation)
+def _outlined(item: Any, extent: float | None = None) -> Sheet:
+    """Draw springs that stand for a body that is none of revolution: their load gives no pressure."""
+    bed = _elastic(item)
     end = checked_extent(extent) or typical(bed)
-    with style.styled():
-        figure, (left, right) = _sheet(2, height=3.3)
-        draw_stiffness(left, bed, end)
-        draw_springs(right, at_first_touch(bed), end)
-        left.set_title("stiffness")
-        right.set_title(f"springs {'that relax' if relaxes else stiffness_told(bed, end)} under $g(x)$")
-    return figure
+    return _over_springs(item, stiffness_panel(bed, end).plus(title="stiffness"), bed, end)
 
 
-@draw.register(MeasuredBed)
-def _measured(item: MeasuredBed, *, extent: float | None = None) -> Picture:
+def _elastic(item: Any) -> Any:
+    relaxes = isinstance(item.medium, RelaxingMedium)
+    return dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
+
+
+def _over_springs(item: Any, left: Panel, bed: Any, end: float) -> Sheet:
+    kind = "that relax" if isinstance(item.medium, RelaxingMedium) else stiffness_words(bed, end)
+    return Sheet((left, springs_panel(at_first_touch(bed), end).plus(title=f"springs {kind} under $g(x)$")), height=3.3)
+
+
+@sheet_of.register(MeasuredBed)
+def _measured(item: MeasuredBed, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or item.reach
-    with style.styled():
-        figure, (left, middle, right) = _sheet(3, width=3.9, height=3.3)
-        draw_bed_makeup(left, middle, item, end)
-        draw_springs(right, at_first_touch(item), end)
-        left.set_title("measured stiffness")
-        middle.set_title("its springs")
-        right.set_title("springs under $g(x)$")
-    return figure
+    panels = (*bed_panels(item, end), springs_panel(at_first_touch(item), end))
+    return Sheet(titled(panels, "measured stiffness", "its springs", "springs under $g(x)$"), width=3.9, height=3.3)
 
 
-@draw.register(CoatedHalfSpace)
-@draw.register(DepthGradedHalfSpace)
-@draw.register(GradedHalfSpace)
-def _medium(item: Medium, *, extent: float | None = None) -> Picture:
+@sheet_of.register(CoatedHalfSpace)
+@sheet_of.register(DepthGradedHalfSpace)
+@sheet_of.register(GradedHalfSpace)
+def _medium(item: Medium, *, extent: float | None = None) -> Sheet:
     end = checked_extent(extent) or typical_width(item)
-    with style.styled():
-        figure, (left, right) = _sheet(2, height=3.3)
-        draw_makeup(left, item, end)
-        draw_spring_stiffness(right, item, end)
-        left.set_title("the body, from its surface down")
-        right.set_title("stiffness of the springs")
-    return figure
+    panels = makeup_panel(item, end), spring_stiffness_panel(item, end)
+    return Sheet(titled(panels, "the body, from its surface down", "stiffness of the springs"), height=3.3)
 
 
-@draw.register(IndentationSolution)
-def _indentation(item: IndentationSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(IndentationSolution)
+def _indentation(item: IndentationSolution, *, extent: float | None = None) -> Sheet:
     return _one_load(item, extent) if np.ndim(item.depth) == 0 else _many_loads(item, extent)
 
 
-def _one_load(item: IndentationSolution, extent: float | None) -> Picture:
+def _one_load(item: IndentationSolution, extent: float | None) -> Sheet:
     end, bed = around(item.pressed, extent), item.pressed.bed
     known = body_is_known(bed)
-    with style.styled():
-        figure, panels = _sheet(2, 2, height=3.2)
-        draw_springs(panels[1], item.pressed, end)
-        draw_line_load(panels[2], item, end, float(item.force))
-        if known:
-            draw_contact(panels[0], item, end)
-            draw_pressure(panels[3], item, end, float(item.mean_pressure))
-        else:
-            draw_stiffness(panels[0], bed, end, float(item.radius))
-            _force_curve(panels[3], item)
-        for axes, title in zip(
-            panels,
-            (
-                "the contact" if known else "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness",
-                "springs under $g(x) − d$",
-                "load of the springs $q(x)$",
-                "pressure $p(r)$" if known else "force over depth",
-            ),
-            strict=True,
-        ):
-            axes.set_title(title)
-        figure.suptitle(headline(item))
-    return figure
+    panels = titled(
+        (
+            contact_panel(item, end) if known else stiffness_panel(bed, end, float(item.radius)),
+            springs_panel(item.pressed, end),
+            line_load_panel(item, end, float(item.force)),
+            pressure_panel(item, end, float(item.mean_pressure)) if known else _force_curve(item),
+        ),
+        "the contact" if known else "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness",
+        "springs under $g(x) − d$",
+        "load of the springs $q(x)$",
+        "pressure $p(r)$" if known else "force over depth",
+    )
+    return Sheet(panels, 2, height=3.2, title=headline(item))
 
 
-def _force_curve(axes: Any, item: IndentationSolution) -> None:
-    """Draw F(d) up to a contact, and the contact itself as a point."""
+def _force_curve(item: IndentationSolution) -> Panel:
+    """Return F(d) up to a contact, and the contact itself as a point."""
     if float(item.depth) <= 0.0:
-        style.note(axes, "no contact", where="upper centre")
-        return
-    curve = force_depth(item.pressed)
-    draw_curve(axes, curve, marker="")
-    across, upright = curve.along.scale.factor, curve.of.scale.factor
-    axes.plot([float(item.depth) / across], [float(item.force) / upright], "o", color=style.RED, clip_on=False)
-    axes.set_ylim(0.0, None)
+        return Panel((note("no contact", "upper centre"),))
+    return loaded_so_far(item.pressed, float(item.force))
 
 
-def _many_loads(item: Contact, extent: float | None) -> Picture:
+def _many_loads(item: Contact, extent: float | None) -> Sheet:
     if extent is not None:
         raise InvalidInput(
             "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."
         )
-    curves = load_curves(item)
-    with style.styled():
-        figure, panels = _sheet(len(curves), width=3.7)
-        for axes, (name, curve), colour in zip(panels, curves.items(), style.CYCLE, strict=False):
-            draw_curve(axes, curve, colour)
-            axes.set_ylim(min(0.0, axes.get_ylim()[0]) if np.min(curve.of.content) < 0.0 else 0.0, None)
-            axes.set_title(f"{name.replace('radius', 'contact radius')} over depth")
-    return figure
+    panels = []
+    for (name, curve), colour in zip(load_curves(item).items(), style.CYCLE, strict=False):
+        panel = curve_panel(curve, colour)
+        if not np.min(curve.of.content) < 0.0:
+            panel = panel.plus(upright=dataclasses.replace(panel.upright, low=0.0))
+        panels.append(panel.plus(title=f"{name.replace('radius', 'contact radius')} over depth"))
+    return Sheet(tuple(panels), width=3.7)
 
 
-@draw.register(AdhesiveSolution)
-def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(AdhesiveSolution)
+def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
     return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _many_loads(item, extent)
 
 
-@draw.register(EquilibriumCurve)
-@draw.register(AdhesiveCycleSolution)
-@draw.register(AdhesiveShearSolution)
-@draw.register(PullOffSolution)
-def _sticking(item: Any, *, extent: float | None = None) -> Picture:
-    if extent is not None:
-        raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
-    return SHEETS[type(item)](item)
-
-
-WITHOUT_EXTENT: dict[type, Callable[[Any], Picture]] = {
+WITHOUT_EXTENT: dict[type, Callable[[Any], Sheet]] = {
+    **SHEETS,
     TangentialSolution: tangential_sheet,
     TorsionSolution: torsion_sheet,
     TorsionState: twist_sheet,
@@ -328,57 +286,51 @@ WITHOUT_EXTENT: dict[type, Callable[[Any], Picture]] = {
 """Sheets that have no extent."""
 
 
-def _without_extent(item: Any, *, extent: float | None = None) -> Picture:
+def _without_extent(item: Any, *, extent: float | None = None) -> Sheet:
     if extent is not None:
         raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
     return WITHOUT_EXTENT[type(item)](item)
 
 
 for _kind in WITHOUT_EXTENT:
-    draw.register(_kind)(_without_extent)
+    sheet_of.register(_kind)(_without_extent)
 
 
-@draw.register(TangentialState)
-@draw.register(SpringState)
-def _dragged(item: TangentialState | SpringState, *, extent: float | None = None) -> Picture:
+@sheet_of.register(TangentialState)
+@sheet_of.register(SpringState)
+def _dragged(item: TangentialState | SpringState, *, extent: float | None = None) -> Sheet:
     return tangential_state_sheet(item, checked_extent(extent))
 
 
-@draw.register(YieldOnsetSolution)
-def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(YieldOnsetSolution)
+def _onset(item: YieldOnsetSolution, *, extent: float | None = None) -> Sheet:
     contact = Indentation(item.problem.bed, Force(item.force)).solve()
-    with style.styled():
-        figure, (left, right) = _sheet(2, width=5.0, height=3.3)
-        draw_stress(left, contact, around(contact.pressed, extent), item.radius)
-        left.set_title("stress where yielding begins")
-        curve = force_depth(contact.pressed)
-        draw_curve(right, curve, marker="", label="elastic")
-        across, upright = curve.along.scale.factor, curve.of.scale.factor
-        right.plot([item.depth / across], [item.force / upright], "o", color=style.RED, label="yielding begins")
-        right.set_xlim(0.0, 1.15 * item.depth / across)
-        right.set_ylim(0.0, 1.15 * item.force / upright)
-        style.framed_legend(right, loc="upper left")
-        right.set_title("force over depth")
-        figure.suptitle(f"onset of yield:   {headline(item)}")
-    return figure
+    left = stress_panel(contact, around(contact.pressed, extent), item.radius)
+    curve = curve_panel(force_depth(contact.pressed), marker="", name="elastic")
+    point = Line(
+        np.array([item.depth]), np.array([item.force]), style.RED, width=0.0, marker="o", name="yielding begins"
+    )
+    right = curve.plus(
+        point,
+        across=dataclasses.replace(curve.across, low=0.0, high=1.15 * item.depth),
+        upright=dataclasses.replace(curve.upright, low=0.0, high=1.15 * item.force),
+        legend="upper left",
+    )
+    panels = titled((left, right), "stress where yielding begins", "force over depth")
+    return Sheet(panels, width=5.0, height=3.3, title=f"onset of yield:   {headline(item)}")
 
 
-@draw.register(Staircase)
-def _stairs(item: Staircase, *, extent: float | None = None) -> Picture:
+@sheet_of.register(Staircase)
+def _stairs(item: Staircase, *, extent: float | None = None) -> Sheet:
     if item.radii.size == 0:
         raise InvalidInput("draw: the bodies do not touch, so there are no punches to show; give more load.")
     end = checked_extent(extent) or 1.25 * item.pressed.radius
-    with style.styled():
-        figure, (left, right) = _sheet(2, height=3.3)
-        draw_steps(left, item, end)
-        draw_pressures(right, item, end)
-        left.set_title("a staircase of flat punches")
-        right.set_title("their pressures add up")
-    return figure
+    panels = steps_panel(item, end), pressures_panel(item, end)
+    return Sheet(titled(panels, "a staircase of flat punches", "their pressures add up"), height=3.3)
 
 
-@draw.register(Fit)
-def _fit(item: Fit, *, extent: float | None = None) -> Picture:
+@sheet_of.register(Fit)
+def _fit(item: Fit, *, extent: float | None = None) -> Sheet:
     if extent is not None:
         raise InvalidInput("draw: a Fit is drawn over all its positions; leave extent out.")
-    return fit_picture(item)
+    return fit_sheet(item)

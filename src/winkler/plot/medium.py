@@ -6,7 +6,8 @@ contact takes the place of the modulus, with the points that were given.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+import dataclasses
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,19 +23,18 @@ from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Text
 from winkler.plot.series import scale_of, series, told
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = [
     "OFF_AXIS",
-    "draw_makeup",
-    "draw_spring_stiffness",
-    "draw_stiffness",
+    "body_is_known",
     "interfaces",
     "is_varied",
-    "stiffness_told",
+    "makeup_panel",
+    "spring_stiffness_panel",
+    "stiffness_panel",
+    "stiffness_words",
     "typical_width",
 ]
 
@@ -132,13 +132,11 @@ def _made(medium: Medium, end: float) -> list[Made]:
     raise _even(medium)
 
 
-def draw_makeup(axes: Axes, medium: Medium, end: float, radius: float = 0.0) -> None:
-    """Draw Young's modulus over the depth below the surface, depth downwards.
+def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
+    """Return Young's modulus over the depth below the surface, depth downwards.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     medium : CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
     end : float
         Greatest depth [m].
@@ -149,62 +147,40 @@ def draw_makeup(axes: Axes, medium: Medium, end: float, radius: float = 0.0) -> 
     end = max(end, 1.3 * stack[-1] if stack else 0.0)
     parts = _made(medium, end)
     stiffest = float(max(np.max(part.young) for part in parts))
-    down, along = scale_of("m", [end]), scale_of("Pa", [stiffest])
     # a law without bounds at the surface: what lies within the upper percent of the depth shall not set the scale
     top = float(max(np.max(part.young[part.z >= 0.01 * end], initial=0.0) for part in parts))
-    right = 1.15 * (stiffest if stack else min(stiffest, top)) / along.factor
+    right = 1.15 * (stiffest if stack else min(stiffest, top))
+    marks: list[Any] = []
     for place, part in enumerate(parts):
-        z, young = part.z / down.factor, part.young / along.factor
-        if np.max(young) == 0.0:
-            rigid: Any = {"facecolor": "white", "edgecolor": style.MUTED, "hatch": "////", "linewidth": 0.0}
-            axes.fill_betweenx(z, 0.0, right, **rigid)
-            axes.axhline(z[0], color=style.INK, linewidth=1.0)
+        if np.max(part.young) == 0.0:
+            marks.append(Area(part.z, 0.0, right, "#ffffff", 1.0, hatch="////", across=True))
+            marks.append(Rule(float(part.z[0]), colour=style.INK, width=1.0))
         else:
             tint = TINTS[place % len(TINTS)]
-            axes.fill_betweenx(z, 0.0, np.minimum(young, right), facecolor=tint, linewidth=0.0)
-            axes.plot(young, z, color=style.INK, linewidth=1.6, solid_capstyle="butt")
+            marks.append(Area(part.z, 0.0, np.minimum(part.young, right), tint, 1.0, across=True))
+            marks.append(Line(part.young, part.z, style.INK, width=1.6, blunt=True))
         if part.told:
-            axes.annotate(
-                part.told,
-                (0.04, 0.5 * (z[0] + min(z[-1], end / down.factor))),
-                xycoords=("axes fraction", "data"),
-                va="center",
-                fontsize=8.0,
-                zorder=8,
-                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 1.0},
+            middle = 0.5 * (part.z[0] + min(part.z[-1], end))
+            marks.append(
+                Text(0.04, middle, part.told, across="left", size=8.0, boxed=0.75, pad=1.0, framed=(True, False))
             )
     for above, below in zip(parts, parts[1:], strict=False):
-        axes.plot(
-            [above.young[-1] / along.factor, below.young[0] / along.factor],
-            np.full(2, below.z[0] / down.factor),
-            color=style.INK,
-            linewidth=1.6,
-        )
+        step = np.array([above.young[-1], below.young[0]])
+        marks.append(Line(step, np.full(2, below.z[0]), style.INK, width=1.6))
     if 0.0 < radius < end:
-        axes.axhline(radius / down.factor, color=style.RED, linewidth=1.0, linestyle=(0, (4, 3)))
-        axes.annotate(
-            "$z = a$",
-            (0.97, radius / down.factor),
-            xycoords=("axes fraction", "data"),
-            color=style.RED,
-            ha="right",
-            va="bottom",
-            fontsize=8.5,
-        )
-    axes.set_xlim(0.0, right)
-    axes.set_ylim(end / down.factor, 0.0)
-    axes.set_xlabel(series("Elastic", "young", np.zeros(1)).label(along))
-    axes.set_ylabel(series("SubsurfaceFields", "z", np.zeros(1)).label(down))
-    axes.grid(visible=False)
+        marks.append(Rule(radius, colour=style.RED, width=1.0, dash=style.DASHED))
+        words: dict[str, Any] = {"across": "right", "upright": "bottom", "colour": style.RED, "framed": (True, False)}
+        marks.append(Text(0.97, radius, "$z = a$", **words))
+    across = Axis.of(series("Elastic", "young", np.zeros(1)), scale_of("Pa", [stiffest]), low=0.0, high=right)
+    upright = Axis.of(series("SubsurfaceFields", "z", np.zeros(1)), scale_of("m", [end]), low=end, high=0.0)
+    return Panel(tuple(marks), across, upright, grid="")
 
 
-def draw_spring_stiffness(axes: Axes, medium: Medium, end: float, radius: float = 0.0) -> None:
-    """Draw the stiffness of the springs over x; a dotted line tells what the uppermost layer alone would give.
+def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
+    """Return the stiffness of the springs over x; a dotted line shows what the uppermost layer alone would give.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     medium : Medium
     end : float
         Greatest x [m].
@@ -213,35 +189,22 @@ def draw_spring_stiffness(axes: Axes, medium: Medium, end: float, radius: float 
     """
     x = end * np.linspace(0.0, 1.0, 401)[1:] ** 2
     stiffness = np.asarray(medium.normal_stiffness(x), dtype=float)
-    shown = stiffness[x >= 0.01 * end]
-    across, upright = scale_of("m", [end]), scale_of("Pa", [float(np.max(shown))])
-    axes.plot(x / across.factor, stiffness / upright.factor, color=style.RED, label="springs, $c_N(x)$")
-    top = float(np.max(shown))
+    top = float(np.max(stiffness[x >= 0.01 * end]))
+    upright = Axis.of(series("Foundation", "normal_stiffness", stiffness), scale_of("Pa", [top]), low=0.0)
+    marks: list[Any] = [Line(x, stiffness, style.RED, name="springs, $c_N(x)$")]
+    layered = isinstance(medium, CoatedHalfSpace | DepthGradedHalfSpace)
     if isinstance(medium, CoatedHalfSpace | DepthGradedHalfSpace):
-        above = medium.modulus
-        axes.axhline(
-            above / upright.factor,
-            color=style.MUTED,
-            linewidth=1.0,
-            linestyle=":",
-            label=f"uppermost solid alone, {told(above, 'Pa')}",
-        )
+        above = float(medium.modulus)
+        name = f"uppermost solid alone, {told(above, 'Pa')}"
+        marks.append(Rule(above, width=1.0, dash=style.DOTTED, name=name))
         top = max(top, above)
-        style.framed_legend(axes, loc="best")
     if 0.0 < radius < end:
-        axes.axvline(radius / across.factor, color=style.INK, linewidth=0.9, linestyle=(0, (4, 3)))
-        axes.annotate(
-            "$a$",
-            (radius / across.factor, 0.02),
-            xycoords=("data", "axes fraction"),
-            fontsize=9.0,
-            xytext=(3, 0),
-            textcoords="offset points",
-        )
-    axes.set_xlim(0.0, end / across.factor)
-    axes.set_ylim(0.0, 1.12 * top / upright.factor)
-    axes.set_xlabel(series("Foundation", "x", x).label(across))
-    axes.set_ylabel(series("Foundation", "normal_stiffness", stiffness).label(upright))
+        marks.append(Rule(radius, upright=True, colour=style.INK, width=0.9, dash=style.DASHED))
+        words: dict[str, Any] = {"across": "left", "upright": "baseline", "size": 9.0, "framed": (False, True)}
+        marks.append(Text(radius, 0.02, "$a$", right=3.0, **words))
+    across = Axis.of(series("Foundation", "x", x), scale_of("m", [end]), low=0.0, high=end)
+    upright = dataclasses.replace(upright, high=1.12 * top)
+    return Panel(tuple(marks), across, upright, legend="best" if layered else "")
 
 
 def body_is_known(bed: Bed) -> bool:
@@ -249,13 +212,11 @@ def body_is_known(bed: Bed) -> bool:
     return isinstance(bed.footprint, Round) and not isinstance(bed, MeasuredBed)
 
 
-def draw_stiffness(axes: Axes, bed: Bed, to: float, radius: float = 0.0) -> None:
-    """Draw the stiffness of the contact over its radius, and what was measured of it.
+def stiffness_panel(bed: Bed, to: float, radius: float = 0.0) -> Panel:
+    """Return the stiffness of the contact over its radius, and what was measured of it.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     bed : Bed
     to : float
         Greatest radius [m] of a bed that was not measured.
@@ -265,30 +226,22 @@ def draw_stiffness(axes: Axes, bed: Bed, to: float, radius: float = 0.0) -> None
     end = bed.reach if isinstance(bed, MeasuredBed) else min(to, bed.reach)
     a = np.linspace(0.0, end, 301)[1:]
     stiffness = np.asarray(bed.stiffness(a), dtype=float)
-    across, upright = scale_of("m", [end]), scale_of("N/m", stiffness)
-    axes.plot(a / across.factor, stiffness / upright.factor, color=style.BLUE)
+    marks = [Line(a, stiffness)]
     if isinstance(bed, MeasuredBed):
         few = bed.radii.size <= 60
-        axes.plot(
-            bed.radii / across.factor,
-            bed.stiffnesses / upright.factor,
-            "o" if few else ".",
-            color=style.ORANGE,
-            markersize=4.0 if few else 2.0,
-            label=f"{bed.radii.size} points given",
-        )
+        look: dict[str, Any] = {"marker": "o" if few else ".", "size": 4.0 if few else 2.0}
+        name = f"{bed.radii.size} points given"
+        marks.append(Line(bed.radii, bed.stiffnesses, style.ORANGE, width=0.0, name=name, **look))
     if radius > 0.0:
-        here = float(bed.stiffness(np.array([radius]))[0])
-        axes.plot([radius / across.factor], [here / upright.factor], "o", color=style.RED, label="this contact")
-    axes.set_xlim(0.0, 1.02 * end / across.factor)
-    axes.set_ylim(0.0, 1.08 * float(np.max(stiffness)) / upright.factor)
-    axes.set_xlabel(series("IndentationSolution", "radius", a).label(across))
-    axes.set_ylabel(series("IndentationSolution", "stiffness", stiffness).label(upright))
-    if axes.get_legend_handles_labels()[0]:
-        style.framed_legend(axes, loc="lower right")
+        here = bed.stiffness(np.array([radius]))
+        marks.append(Line(np.array([radius]), here, style.RED, width=0.0, marker="o", name="this contact"))
+    across = Axis.of(series("IndentationSolution", "radius", a), scale_of("m", [end]), low=0.0, high=1.02 * end)
+    of = series("IndentationSolution", "stiffness", stiffness)
+    upright = Axis.of(of, low=0.0, high=1.08 * float(np.max(stiffness)))
+    return Panel(tuple(marks), across, upright, legend="lower right")
 
 
-def stiffness_told(bed: Bed, end: float) -> str:
+def stiffness_words(bed: Bed, end: float) -> str:
     """Return how stiff the springs of a bed are up to a place [m], for reading."""
     stiffness = np.asarray(bed.normal_stiffness(min(end, bed.reach) * np.linspace(0.01, 1.0, 65)), dtype=float)
     if not is_varied(stiffness):

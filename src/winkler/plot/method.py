@@ -1,11 +1,13 @@
 """The pictures of the method, one by one: the body, its springs, their load, the pressure, the stress, the force.
 
-`winkler.plot.draw` puts them on one sheet; a report shows each with its own words.
+`winkler.plot.draw` puts them on one sheet, a report shows each with its own words, the browser moves them.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import dataclasses
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -13,81 +15,40 @@ from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.plot import style
-from winkler.plot.adhesion.cycles import intensity_told
-from winkler.plot.adhesion.equilibria import draw_around
+from winkler.plot.adhesion.cycles import intensity_words
+from winkler.plot.adhesion.equilibria import around_panel
 from winkler.plot.extent import around
-from winkler.plot.medium import draw_makeup, draw_spring_stiffness, draw_stiffness
-from winkler.plot.normal.body import draw_contact
-from winkler.plot.normal.curves import draw_curve, draw_line_load, draw_pressure, draw_surface, force_depth, surface
-from winkler.plot.normal.springs import draw_springs
-from winkler.plot.normal.stresses import draw_stress
-from winkler.plot.series import series, told
+from winkler.plot.friction.stress import dragged_stress_panel
+from winkler.plot.medium import makeup_panel, spring_stiffness_panel, stiffness_panel
+from winkler.plot.normal.body import contact_panel
+from winkler.plot.normal.curves import (
+    force_depth,
+    line_load_panel,
+    loaded_so_far,
+    pressure_panel,
+    surface,
+    surface_panel,
+)
+from winkler.plot.normal.springs import springs_panel
+from winkler.plot.normal.stresses import stress_panel
+from winkler.plot.panel import Panel, Sheet, note
 from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import IndentationSolution
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from matplotlib.axes import Axes
-
-    from winkler.plot.picture import Picture
-
-__all__ = [
-    "PICTURES",
-    "Contact",
-    "draw_bed_makeup",
-    "headline",
-    "line_load_of",
-    "picture",
-    "pictures_of",
-    "pressure_of",
-]
+__all__ = ["PICTURES", "Contact", "bed_panels", "line_load", "method_sheet", "pictures_of", "pressure"]
 
 
 Contact = IndentationSolution | AdhesiveSolution
 """What the pictures show: a solution for one load."""
 
 
-def headline(solution: Any) -> str:
-    """Return depth, force and contact radius in one line."""
-    parts = [
-        f"${symbol}$ = {told(float(getattr(solution, name)), unit)}"
-        for name, symbol, unit in (("force", "F_N", "N"), ("depth", "d", "m"), ("radius", "a", "m"))
-    ]
-    return "   ".join(parts)
-
-
-def shape(solution: Contact, extent: float | None = None) -> Picture:
-    """Return the body in three dimensions, in its dent."""
-    return _one(lambda axes, to: draw_contact(axes, solution, to), solution, extent)
-
-
-def springs(solution: Contact, extent: float | None = None) -> Picture:
-    """Return the equivalent plane profile over its springs."""
-    return _one(lambda axes, to: draw_springs(axes, solution.pressed, to), solution, extent)
-
-
-def medium(solution: Contact, extent: float | None = None) -> Picture:
-    """Return how the solid changes with the depth, and how stiff that makes the springs."""
-    bed, radius = solution.pressed.bed, float(solution.radius)
-    to = around(solution.pressed, extent)
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        draw_bed_makeup(left, right, bed, to, radius)
-    return figure
-
-
-def draw_bed_makeup(left: Axes, right: Axes, bed: Bed, to: float, radius: float = 0.0) -> None:
-    """Draw what a bed rests on: E(z), or the measured k(a), and the stiffness of the springs.
+def bed_panels(bed: Bed, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:
+    """Return what a bed rests on: E(z), or the measured k(a), and the stiffness of the springs.
 
     Parameters
     ----------
-    left, right : Axes
-        Empty.
     bed : Bed
     to : float
         Greatest x and, where the medium has no length of its own, depth [m].
@@ -95,89 +56,64 @@ def draw_bed_makeup(left: Axes, right: Axes, bed: Bed, to: float, radius: float 
         Radius of a contact [m], marked; zero for none.
     """
     if isinstance(bed, MeasuredBed):
-        draw_stiffness(left, bed, to, radius)
-        draw_spring_stiffness(right, bed.medium, min(to, bed.reach), radius)
-    else:
-        draw_makeup(left, bed.medium, to, radius)
-        draw_spring_stiffness(right, bed.medium, to, radius)
+        return stiffness_panel(bed, to, radius), spring_stiffness_panel(bed.medium, min(to, bed.reach), radius)
+    return makeup_panel(bed.medium, to, radius), spring_stiffness_panel(bed.medium, to, radius)
 
 
-def line_load(solution: Contact, extent: float | None = None) -> Picture:
-    """Return q(x)."""
-    return _one(lambda axes, to: line_load_of(axes, solution, to), solution, extent)
-
-
-def line_load_of(axes: Axes, solution: Contact, to: float) -> None:
-    """Draw q(x) of a contact, and what the area below it is."""
+def line_load(solution: Contact, to: float) -> Panel:
+    """Return q(x) of a contact, and what the area below it is."""
     pull = 0.0
     if isinstance(solution, AdhesiveSolution):
         states = states_of(solution.problem.bed, solution.problem.law)
         pull = states.pull if isinstance(states, FarStates) else 0.0
-    draw_line_load(axes, solution, to, float(solution.force), pull)
+    return line_load_panel(solution, to, float(solution.force), pull)
 
 
-def pressure(solution: Contact, extent: float | None = None) -> Picture:
-    """Return p(r)."""
-    return _one(lambda axes, to: pressure_of(axes, solution, to), solution, extent)
-
-
-def pressure_of(axes: Axes, solution: Contact, to: float) -> None:
-    """Draw p(r) of a contact, with its mean, or with what the tension at its edge is."""
+def pressure(solution: Contact, to: float) -> Panel:
+    """Return p(r) of a contact, with its mean, or with what the tension at its edge is."""
     if isinstance(solution, AdhesiveSolution):
-        draw_pressure(axes, solution, to, remark=intensity_told(solution))
-    else:
-        draw_pressure(axes, solution, to, float(solution.mean_pressure))
+        return pressure_panel(solution, to, remark=intensity_words(solution))
+    radius = float(solution.pressed.radius)
+    return pressure_panel(solution, to, float(solution.force) / (np.pi * radius**2) if radius > 0.0 else None)
 
 
-def displacement(solution: Contact, extent: float | None = None) -> Picture:
-    """Return the displacement of the surface, inside and outside the contact."""
-    return _one(lambda axes, to: draw_surface(axes, surface(solution, 1.5 * to)), solution, extent)
-
-
-def stress(solution: Contact, extent: float | None = None) -> Picture:
-    """Return the map of the stress below the surface."""
+def stress(solution: Contact, to: float, *, coarse: bool = False) -> Panel:
+    """Return the map of the stress below the surface; `coarse`: in fewer places, without its greatest value."""
     if solution.radius == 0.0:
         raise InvalidInput(
             "draw: the bodies do not touch under this load, so there is no stress to show; give more load."
         )
-    return _one(lambda axes, to: draw_stress(axes, solution, to, float(solution.radius)), solution, extent, width=5.0)
+    if hasattr(solution, "sheared"):
+        return dragged_stress_panel(solution.sheared, to, coarse=coarse)
+    return stress_panel(solution, to, float(solution.radius), coarse=coarse)
 
 
-def force(solution: Contact, extent: float | None = None) -> Picture:
+def force(solution: Contact, _: float = 0.0) -> Panel:
     """Return F(d) up to this load, or around it where the bodies stick, and the load itself as a point."""
     if isinstance(solution, AdhesiveSolution):
-        stuck = solution
-        return _one(lambda axes, _: draw_around(axes, stuck), solution, extent)
+        return around_panel(solution)
     depth = float(solution.depth)
     if depth <= 0.0:
         raise InvalidInput(
             "draw: the bodies do not touch under this load, so there is no F(d) up to it; give more load."
         )
-
-    def paint(axes: Any, _: float) -> None:
-        curve = force_depth(solution.pressed)
-        draw_curve(axes, curve, marker="")
-        point = series("IndentationSolution", "force", np.array([float(solution.force)]))
-        axes.plot([depth / curve.along.scale.factor], point.shown(curve.of.scale), "o", color=style.RED, clip_on=False)
-        axes.set_xlim(0.0, 1.04 * depth / curve.along.scale.factor)
-        axes.set_ylim(0.0, None)
-        if np.isnan(curve.of.content).any():
-            style.note(axes, "gaps: there the contact is no single disc", where="upper left")
-
-    return _one(paint, solution, extent)
+    panel = loaded_so_far(solution.pressed, float(solution.force))
+    gaps = np.isnan(force_depth(solution.pressed).of.content).any()
+    notes = (note("gaps: there the contact is no single disc", "upper left"),) if gaps else ()
+    return panel.plus(*notes, across=dataclasses.replace(panel.across, low=0.0, high=1.04 * depth))
 
 
-PICTURES: dict[str, Callable[..., Picture]] = {
-    "shape": shape,
-    "medium": medium,
-    "springs": springs,
+PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...]]] = {
+    "shape": contact_panel,
+    "medium": lambda solution, to: bed_panels(solution.pressed.bed, to, float(solution.radius)),
+    "springs": lambda solution, to: springs_panel(solution.pressed, to),
     "line_load": line_load,
     "pressure": pressure,
-    "displacement": displacement,
+    "displacement": lambda solution, to: surface_panel(surface(solution, 1.5 * to)),
     "stress": stress,
     "force": force,
 }
-"""Name -> function of a solution for one load; the order of the method."""
+"""Name -> function of a solution for one load and of how far is drawn [m]; the order of the method."""
 
 
 def pictures_of(solution: Contact) -> tuple[str, ...]:
@@ -186,7 +122,7 @@ def pictures_of(solution: Contact) -> tuple[str, ...]:
     return tuple(name for name in PICTURES if not (name == "medium" and homogeneous))
 
 
-def picture(name: str, solution: Contact, extent: float | None = None) -> Picture:
+def method_sheet(name: str, solution: Contact, extent: float | None = None) -> Sheet:
     """Return one picture of the method.
 
     Parameters
@@ -203,11 +139,7 @@ def picture(name: str, solution: Contact, extent: float | None = None) -> Pictur
     OutsideValidity
         If what the picture shows is not known for this contact.
     """
-    return PICTURES[name](solution, extent)
-
-
-def _one(paint: Callable[[Any, float], None], solution: Contact, extent: float | None, width: float = 4.6) -> Picture:
-    with style.styled():
-        figure = style.figure(width=width, height=3.3)
-        paint(figure.add_subplot(), around(solution.pressed, extent))
-    return figure
+    panels = PICTURES[name](solution, around(solution.pressed, extent))
+    if isinstance(panels, Panel):
+        return Sheet((panels,), width=5.0 if name == "stress" else 4.6, height=3.3)
+    return Sheet(panels, height=3.3)

@@ -1,14 +1,75 @@
-"""A figure that shows itself in notebooks and in the gallery, without pyplot and its global state."""
+"""A figure of matplotlib that shows itself in notebooks and in the gallery, without pyplot and its global state."""
 
 from __future__ import annotations
 
 import base64
+import contextlib
 import io
+from collections.abc import Iterator
 from typing import Any
 
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-__all__ = ["Picture"]
+from winkler.plot.style import INK, MUTED, PALE
+
+__all__ = ["Picture", "empty_figure", "styled"]
+
+SETTINGS: Any = {
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.size": 9.0,
+    "mathtext.fontset": "dejavusans",
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": MUTED,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 9.5,
+    "axes.titlelocation": "left",
+    "axes.titlepad": 8.0,
+    "axes.titleweight": "bold",
+    "axes.labelsize": 9.0,
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "axes.formatter.limits": (-4, 5),
+    "axes.unicode_minus": True,
+    "axes.xmargin": 0.0,
+    "grid.color": PALE,
+    "grid.linewidth": 0.6,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "xtick.labelsize": 8.5,
+    "ytick.labelsize": 8.5,
+    "lines.linewidth": 1.8,
+    "lines.markersize": 5.0,
+    "lines.solid_capstyle": "round",
+    "legend.frameon": False,
+    "legend.fontsize": 8.5,
+    "legend.handlelength": 2.2,
+    "figure.facecolor": "white",
+    "figure.titlesize": 10.5,
+    "figure.titleweight": "bold",
+    "savefig.facecolor": "white",
+    "svg.fonttype": "path",
+    "svg.hashsalt": "winkler",
+    "path.simplify": True,
+    "figure.constrained_layout.w_pad": 0.06,
+    "figure.constrained_layout.h_pad": 0.06,
+    "figure.constrained_layout.hspace": 0.06,
+    "figure.constrained_layout.wspace": 0.06,
+}
+
+
+@contextlib.contextmanager
+def styled() -> Iterator[None]:
+    """Use one look for what is drawn inside, and leave the reader's own settings as they were."""
+    with matplotlib.rc_context(SETTINGS):
+        yield
 
 
 class Picture(Figure):
@@ -26,7 +87,12 @@ class Picture(Figure):
 
     def savefig(self, fname: Any, **options: Any) -> None:
         """Write the picture to a path or stream; the format follows from the path's ending."""
-        from winkler.plot.style import styled
-
         with styled():
             super().savefig(fname, **options)
+
+
+def empty_figure(width: float, height: float) -> Picture:
+    """Return an empty figure of so many inches; call it, and draw, inside `styled`."""
+    empty = Picture(figsize=(width, height), dpi=144, layout="constrained")
+    FigureCanvasAgg(empty)  # so that it can be drawn and measured without a window
+    return empty

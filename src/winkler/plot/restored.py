@@ -2,36 +2,26 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import dataclasses
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields, SurfaceFields
-from winkler.plot import style
-from winkler.plot.draw import draw
+from winkler.plot.draw import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.normal.curves import draw_surface, draw_surface_pressure
-from winkler.plot.normal.stresses import draw_along, draw_field
-
-if TYPE_CHECKING:
-    from winkler.plot.picture import Picture
+from winkler.plot.normal.curves import surface_panel, surface_pressure_panel
+from winkler.plot.normal.stresses import along_panel, field_panel
+from winkler.plot.panel import Sheet, titled
 
 __all__ = ["subsurface_sheet", "surface_sheet"]
 
 
-@draw.register(SurfaceFields)
-def surface_sheet(item: SurfaceFields, *, extent: float | None = None) -> Picture:
+@sheet_of.register(SurfaceFields)
+def surface_sheet(item: SurfaceFields, *, extent: float | None = None) -> Sheet:
     """Return pressure and displacement of a surface."""
     shown = _cropped(item, extent)
-    with style.styled():
-        figure = style.figure(2)
-        left, right = figure.subplots(1, 2)
-        draw_surface_pressure(left, shown)
-        draw_surface(right, shown)
-        left.set_title("pressure")
-        right.set_title("surface")
-    return figure
+    return Sheet(titled((surface_pressure_panel(shown), surface_panel(shown)), "pressure", "surface"))
 
 
 def _cropped(item: SurfaceFields, extent: float | None) -> SurfaceFields:
@@ -42,23 +32,16 @@ def _cropped(item: SurfaceFields, extent: float | None) -> SurfaceFields:
     return SurfaceFields(*(np.ravel(part)[kept] for part in (item.r, item.pressure, item.displacement, item.gap)))
 
 
-@draw.register(SubsurfaceFields)
-def subsurface_sheet(item: SubsurfaceFields, *, extent: float | None = None) -> Picture:
+@sheet_of.register(SubsurfaceFields)
+def subsurface_sheet(item: SubsurfaceFields, *, extent: float | None = None) -> Sheet:
     """Return the stresses below a surface: a map of a grid, curves along a line."""
     end = checked_extent(extent)
-    with style.styled():
-        figure = style.figure(1, width=5.2, height=3.2)
-        axes = figure.subplots()
-        if _is_grid(item):
-            draw_field(axes, item)
-            if end is not None:
-                across = float(np.max(axes.get_xlim())) / float(np.max(item.r))
-                axes.set_xlim(-end * across, end * across)
-            axes.set_title("stress below the surface")
-        else:
-            draw_along(axes, item)
-            axes.set_title("stresses along a line")
-    return figure
+    if not _is_grid(item):
+        return Sheet((along_panel(item).plus(title="stresses along a line"),), width=5.2, height=3.2)
+    panel = field_panel(item).plus(title="stress below the surface")
+    if end is not None:
+        panel = panel.plus(across=dataclasses.replace(panel.across, low=-end, high=end))
+    return Sheet((panel,), width=5.2, height=3.2)
 
 
 def _is_grid(item: SubsurfaceFields) -> bool:

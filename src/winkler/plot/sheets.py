@@ -2,35 +2,31 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from winkler.loading import Force
-from winkler.plot import style
-from winkler.plot.adhesion.cycles import draw_cycle, draw_sheared
-from winkler.plot.adhesion.equilibria import draw_around, draw_equilibrium, draw_last, draw_radii
+from winkler.plot.adhesion.cycles import cycle_panels, sheared_panels
+from winkler.plot.adhesion.equilibria import around_panel, equilibrium_panel, pull_off_panel, radii_panel
 from winkler.plot.extent import around
-from winkler.plot.medium import body_is_known, draw_stiffness
-from winkler.plot.method import headline, line_load_of, pressure_of
-from winkler.plot.normal.body import draw_contact
-from winkler.plot.normal.springs import draw_springs
-from winkler.plot.series import told
+from winkler.plot.medium import body_is_known, stiffness_panel
+from winkler.plot.method import line_load, pressure
+from winkler.plot.normal.body import contact_panel
+from winkler.plot.normal.springs import springs_panel
+from winkler.plot.panel import Panel, Sheet, note, titled
+from winkler.plot.series import headline, told
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShearSolution
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from winkler.plot.picture import Picture
-
 __all__ = ["SHEETS", "contact_sheet", "cycle_sheet", "equilibrium_sheet", "pull_off_sheet", "shear_sheet"]
 
 
-def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Picture:
+def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
     """Return body, springs, pressure and equilibria of one contact; of a measured bed what is known of it.
 
     Parameters
@@ -42,89 +38,55 @@ def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Pictur
     """
     end, bed = around(item.pressed, extent), item.pressed.bed
     known = body_is_known(bed)
-    with style.styled():
-        figure = style.figure(2, 2, height=3.2)
-        panels = figure.subplots(2, 2, squeeze=False).ravel()
-        draw_springs(panels[1], item.pressed, end)
-        if known:
-            draw_contact(panels[0], item, end)
-            pressure_of(panels[2], item, end)
-        else:
-            draw_stiffness(panels[0], bed, end, float(item.radius))
-            line_load_of(panels[2], item, end)
-        if item.radius > 0.0:
-            draw_around(panels[3], item)
-        else:
-            style.note(panels[3], "no contact", where="upper centre")
-        titles = (
-            "the contact" if known else "measured stiffness",
-            "springs under $g(x) − d$",
-            "pressure $p(r)$" if known else "load of the springs $q(x)$",
-            "force over depth: states of equilibrium",
-        )
-        for axes, title in zip(panels, titles, strict=True):
-            axes.set_title(title)
-        figure.suptitle(headline(item))
-    return figure
+    panels = titled(
+        (
+            contact_panel(item, end) if known else stiffness_panel(bed, end, float(item.radius)),
+            springs_panel(item.pressed, end),
+            pressure(item, end) if known else line_load(item, end),
+            around_panel(item) if item.radius > 0.0 else Panel((note("no contact", "upper centre"),)),
+        ),
+        "the contact" if known else "measured stiffness",
+        "springs under $g(x) − d$",
+        "pressure $p(r)$" if known else "load of the springs $q(x)$",
+        "force over depth: states of equilibrium",
+    )
+    return Sheet(panels, 2, height=3.2, title=headline(item))
 
 
-def equilibrium_sheet(item: EquilibriumCurve) -> Picture:
+def equilibrium_sheet(item: EquilibriumCurve) -> Sheet:
     """Return force and contact radius over the depth, with branches and jumps."""
-    with style.styled():
-        figure = style.figure(2, height=3.5)
-        left, right = figure.subplots(1, 2)
-        draw_equilibrium(left, item)
-        draw_radii(right, item)
-        left.set_title("force over depth")
-        right.set_title("contact radius over depth")
-        figure.suptitle(f"equilibria under {_machine_told(item.problem.machine_stiffness)}")
-    return figure
+    panels = titled((equilibrium_panel(item), radii_panel(item)), "force over depth", "contact radius over depth")
+    return Sheet(panels, height=3.5, title=f"equilibria under {_machine(item.problem.machine_stiffness)}")
 
 
-def cycle_sheet(item: AdhesiveCycleSolution) -> Picture:
+def cycle_sheet(item: AdhesiveCycleSolution) -> Sheet:
     """Return force and contact radius along a cycle, with its jumps and what is lost."""
     dead = isinstance(item.problem.path, Force)
-    with style.styled():
-        figure = style.figure(2, height=3.5)
-        left, right = figure.subplots(1, 2)
-        draw_cycle(left, right, item)
-        left.set_title(f"force over {'depth' if dead else 'position of the machine'}")
-        right.set_title("contact radius")
-        machine = "a dead load" if dead else _machine_told(item.problem.machine_stiffness)
-        count = len(item.jumps)
-        figure.suptitle(f"slow cycle under {machine}: {count} jump{'' if count == 1 else 's'}")
-    return figure
+    over = f"force over {'depth' if dead else 'position of the machine'}"
+    machine = "a dead load" if dead else _machine(item.problem.machine_stiffness)
+    count = len(item.jumps)
+    title = f"slow cycle under {machine}: {count} jump{'' if count == 1 else 's'}"
+    return Sheet(titled(cycle_panels(item), over, "contact radius"), height=3.5, title=title)
 
 
-def shear_sheet(item: AdhesiveShearSolution) -> Picture:
+def shear_sheet(item: AdhesiveShearSolution) -> Sheet:
     """Return shear force and contact radius over the shift."""
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        draw_sheared(left, right, item)
-        left.set_title("shear force over shift")
-        right.set_title("contact radius over shift")
-    return figure
+    return Sheet(titled(sheared_panels(item), "shear force over shift", "contact radius over shift"), height=3.3)
 
 
-def pull_off_sheet(item: PullOffSolution) -> Picture:
+def pull_off_sheet(item: PullOffSolution) -> Sheet:
     """Return where on the curve of equilibria the machine lets go."""
-    with style.styled():
-        figure = style.figure(width=5.2, height=3.5)
-        axes = figure.add_subplot()
-        draw_last(axes, item)
-        axes.set_title(f"pull-off under {_machine_told(item.problem.machine_stiffness)}")
-        figure.suptitle(headline(item))
-    return figure
+    title = f"pull-off under {_machine(item.problem.machine_stiffness)}"
+    return Sheet((pull_off_panel(item).plus(title=title),), width=5.2, height=3.5, title=headline(item))
 
 
-def _machine_told(stiffness: float) -> str:
+def _machine(stiffness: float) -> str:
     if stiffness == 0.0:
         return "a dead load"
     return "fixed grips" if np.isinf(stiffness) else f"a machine of {told(stiffness, 'N/m')}"
 
 
-SHEETS: dict[type, Callable[[Any], Picture]] = {
+SHEETS: dict[type, Callable[[Any], Sheet]] = {
     EquilibriumCurve: equilibrium_sheet,
     AdhesiveCycleSolution: cycle_sheet,
     AdhesiveShearSolution: shear_sheet,

@@ -2,38 +2,30 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
-
 import numpy as np
 
 from winkler.numerics.types import Array
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.colors import Colormap
-
-    from winkler.plot.picture import Picture
 
 __all__ = [
     "BLUE",
     "BODY",
     "CYCLE",
+    "DASHED",
+    "DASHES",
+    "DOTTED",
     "GREEN",
     "INK",
     "MUTED",
     "ORANGE",
+    "PALE",
+    "PURPLE",
     "RED",
+    "SKY",
     "SOLID",
-    "figure",
-    "framed_legend",
+    "channels",
     "mirrored",
-    "note",
-    "reliefs",
-    "shades",
-    "styled",
-    "tensions",
+    "pressure_colour",
+    "shade",
 ]
 
 INK = "#22272e"
@@ -45,124 +37,52 @@ BLUE, RED, GREEN, ORANGE, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f0
 CYCLE = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, INK)
 """After Okabe and Ito (2008), the purple a little darker."""
 
-DASHES: tuple[Any, ...] = ("-", (0, (5, 2)), (0, (1.2, 1.2)), (0, (6, 2, 1.2, 2)))
-"""Line styles, so that curves can be told apart in print without colour."""
+DASHES: tuple[tuple[float, ...], ...] = ((), (5.0, 2.0), (1.2, 1.2), (6.0, 2.0, 1.2, 2.0))
+"""Lengths of strokes and gaps in line widths, so that curves can be told apart in print without colour."""
+DOTTED, DASHED = (1.0, 1.65), (4.0, 3.0)
 
-SETTINGS: Any = {
-    "font.family": "sans-serif",
-    "font.sans-serif": ["DejaVu Sans"],
-    "font.size": 9.0,
-    "mathtext.fontset": "dejavusans",
-    "text.color": INK,
-    "axes.labelcolor": INK,
-    "axes.edgecolor": MUTED,
-    "axes.linewidth": 0.8,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.titlesize": 9.5,
-    "axes.titlelocation": "left",
-    "axes.titlepad": 8.0,
-    "axes.titleweight": "bold",
-    "axes.labelsize": 9.0,
-    "axes.axisbelow": True,
-    "axes.grid": True,
-    "axes.formatter.limits": (-4, 5),
-    "axes.unicode_minus": True,
-    "axes.xmargin": 0.0,
-    "grid.color": PALE,
-    "grid.linewidth": 0.6,
-    "xtick.color": MUTED,
-    "ytick.color": MUTED,
-    "xtick.labelcolor": INK,
-    "ytick.labelcolor": INK,
-    "xtick.labelsize": 8.5,
-    "ytick.labelsize": 8.5,
-    "lines.linewidth": 1.8,
-    "lines.markersize": 5.0,
-    "lines.solid_capstyle": "round",
-    "legend.frameon": False,
-    "legend.fontsize": 8.5,
-    "legend.handlelength": 2.2,
-    "figure.facecolor": "white",
-    "figure.titlesize": 10.5,
-    "figure.titleweight": "bold",
-    "savefig.facecolor": "white",
-    "svg.fonttype": "path",
-    "svg.hashsalt": "winkler",
-    "path.simplify": True,
-    "figure.constrained_layout.w_pad": 0.06,
-    "figure.constrained_layout.h_pad": 0.06,
-    "figure.constrained_layout.hspace": 0.06,
-    "figure.constrained_layout.wspace": 0.06,
+SHADES, RELIEFS, TENSIONS, HEATS = "viridis_r", "cividis", "Reds", "YlOrRd"
+"""Colour maps: of stresses and pressures, perceptually even; of heights; of tension; of temperatures."""
+
+
+MAPS = {
+    "viridis_r": (
+        "fde725 d5e21a aadc32 81d34d 5cc863 3dbc74 27ad81 1f9f88 21908d 26818e 2c718e 33628d "
+        "3b518b 423f85 472c7a 481769 440154"
+    ),
+    "cividis": (
+        "00224e 002e6a 1a386f 32436d 434e6c 535a6d 61656f 6f7073 7d7c78 8c8878 9b9476 aba072 "
+        "bcae6c cdbb63 dec958 f0d846 fee838"
+    ),
+    "Reds": (
+        "fff5f0 feeae1 fee0d2 fdcdb9 fcbba1 fca689 fc9272 fb7d5d fb694a f5523a ee3a2c dc2924 "
+        "ca181d b71319 a30f15 840711 67000d"
+    ),
+    "YlOrRd": (
+        "ffffcc fff6b6 ffeda0 fee38b fed976 fec561 feb24c fd9f44 fd8c3c fc6c33 fc4d2a ef3323 "
+        "e2191c cf0c21 bb0026 9d0026 800026"
+    ),
 }
-
-SHORT_SIDE = 3.1
-"""Height of one panel [inch]."""
+"""Colours of the maps at equal distances, red, green and blue of each as six digits."""
 
 
-@contextlib.contextmanager
-def styled() -> Iterator[None]:
-    """Use the look of the house for what is drawn inside, and leave the reader's own settings as they were."""
-    import matplotlib
-
-    with matplotlib.rc_context(SETTINGS):
-        yield
-
-
-def figure(columns: int = 1, rows: int = 1, *, width: float = 4.4, height: float = SHORT_SIDE) -> Picture:
-    """Return an empty figure for so many panels; call it, and draw, inside `styled`."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    from winkler.plot.picture import Picture
-
-    empty = Picture(figsize=(width * columns, height * rows), dpi=144, layout="constrained")
-    FigureCanvasAgg(empty)  # so that it can be drawn and measured without a window
-    return empty
+def channels(colour: str | tuple[str, float]) -> Array:
+    """Return red, green and blue from 0 to 1 of ``#rrggbb``, or of a place on a colour map."""
+    if isinstance(colour, str):
+        return np.array([int(colour[place : place + 2], 16) for place in (1, 3, 5)]) / 255.0
+    stops = np.array([channels(f"#{stop}") for stop in MAPS[colour[0]].split()])
+    place = np.linspace(0.0, 1.0, len(stops))
+    return np.array([np.interp(colour[1], place, channel) for channel in stops.T])
 
 
-def shades() -> Colormap:
-    """Return the colour map of stresses and pressures: perceptually even, safe for colour-blind readers."""
-    from matplotlib import colormaps
-
-    return colormaps["viridis_r"]
+def pressure_colour(share: float) -> tuple[str, float]:
+    """Return the colour of a pressure, or of a tension where it is negative, as a part of the greatest."""
+    return (SHADES, share) if share >= 0.0 else (TENSIONS, -share)
 
 
-def reliefs() -> Colormap:
-    """Return the colour map of heights: dark valleys, bright peaks."""
-    from matplotlib import colormaps
-
-    return colormaps["cividis"]
-
-
-def tensions() -> Colormap:
-    """Return the colour map of tension, beside that of pressure."""
-    from matplotlib import colormaps
-
-    return colormaps["Reds"]
-
-
-def framed_legend(axes: Axes, **options: Any) -> None:
-    """Add a legend on white ground, so that a grid or curve behind it does not disturb."""
-    legend = axes.legend(**options)
-    legend.set_frame_on(True)
-    legend.get_frame().set(facecolor="white", edgecolor="none", alpha=0.85)
-
-
-def note(axes: Axes, text: str, *, where: str = "upper right") -> None:
-    """Write a short remark into a corner of the axes."""
-    vertical, horizontal = where.split()
-    axes.text(
-        {"left": 0.03, "right": 0.97, "centre": 0.5}[horizontal],
-        {"upper": 0.97, "lower": 0.04}[vertical],
-        text,
-        transform=axes.transAxes,
-        ha={"left": "left", "right": "right", "centre": "center"}[horizontal],
-        va={"upper": "top", "lower": "bottom"}[vertical],
-        fontsize=8.5,
-        color=INK,
-        zorder=9,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
-    )
+def shade(share: float) -> tuple[str, float]:
+    """Return a colour of the map of stresses and pressures, by a place on it from 0 to 1."""
+    return SHADES, share
 
 
 def mirrored(along: Array, of: Array, *, odd: bool = False) -> tuple[Array, Array]:

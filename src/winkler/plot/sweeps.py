@@ -1,31 +1,33 @@
-"""Pictures of sweeps with many points: maps over two keys, clouds of points over each key, and what each key tells."""
+"""Pictures of sweeps with many points: maps over two keys, points over each key, and how much each key explains."""
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.families import spans_decades, stretch
+from winkler.plot.families import spans_decades
+from winkler.plot.panel import Axis, Bars, Dots, Map, Panel, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
-if TYPE_CHECKING:
-    from winkler.plot.picture import Picture
-
-__all__ = ["Part", "cloud_picture", "map_picture", "part_picture"]
+__all__ = ["Part", "cloud_sheet", "map_sheet", "part_sheet"]
 
 ACROSS = 3
 """Panels side by side."""
 
 
-def _scale(one: Series, steep: bool) -> Scale:
-    return middle_scale(one.word.unit, one.content) if steep else common_scale(one)
+def _axis(one: Series, **more: Any) -> Axis:
+    """Return an axis, logarithmic where the numbers span decades."""
+    steep = spans_decades(one.content)
+    scale = middle_scale(one.word.unit, one.content) if steep else common_scale(one)
+    return Axis.of(one, scale, log=steep, plain=steep, **more)
 
 
-def map_picture(along: Series, up: Series, of: Series) -> Picture:
+def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
     """Return a map of one answer over two varied quantities.
 
     Parameters
@@ -35,35 +37,22 @@ def map_picture(along: Series, up: Series, of: Series) -> Picture:
     of : Series
         The answer, ``(n, m)``; places where it is NaN stay white.
     """
-    from matplotlib.colors import LogNorm, Normalize
-
     across, above = np.argsort(along.content, kind="stable"), np.argsort(up.content, kind="stable")
-    steep = spans_decades(of.content)
-    scale = _scale(of, steep)
-    with style.styled():
-        figure = style.figure(width=4.8, height=3.9)
-        axes = figure.add_subplot()
-        sides = [(one, spans_decades(one.content)) for one in (along, up)]
-        x, y = (one.shown(_scale(one, decades)) for one, decades in sides)
-        content = of.shown(scale)[np.ix_(across, above)].T
-        edges = (_edges(x[across], sides[0][1]), _edges(y[above], sides[1][1]))
-        norm = (LogNorm if steep else Normalize)()
-        mesh = axes.pcolormesh(*edges, content, cmap=style.shades(), norm=norm, rasterized=True)
-        if np.nanmin(content) < np.nanmax(content):
-            levels = _levels(content, steep)
-            axes.contour(x[across], y[above], content, levels=levels, colors="black", linewidths=0.5)
-        for axis, (_, decades) in zip((axes.xaxis, axes.yaxis), sides, strict=True):
-            if decades:
-                stretch(axes, axis)
-        axes.set_xlabel(along.label(_scale(*sides[0])))
-        axes.set_ylabel(up.label(_scale(*sides[1])))
-        axes.grid(visible=False)
-        bar = figure.colorbar(mesh, ax=axes)
-        bar.set_label(of.label(scale))
-        if steep:
-            stretch(bar.ax, bar.ax.yaxis)
-        bar.ax.minorticks_off()
-    return figure
+    x, y, bar = _axis(along), _axis(up), dataclasses.replace(_axis(of), plain=True)
+    content = of.content[np.ix_(across, above)].T
+    varies = bool(np.nanmin(content) < np.nanmax(content))
+    shown = Map(
+        _edges(along.content[across], x.log),
+        _edges(up.content[above], y.log),
+        content,
+        bar,
+        kind="cells",
+        lines=_levels(content, bar.log) if varies else (),
+        line_colour="black",
+        line_width=0.5 if varies else 0.0,
+        centres=(along.content[across], up.content[above]),
+    )
+    return Sheet((Panel((shown,), x, y, grid=""),), width=4.8, height=3.9)
 
 
 def _edges(places: Array, decades: bool) -> Array:
@@ -80,7 +69,7 @@ def _levels(content: Array, steep: bool) -> Array:
     return np.asarray(ends[1:-1])
 
 
-def cloud_picture(along: Sequence[Series], of: Series) -> Picture:
+def cloud_sheet(along: Sequence[Series], of: Series) -> Sheet:
     """Return one panel for every varied quantity: all points of a design, one answer over it.
 
     Parameters
@@ -92,31 +81,20 @@ def cloud_picture(along: Sequence[Series], of: Series) -> Picture:
     """
     columns = min(ACROSS, len(along))
     rows = -(-len(along) // columns)
-    steeper = spans_decades(of.content)
-    upright = _scale(of, steeper)
-    with style.styled():
-        figure = style.figure(width=1.0 + 2.5 * columns + (1.2 if columns == 1 else 0.0), height=0.5 + 2.5 * rows)
-        first = None
-        for place, one in enumerate(along):
-            axes = figure.add_subplot(rows, columns, place + 1, sharey=first)
-            steep = spans_decades(one.content)
-            across = _scale(one, steep)
-            size = float(np.clip(200.0 / np.sqrt(of.content.size), 1.0, 12.0))
-            axes.scatter(
-                one.shown(across), of.shown(upright), s=size, color=style.BLUE, linewidths=0.0, rasterized=True
-            )
-            axes.margins(x=0.04, y=0.06)
-            axes.set_xlabel(one.label(across))
-            if place % columns == 0:
-                axes.set_ylabel(of.label(upright))
-            else:
-                axes.tick_params(labelleft=False)
-            if steep:
-                stretch(axes, axes.xaxis)
-            if steeper:
-                stretch(axes, axes.yaxis)
-            first = first or axes
-    return figure
+    size = float(np.clip(200.0 / np.sqrt(of.content.size), 1.0, 12.0))
+    upright = _axis(of, margin=0.06)
+    panels = [
+        Panel(
+            (Dots(one.content, of.content, size=size, coarse=True),),
+            _axis(one, margin=0.04),
+            dataclasses.replace(upright, label="", scale=Scale(upright.scale.factor, ""))
+            if place % columns
+            else upright,
+        )
+        for place, one in enumerate(along)
+    ]
+    width, height = 1.0 + 2.5 * columns + (1.2 if columns == 1 else 0.0), 0.5 + 2.5 * rows
+    return Sheet(tuple(panels), columns, width=width / columns, height=height / rows, shared="y")
 
 
 class Part(NamedTuple):
@@ -128,7 +106,7 @@ class Part(NamedTuple):
     high: Array
 
 
-def part_picture(names: Sequence[str], parts: Sequence[Part]) -> Picture:
+def part_sheet(names: Sequence[str], parts: Sequence[Part]) -> Sheet:
     """Return bars of how much of the scatter of an answer each key makes.
 
     Parameters
@@ -138,19 +116,12 @@ def part_picture(names: Sequence[str], parts: Sequence[Part]) -> Picture:
     parts : sequence of Part
         Side by side for each key.
     """
-    with style.styled():
-        figure = style.figure(width=4.8, height=1.3 + 0.5 * len(names))
-        axes = figure.add_subplot()
-        places, thick = np.arange(len(names)), 0.8 / len(parts)
-        for number, (part, colour) in enumerate(zip(parts, style.CYCLE, strict=False)):
-            at = places + (number - (len(parts) - 1) / 2.0) * thick
-            ends = np.maximum(np.stack([part.content - part.low, part.high - part.content]), 0.0)
-            bars = {"ecolor": "black", "elinewidth": 0.8, "capsize": 2.0}
-            axes.barh(at, part.content, height=0.9 * thick, color=colour, label=part.label, xerr=ends, error_kw=bars)
-        axes.set_yticks(places, names)
-        axes.invert_yaxis()
-        axes.set_xlim(left=min(0.0, float(np.min([part.low for part in parts]))))
-        axes.set_xlabel("part of the variance")
-        axes.grid(visible=False, axis="y")
-        figure.legend(loc="outside lower center", ncols=len(parts))
-    return figure
+    places, thick = np.arange(float(len(names))), 0.8 / len(parts)
+    bars = []
+    for number, (part, colour) in enumerate(zip(parts, style.CYCLE, strict=False)):
+        at = places + (number - (len(parts) - 1) / 2.0) * thick
+        ends = np.maximum(np.stack([part.content - part.low, part.high - part.content]), 0.0)
+        bars.append(Bars(at, part.content, colour, 0.9 * thick, name=part.label, ends=ends))
+    across = Axis("part of the variance", low=min(0.0, float(np.min([part.low for part in parts]))))
+    panel = Panel(tuple(bars), across, Axis(ticks=places, names=tuple(names), falling=True), grid="x")
+    return Sheet((panel,), width=4.8, height=1.3 + 0.5 * len(names), below=len(parts))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import math
 import tomllib
 
@@ -18,7 +19,12 @@ from winkler.study.language.template import whole_text
 
 QUICK = settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 
-EXAMPLES = {name: tomllib.loads(whole_text(name)) for name in kinds()}
+
+@functools.cache
+def example(name):
+    """Return the study of a kind; texts are written when a test needs them, not while tests are collected."""
+    return tomllib.loads(whole_text(name))
+
 
 NUMBERS = st.one_of(
     st.sampled_from(
@@ -54,7 +60,7 @@ LEAVES = st.one_of(NUMBERS, QUANTITIES, WORDS, st.booleans())
 RANGES = st.fixed_dictionaries(
     {"from": LEAVES, "to": LEAVES, "count": NUMBERS}, optional={"spacing": st.sampled_from(["log", "linear", "x", ""])}
 )
-TABLES = st.sampled_from(list(EXAMPLES)).map(lambda name: EXAMPLES[name]["problem"])
+TABLES = st.sampled_from(list(kinds())).map(lambda name: example(name)["problem"])
 CONTENT = st.recursive(
     st.one_of(LEAVES, RANGES, TABLES),
     lambda inner: st.one_of(st.lists(inner, max_size=4), st.dictionaries(st.text(max_size=8), inner, max_size=3)),
@@ -74,7 +80,7 @@ def places(content, path=()):
 @st.composite
 def spoilt(draw):
     """Return a study with one to three things replaced, added, or taken away."""
-    study = copy.deepcopy(EXAMPLES[draw(st.sampled_from(list(EXAMPLES)))])
+    study = copy.deepcopy(example(draw(st.sampled_from(list(kinds())))))
     for _ in range(draw(st.integers(1, 3))):
         all_places = places(study)
         if not all_places:

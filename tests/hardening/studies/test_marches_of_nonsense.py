@@ -149,7 +149,9 @@ def test_who_iterates_may_overflow_between_steps():
 
 
 def test_coefficients_that_cannot_be_divided():
-    with pytest.raises(InvalidInput, match=r"^StaticKinetic: kinetic_coefficient is 1e-308; numbers .* are between 1e-60 and"):
+    with pytest.raises(
+        InvalidInput, match=r"^StaticKinetic: kinetic_coefficient is 1e-308; numbers .* are between 1e-60 and"
+    ):
         wk.StaticKinetic(0.3, 1e-308)
     path = wk.Path(np.linspace(0.0, 1.0, 9), wk.Force(100.0), wk.Shift(1e-6 * np.sin(np.linspace(0.0, 9.0, 9))))
     lost = [wk.Tangential(BALL, wk.StaticKinetic(0.3, mu), path).solve().dissipation[-1] for mu in (1e-60, 1e-20)]

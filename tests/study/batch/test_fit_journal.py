@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 
 import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, NotConverged
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.study.batch import fit_run
@@ -60,6 +61,11 @@ def kept(path, study=STUDY, todo=MAP, count=None):
         return known, dict(stream) if count is None else dict(next(stream) for _ in range(count))
 
 
+def digits(results):
+    """Return all that results hold, as text: nan is nan there."""
+    return repr([(type(one), dataclasses.astuple(one)) for one in results])
+
+
 def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, counted):
     whole = dict(fit_curves(STUDY, MAP))
     del counted[:]
@@ -68,7 +74,7 @@ def test_fits_come_back_to_the_last_digit_and_are_not_done_twice(tmp_path, count
     assert counted == MAP
     assert sorted(known) == [0, 1, 2]
     for place, results in whole.items():
-        assert repr(found[place]) == repr(results)  # nan is nan there
+        assert digits(found[place]) == digits(results)
         assert [getattr(one, "fit", 0) for one in found[place]] == [getattr(one, "fit", 0) for one in results]
     assert [type(found[place][0]) for place in range(4)] == [Fitted, Refused, Fitted, Fitted]
 
@@ -141,13 +147,26 @@ def test_in_python_the_same_call_goes_on(tmp_path, monkeypatch, counted):
     kept(tmp_path / "x", study, count=2)
     outcome = fit_study(study, journal=tmp_path / "x")
     assert len(counted) == len(MAP)
-    assert repr(outcome.results) == repr(fit_study(study).results)
+    assert digits(outcome.results) == digits(fit_study(study).results)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_batch_without_any_answer_leaves_no_journal(tmp_path):
     kept(tmp_path / "x", todo=[MAP[1], dataclasses.replace(MAP[1], name="another")])
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("before", "sentence"), [(2, "2 of 4 curves are kept in '{}'"), (0, "No curve was fitted.")])
+def test_when_workers_die_it_is_said_what_is_kept(before, sentence, tmp_path, monkeypatch):
+    def dead(*_):
+        raise NotConverged("workers: a worker process ended before its time.")
+
+    path = tmp_path / "x"
+    if before:
+        kept(path, count=before)
+    monkeypatch.setattr(fit_run, "fingerprint", dead)
+    with pytest.raises(NotConverged, match=re.escape(f"ended before its time. {sentence.format(path)}")):
+        kept(path)
 
 
 def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_path):

@@ -23,7 +23,7 @@ from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Recalled
 from winkler.study.batch.run import run
-from winkler.study.batch.sweep import journaled
+from winkler.study.batch.sweep import solve_points
 from winkler.study.language.designs import Sobol
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
@@ -98,7 +98,7 @@ def test_a_cluster_whose_last_worker_died_is_given_up_and_goes_on_with_another(t
     with inside() as local:
         cluster = Cluster(local.scheduler_address, patience=0.2)
         with Journal(path, ONE_BY_ONE) as journal:
-            points = journaled(ONE_BY_ONE, journal, workers=cluster)
+            points = solve_points(ONE_BY_ONE, journal, workers=cluster)
             next(points)
             local.sync(local.workers[0].close)
             with pytest.raises(NotConverged) as told:

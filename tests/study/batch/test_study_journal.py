@@ -17,7 +17,7 @@ from winkler.study.batch import sweep
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Recalled, Solved
 from winkler.study.batch.run import gather, run
-from winkler.study.batch.sweep import journaled, solve_points
+from winkler.study.batch.sweep import solve_points
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Axis, Expectation, Fields, Places, Study
 
@@ -56,7 +56,7 @@ def counted(monkeypatch):
 def first(study: Study, path, count: int):
     """Begin a run, and stop it after some points."""
     with Journal(path, study) as journal:
-        points = journaled(study, journal)
+        points = solve_points(study, journal)
         return [next(points) for _ in range(count)]
 
 
@@ -68,7 +68,7 @@ def test_a_stopped_run_goes_on_where_it_was(tmp_path, counted):
     assert begun == list(whole.points[:4])
     with Journal(path, STUDY) as journal:
         assert journal.count == 4
-        outcome = gather(STUDY, journaled(STUDY, journal), started=0.0)
+        outcome = gather(STUDY, solve_points(STUDY, journal), started=0.0)
     assert len(counted) == 10
     assert [type(point) for point in outcome.points[:4]] == [Recalled, Recalled, Failed, Failed]
     assert [type(point) for point in outcome.points[4:]] == [Solved] * 6
@@ -92,7 +92,7 @@ def test_a_recalled_point_solves_again_when_it_is_asked_for_its_solution(tmp_pat
     path = tmp_path / "x.journal"
     first(STUDY, path, 2)
     with Journal(path, STUDY) as journal:
-        point = next(journaled(STUDY, journal))
+        point = next(solve_points(STUDY, journal))
     del counted[:]
     assert isinstance(point, Recalled)
     assert point.solution == point.problem.solve()
@@ -133,7 +133,7 @@ def test_a_torn_head_begins_again(tmp_path):
     path.write_bytes(path.read_bytes()[:20])
     with Journal(path, STUDY) as journal:
         assert journal.count == 0
-        assert len(list(journaled(STUDY, journal))) == 10
+        assert len(list(solve_points(STUDY, journal))) == 10
         assert journal.count == 10
 
 
@@ -196,16 +196,16 @@ def test_the_title_does_not_matter(tmp_path):
 def test_two_runs_do_not_write_one_journal(tmp_path):
     path = tmp_path / "x.journal"
     with Journal(path, STUDY) as journal:
-        next(journaled(STUDY, journal))
+        next(solve_points(STUDY, journal))
         with pytest.raises(InvalidInput, match="another run is writing"), Journal(path, STUDY):
             pass
         with pytest.raises(InvalidInput, match="another run is writing"):
             Journal(path, STUDY).remove()
     late = Journal(tmp_path / "late", STUDY)
     with late, Journal(tmp_path / "late", STUDY) as early:
-        next(journaled(STUDY, early))
+        next(solve_points(STUDY, early))
         with pytest.raises(InvalidInput, match="another run is writing"):
-            next(journaled(STUDY, late))
+            next(solve_points(STUDY, late))
 
 
 def test_a_run_without_any_answer_leaves_no_journal(tmp_path):
@@ -218,7 +218,7 @@ def test_a_run_without_any_answer_leaves_no_journal(tmp_path):
 def test_a_line_for_every_point_as_soon_as_it_is_solved(tmp_path):
     path = tmp_path / "x.journal"
     with Journal(path, STUDY) as journal:
-        for count, _ in enumerate(journaled(STUDY, journal), start=1):
+        for count, _ in enumerate(solve_points(STUDY, journal), start=1):
             lines = path.read_text(encoding="utf-8").splitlines()
             assert len(lines) == count + 1
     content = [json.loads(line.partition(" ")[2]) for line in lines]
@@ -241,7 +241,7 @@ def test_of_long_sweeps_solutions_are_not_kept(monkeypatch, tmp_path):
 def test_a_pool_writes_the_same_journal(tmp_path):
     path = tmp_path / "x.journal"
     with Journal(path, STUDY) as journal:
-        pooled = gather(STUDY, journaled(STUDY, journal, workers=2), started=0.0)
+        pooled = gather(STUDY, solve_points(STUDY, journal, workers=2), started=0.0)
     assert pooled.points == run(STUDY).points
     with Journal(path, STUDY) as journal:
         assert journal.count == 10

@@ -12,7 +12,7 @@ import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed
-from winkler.study.batch.sweep import journaled, solve_points
+from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import ASKED, tasks
 from winkler.study.language.designs import LatinHypercube
 from winkler.study.language.study import Axis, Study
@@ -60,12 +60,12 @@ def test_a_journal_of_a_million_points_goes_on_in_little_memory(tmp_path):
     try:
         before = tracemalloc.get_traced_memory()[0]
         with Journal(path, study) as journal:
-            points = journaled(study, journal)
+            points = solve_points(study, journal)
             first = [next(points) for _ in range(10)]
             points.close()
         with Journal(path, study) as journal:
             known = journal.count
-            points = journaled(study, journal)
+            points = solve_points(study, journal)
             again = [next(points) for _ in range(known + 5)]
             points.close()
         peak = tracemalloc.get_traced_memory()[1] - before
@@ -82,10 +82,10 @@ def test_drawn_points_go_on_from_a_journal_too(tmp_path):
     study = Study("drawn", PROBLEM, sweep=lines, design=LatinHypercube(50_000, seed=3))
     path = tmp_path / "x.journal"
     with Journal(path, study) as journal:
-        points = journaled(study, journal)
+        points = solve_points(study, journal)
         first = [next(points) for _ in range(10)]
     with Journal(path, study) as journal:
-        points = journaled(study, journal)
+        points = solve_points(study, journal)
         again = [next(points) for _ in range(12)]
     assert again[:10] == first
     assert [point.index for point in again] == [(place,) for place in range(12)]
@@ -113,11 +113,11 @@ def test_a_point_between_those_that_were_looked_at_fails_when_its_turn_comes(tmp
     study = Study("x", PROBLEM, sweep=(Axis("problem.bed.medium.first.poisson", ratios),))
     path = tmp_path / "x.journal"
     with Journal(path, study) as journal:
-        points = journaled(study, journal)
+        points = solve_points(study, journal)
         first = [next(points) for _ in range(5)]
     assert isinstance(first[3], Failed)
     assert first[3].reason.startswith("sweep: at problem.bed.medium.first.poisson = 0.7: Elastic: poisson is 0.7;")
     assert first[3].code == InvalidInput.exit_code
     with Journal(path, study) as journal:
-        points = journaled(study, journal)
+        points = solve_points(study, journal)
         assert [next(points) for _ in range(5)] == first

@@ -14,7 +14,7 @@ from winkler.errors import InvalidInput, Mistake, OutsideValidity, mistake_in
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Recalled, Solved
 from winkler.study.batch.run import gather, run
-from winkler.study.batch.sweep import journaled
+from winkler.study.batch.sweep import solve_points
 from winkler.study.language.reading import study_text
 from winkler.study.language.study import Axis, Expectation, Study
 
@@ -72,7 +72,7 @@ def test_a_point_whose_answer_cannot_be_told_fails(monkeypatch, tmp_path):
 def test_a_run_that_goes_on_tries_it_again(broken, monkeypatch, tmp_path):
     path = tmp_path / "x.journal"
     with Journal(path, STUDY) as journal:
-        points = journaled(STUDY, journal)
+        points = solve_points(STUDY, journal)
         begun = [next(points) for _ in range(3)]
     assert journal.count == 2
     lines = path.read_text(encoding="utf-8").splitlines()
@@ -80,14 +80,14 @@ def test_a_run_that_goes_on_tries_it_again(broken, monkeypatch, tmp_path):
     del broken[:]
     with Journal(path, STUDY) as journal:
         assert journal.count == 2
-        again = gather(STUDY, journaled(STUDY, journal), started=0.0)
+        again = gather(STUDY, solve_points(STUDY, journal), started=0.0)
         assert journal.count == 3
     assert broken == [2.0, 3.0]
     assert [type(point) for point in again.points] == [Failed, Recalled, Failed, Solved]
     assert again.failed == tuple(point for point in begun if isinstance(point, Failed))
     monkeypatch.setattr(wk.Indentation, "solve", SOLVE)
     with Journal(path, STUDY) as journal:
-        mended = gather(STUDY, journaled(STUDY, journal), started=0.0)
+        mended = gather(STUDY, solve_points(STUDY, journal), started=0.0)
         assert journal.count == 4
     assert [point.code for point in mended.points] == [4, 0, 0, 0]
 
@@ -100,7 +100,7 @@ def test_too_little_memory_is_tried_again_and_no_mistake(monkeypatch, tmp_path):
 
     monkeypatch.setattr(wk.Indentation, "solve", solve)
     with Journal(tmp_path / "x", STUDY) as journal:
-        last = gather(STUDY, journaled(STUDY, journal), started=0.0).points[-1]
+        last = gather(STUDY, solve_points(STUDY, journal), started=0.0).points[-1]
         assert journal.count == 3
     assert isinstance(last, Failed)
     assert last.code == 3

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import pandas
 import pytest
@@ -18,7 +20,12 @@ PRESSED = wk.Indentation(BED, wk.Force(FORCES)).solve()
 ONE = PRESSED.at(2)
 A = ONE.radius
 TURNING = wk.Path([0.0, 1.0, 2.0], wk.Force(100.0), wk.Shift(np.array([[0.0, 0.0], [5e-7, 1e-7], [-5e-7, 0.0]])))
-RUBBED = wk.Tangential(BED, wk.Coulomb(0.3), TURNING).solve()
+
+
+@functools.cache
+def rubbed():
+    """Return a march; it is solved when a test needs it, not while tests are collected."""
+    return wk.Tangential(BED, wk.Coulomb(0.3), TURNING).solve()
 
 
 def test_a_solution_is_a_dataset_with_units():
@@ -40,7 +47,7 @@ def test_the_dataset_says_how_it_is_made_again():
 
 
 def test_through_netcdf_and_back(tmp_path):
-    for number, answer in enumerate((PRESSED, ONE, RUBBED, wk.restore(ONE, np.linspace(0.0, A, 4)))):
+    for number, answer in enumerate((PRESSED, ONE, rubbed(), wk.restore(ONE, np.linspace(0.0, A, 4)))):
         data = wk.to_xarray(answer)
         data.to_netcdf(tmp_path / f"{number}.nc", engine="h5netcdf")
         with xarray.open_dataset(tmp_path / f"{number}.nc", engine="h5netcdf") as back:
@@ -48,10 +55,10 @@ def test_through_netcdf_and_back(tmp_path):
 
 
 def test_a_path_in_the_plane_has_two_columns():
-    data, table = wk.to_xarray(RUBBED), wk.to_pandas(RUBBED)
+    data, table = wk.to_xarray(rubbed()), wk.to_pandas(rubbed())
     for place, axis in enumerate("xy"):
-        np.testing.assert_array_equal(data[f"shear_force_{axis}"], RUBBED.shear_force[:, place])
-        np.testing.assert_array_equal(table[f"shear_force_{axis}"], RUBBED.shear_force[:, place])
+        np.testing.assert_array_equal(data[f"shear_force_{axis}"], rubbed().shear_force[:, place])
+        np.testing.assert_array_equal(table[f"shear_force_{axis}"], rubbed().shear_force[:, place])
     assert table.attrs["units"]["shear_force_x"] == "N"
     assert data.shear_force_y.attrs["units"] == "N"
 
@@ -81,7 +88,7 @@ def test_places_that_follow_each_other_are_coordinates():
 
 
 def test_fields_of_sheared_and_heated_bodies():
-    state = RUBBED.states[1]
+    state = rubbed().states[1]
     surface = wk.restore(state, np.linspace(0.0, A, 4))
     assert wk.to_xarray(surface).traction.dims == ("r", "direction")
     table = wk.to_pandas(surface)

@@ -18,6 +18,7 @@ from winkler.study.language.study import Axis, Expectation, Output, Study
 from winkler.study.report import figures, report
 from winkler.study.report.citing import cite
 from winkler.study.report.figures import CAPTIONS
+from winkler.study.report.page_parts import REPORT
 from winkler.validity import Standing
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
@@ -80,7 +81,7 @@ def written(tmp_path_factory):
 
 @pytest.fixture
 def page(written):
-    return lambda name: (written[name][1] / report.REPORT).read_text(encoding="utf-8")
+    return lambda name: (written[name][1] / REPORT).read_text(encoding="utf-8")
 
 
 REPORTED = [name for name, study in SAMPLES.items() if study.output.report]
@@ -165,7 +166,7 @@ def test_without_a_report_there_are_figures_only(written):
 
 def test_without_figures_there_is_a_report_only(tmp_path):
     report.write(run(Study("Plain", pressed(), output=Output(figures=()))), tmp_path)
-    assert [path.name for path in tmp_path.iterdir()] == [report.REPORT]
+    assert [path.name for path in tmp_path.iterdir()] == [REPORT]
 
 
 def test_what_a_reader_wrote_is_escaped(page):
@@ -336,7 +337,7 @@ def test_a_real_browser_shows_it_without_a_network_and_without_sideways_scrollin
         + ' math ' + (document.querySelector('mfrac').getBoundingClientRect().height > 20);
     };</script></body>"""
     copy = tmp_path / "report.html"
-    text = (written[name][1] / report.REPORT).read_text(encoding="utf-8")
+    text = (written[name][1] / REPORT).read_text(encoding="utf-8")
     # the window of a headless browser has a least width; a frame has none
     copy.write_text(text.replace("</body>", probe), encoding="utf-8")
     frame = tmp_path / "frame.html"

@@ -32,9 +32,9 @@ def test_every_formula_of_the_report_is_well_formed(item):
             assert len(element) == counts[element.tag], ElementTree.tostring(element)
 
 
-@pytest.mark.parametrize("entry", [*GLOSSARY.values(), *OWNED.values()], ids=lambda entry: entry.symbol or "none")
-def test_every_symbol_of_the_glossary_is_understood(entry):
-    assert symbol(entry.symbol) == inline(entry.symbol)
+def test_every_symbol_of_the_glossary_is_understood():
+    symbols = [entry.symbol for entry in (*GLOSSARY.values(), *OWNED.values())]
+    assert [text for text in symbols if symbol(text) != inline(text)] == []
 
 
 @pytest.mark.parametrize(

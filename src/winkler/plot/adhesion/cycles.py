@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,7 +13,8 @@ from winkler.errors import OutsideValidity
 from winkler.loading import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.series import scale_of, series, told
+from winkler.plot.panel import Arrow, Axis, Line, Panel, Polygon, note, zero
+from winkler.plot.series import series, told
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import AdhesiveState, EdgeState
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
@@ -21,21 +22,19 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveS
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-__all__ = ["contact_of", "draw_cycle", "draw_sheared", "intensity_told"]
+__all__ = ["contact_of", "cycle_panels", "intensity_words", "sheared_panels"]
 
 FINE, NEAR = 300, 201
 """A cycle is drawn through about so many states, however few the path has, and so many on both sides of each jump."""
 SHEARED = 161
+MARGIN = 0.05
 BESIDE = 0.3
 """Of the way on which the bodies are apart so much is shown, in terms of the rest."""
 MARKED = 40
 """Paths of at most so many points show each of them."""
 
 
-def intensity_told(solution: AdhesiveSolution) -> str:
+def intensity_words(solution: AdhesiveSolution) -> str:
     """Return what a picture of the pressure says about the edge: the stress intensity, where it is known."""
     try:
         return f"\n$K_I$ = {told(float(solution.stress_intensity), 'Pa', 3)} m$^{{1/2}}$"
@@ -71,47 +70,42 @@ def contact_of(solution: Any) -> AdhesiveSolution | None:
     return AdhesiveSolution(AdhesiveIndentation(problem.bed, problem.law, Depth(depth)), depth, force, radius, True)
 
 
-def draw_cycle(left: Axes, right: Axes, solution: AdhesiveCycleSolution) -> None:
-    """Draw force and contact radius over the position of the machine, with every jump; what is lost is shaded.
+def cycle_panels(solution: AdhesiveCycleSolution) -> tuple[Panel, Panel]:
+    """Return force and contact radius over the position of the machine, with every jump; what is lost is shaded.
 
     Parameters
     ----------
-    left, right : Axes
-        Empty.
     solution : AdhesiveCycleSolution
     """
     by_depth = isinstance(solution.problem.path, Depth)
     name = "position" if by_depth else "depth"
-    way = _followed(solution)
-    across = scale_of("m", way.place)
-    for axes, what, content in ((left, "force", way.force), (right, "radius", way.radius)):
+    path = _followed(solution)
+    along = series("AdhesiveCycleSolution", name, path.place)
+    felt = path.place[(path.force != 0.0) | (path.radius > 0.0)]
+    low, margin = float(np.min(path.place)), MARGIN * float(np.ptp(path.place))
+    if felt.size:  # not the whole path along which the bodies are apart
+        low = max(low - margin, float(np.min(felt)) - BESIDE * float(np.max(path.place) - np.min(felt)))
+    across = Axis.of(along, margin=MARGIN, low=low if felt.size else None)
+    panels = []
+    for what, content in (("force", path.force), ("radius", path.radius)):
         of = series("AdhesiveCycleSolution", what, content)
-        x, y = way.place / across.factor, of.shown()
-        axes.plot(*_broken(x, y, way.leaps), color=style.BLUE)
-        for leap in np.flatnonzero(way.leaps):
-            arrow = {"arrowstyle": "-|>", "color": style.RED, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
-            axes.annotate("", (x[leap + 1], y[leap + 1]), (x[leap], y[leap]), arrowprops=arrow, zorder=6)
+        marks: list[Any] = [Line(*_broken(path.place, content, path.leaps))]
+        for leap in np.flatnonzero(path.leaps):
+            start, stop = ((float(path.place[at]), float(content[at])) for at in (leap, leap + 1))
+            marks.append(Arrow(start, stop, width=1.2))
         if solution.depth.size <= MARKED:
-            points = getattr(solution, name) / across.factor, getattr(solution, what) / of.scale.factor
-            axes.plot(*points, "o", color=style.BLUE, markersize=4.0)
-        axes.margins(x=0.05, y=0.08)
-        axes.set_xlabel(series("AdhesiveCycleSolution", name, way.place).label(across))
-        axes.set_ylabel(of.label())
-    left.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-    right.set_ylim(0.0, None)
-    felt = way.place[(way.force != 0.0) | (way.radius > 0.0)]
-    for axes in (left, right) if felt.size else ():  # not the whole way that the bodies are apart
-        low, high = axes.get_xlim()
-        near = (float(np.min(felt)) - BESIDE * float(np.max(way.place) - np.min(felt))) / across.factor
-        axes.set_xlim(max(low, near), high)
+            points = getattr(solution, name), getattr(solution, what)
+            marks.append(Line(*points, width=0.0, marker="o", size=4.0))
+        upright = Axis.of(of, margin=0.08, low=0.0 if what == "radius" else None)
+        panels.append(Panel(tuple(marks), across, upright))
     lost, closed = told(float(solution.dissipation[-1]), "J"), bool(solution.radius[-1] == solution.force[-1] == 0.0)
-    if by_depth and closed:
-        upright = scale_of("N", way.force).factor
-        left.fill(way.place / across.factor, way.force / upright, color=style.RED, alpha=0.14, linewidth=0.0)
-    style.note(left, f"{'shaded: lost,' if by_depth and closed else 'lost so far:'} {lost}", where="upper left")
+    shaded = by_depth and closed
+    area = (Polygon(path.place, path.force, style.RED, 0.14),) if shaded else ()
+    words = note(f"{'shaded: lost,' if shaded else 'lost so far:'} {lost}", "upper left")
+    return panels[0].plus(zero(), *area, words), panels[1]
 
 
-class _Way(NamedTuple):
+class _Path(NamedTuple):
     """States along a cycle, jumps included: between two neighbours there may be a jump."""
 
     place: Array
@@ -120,7 +114,7 @@ class _Way(NamedTuple):
     leaps: Array
 
 
-def _followed(solution: AdhesiveCycleSolution) -> _Way:
+def _followed(solution: AdhesiveCycleSolution) -> _Path:
     """Return a cycle through many states; the answer depends on the turning points alone."""
     places: list[EdgeState | AdhesiveState] = []
     leaps: list[bool] = []
@@ -130,9 +124,9 @@ def _followed(solution: AdhesiveCycleSolution) -> _Way:
             leaps += [True, False]
         places.append(state)
         leaps.append(False)
-        # leaps[i] tells about the way from state i to the next one
+        # leaps[i] belongs to the step from state i to the next one
     numbers = np.array([(state.position, state.force, state.radius) for state in places])
-    return _Way(numbers[:, 0], numbers[:, 1], numbers[:, 2], np.array(leaps))
+    return _Path(numbers[:, 0], numbers[:, 1], numbers[:, 2], np.array(leaps))
 
 
 def _refined(solution: AdhesiveCycleSolution) -> AdhesiveCycle:
@@ -155,12 +149,12 @@ def _steps(levels: Array, jumps: list[float]) -> Array:
     share = max(1, math.ceil(FINE / levels.size))
     beside = float(np.ptp(levels)) * np.linspace(-1.0, 1.0, NEAR) * np.abs(np.linspace(-1.0, 1.0, NEAR))
     dense = (np.array(jumps)[:, None] + beside).ravel()
-    way = [levels[:1]]
+    parts = [levels[:1]]
     for start, stop in itertools.pairwise(levels):
         inside = dense[(dense > min(start, stop)) & (dense < max(start, stop))]
         leg = np.unique(np.concatenate([np.linspace(start, stop, share, endpoint=False)[1:], inside]))
-        way += [leg if start < stop else leg[::-1], np.array([stop])]
-    return np.concatenate(way)
+        parts += [leg if start < stop else leg[::-1], np.array([stop])]
+    return np.concatenate(parts)
 
 
 def _broken(x: Array, y: Array, leaps: Array) -> tuple[Array, Array]:
@@ -169,13 +163,11 @@ def _broken(x: Array, y: Array, leaps: Array) -> tuple[Array, Array]:
     return np.insert(x, after, np.nan), np.insert(y, after, np.nan)
 
 
-def draw_sheared(left: Axes, right: Axes, solution: AdhesiveShearSolution) -> None:
-    """Draw shear force and contact radius over the shift, up to where the contact loses its hold.
+def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
+    """Return shear force and contact radius over the shift, up to where the contact loses its hold.
 
     Parameters
     ----------
-    left, right : Axes
-        Empty.
     solution : AdhesiveShearSolution
     """
     problem, limit = solution.problem, solution.limit
@@ -183,16 +175,15 @@ def draw_sheared(left: Axes, right: Axes, solution: AdhesiveShearSolution) -> No
     most = Shift(limit.shift * share) if isinstance(problem.lateral, Shift) else ShearForce(limit.shear_force * share)
     whole = AdhesiveShear(problem.bed, problem.law, problem.normal, most).solve()
     shift = series("AdhesiveShearSolution", "shift", whole.shift)
-    for axes, name, last in ((left, "shear_force", limit.shear_force), (right, "radius", limit.radius)):
+    panels = []
+    for name, last in (("shear_force", limit.shear_force), ("radius", limit.radius)):
         of = series("AdhesiveShearSolution", name, getattr(whole, name))
-        axes.plot(shift.shown(), of.shown(), color=style.BLUE)
-        x, y = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
-        axes.plot(x / shift.scale.factor, y / of.scale.factor, "o", color=style.BLUE, label="asked", clip_on=False)
-        end = limit.shift / shift.scale.factor, last / of.scale.factor
-        axes.plot(*([part] for part in end), "o", color=style.RED, label="loses its hold")
-        axes.margins(x=0.05)
-        axes.set_ylim(0.0, None)
-        axes.set_xlabel(shift.label())
-        axes.set_ylabel(of.label())
-    style.framed_legend(right, loc="lower left")
-    style.note(left, "approximate", where="upper left")
+        given = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
+        end = np.array([float(limit.shift)]), np.array([float(last)])
+        marks = (
+            Line(shift.content, of.content),
+            Line(*given, width=0.0, marker="o", name="asked", clipped=False),
+            Line(*end, style.RED, width=0.0, marker="o", name="loses its hold"),
+        )
+        panels.append(Panel(marks, Axis.of(shift, margin=MARGIN), Axis.of(of, low=0.0)))
+    return panels[0].plus(note("approximate", "upper left")), panels[1].plus(legend="lower left")

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.plot import style
-from winkler.plot.draw import draw
+from winkler.plot.draw import sheet_of
+from winkler.plot.panel import Area, Axis, Bars, Line, Map, Panel, Rule, Sheet, plane
 from winkler.plot.series import scale_of, series, told
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution
 from winkler.problems.conduction.spots import SpotClusterSolution
 from winkler.problems.normal.indentation import Indentation
-
-if TYPE_CHECKING:
-    from winkler.plot.picture import Picture
 
 __all__ = ["bounds_sheet", "spots_sheet"]
 
@@ -29,72 +27,42 @@ def _refuse(item: Any, extent: float | None) -> None:
         raise InvalidInput(f"draw: a {type(item).__name__} has no extent; leave it out.")
 
 
-@draw.register(SpotClusterSolution)
-def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(SpotClusterSolution)
+def spots_sheet(item: SpotClusterSolution, *, extent: float | None = None) -> Sheet:
     """Return the spots from above, shaded by their current density, and what every spot carries."""
-    from matplotlib.collections import PatchCollection
-    from matplotlib.patches import Circle
-
     _refuse(item, extent)
     problem = item.problem
     reach = np.hypot(problem.x - np.mean(problem.x), problem.y - np.mean(problem.y)) + problem.radii
-    across = scale_of("m", reach)
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        # current over radius, against that of all spots together: how much the others take away from it
-        load = item.shares / problem.radii * np.sum(problem.radii)
-        circles = [
-            Circle((x / across.factor, y / across.factor), a / across.factor)
-            for x, y, a in zip(problem.x, problem.y, problem.radii, strict=True)
-        ]
-        spots = PatchCollection(circles, cmap=style.shades(), edgecolor=style.INK, linewidth=0.6)
-        spots.set_array(load)
-        left.add_collection(spots)
-        if math.isfinite(item.holm_radius):
-            weight = problem.radii / np.sum(problem.radii)
-            middle = float(weight @ problem.x), float(weight @ problem.y)
-            left.add_patch(
-                Circle(
-                    (middle[0] / across.factor, middle[1] / across.factor),
-                    item.holm_radius / across.factor,
-                    fill=False,
-                    color=style.RED,
-                    linestyle=style.DASHES[1],
-                    linewidth=1.2,
-                )
-            )
-        left.autoscale_view()
-        left.margins(0.08)
-        left.set_aspect("equal")
-        left.set_xlabel(f"$x$ [{across.unit}]")
-        left.set_ylabel(f"$y$ [{across.unit}]")
-        figure.colorbar(spots, ax=left, shrink=0.8, label="current over that of its radius' part")
-        left.set_title("the spots; red: Holm radius of their cluster")
-        parts = {
-            "spots on their own": item.alone,
-            "their crowding": item.resistance - item.alone,
-            "Greenwood's estimate": item.greenwood,
-        }
-        scale = scale_of("ohm", list(parts.values()))
-        colours = (style.BLUE, style.ORANGE, style.MUTED)
-        names = list(parts)
-        starts = (0.0, item.alone, 0.0)
-        for place, (name, colour, start) in enumerate(zip(names, colours, starts, strict=True)):
-            row = 1 if place < 2 else 0
-            right.barh(row, parts[name] / scale.factor, left=start / scale.factor, color=colour, height=0.5, label=name)
-        right.set_yticks([0, 1], ["Greenwood", "one voltage"])
-        right.set_ylim(-0.6, 2.3)
-        right.set_xlim(0.0, 1.08 * max(item.greenwood, item.resistance) / scale.factor)
-        right.set_xlabel(f"resistance $R$ [{scale.unit}]")
-        right.grid(visible=False, axis="y")
-        style.framed_legend(right, loc="upper left", ncols=1)
-        right.set_title(f"$R$ = {told(item.resistance, 'ohm')}")
-    return figure
+    scale = scale_of("m", reach)
+    # current over radius, against that of all spots together: how much the others take away from it
+    load = item.shares / problem.radii * np.sum(problem.radii)
+    bar = Axis("current over that of its radius' part")
+    marks: list[Any] = [Map(problem.x, problem.y, problem.radii, bar, kind="discs", levels=load, shrink=0.8)]
+    if math.isfinite(item.holm_radius):
+        weight, turn = problem.radii / np.sum(problem.radii), np.linspace(0.0, 2.0 * np.pi, 181)
+        x = float(weight @ problem.x) + item.holm_radius * np.cos(turn)
+        y = float(weight @ problem.y) + item.holm_radius * np.sin(turn)
+        marks.append(Line(x, y, style.RED, width=1.2, dash=style.DASHES[1]))
+    axes = plane(scale, margin=0.08)
+    left = Panel(tuple(marks), *axes, equal=True, title="the spots; red: Holm radius of their cluster")
+    parts = (
+        ("spots on their own", item.alone, 1.0, style.BLUE, 0.0),
+        ("their crowding", item.resistance - item.alone, 1.0, style.ORANGE, item.alone),
+        ("Greenwood's estimate", item.greenwood, 0.0, style.MUTED, 0.0),
+    )
+    bars = [
+        Bars(np.array([row]), np.array([length]), colour, 0.5, start, name)
+        for name, length, row, colour, start in parts
+    ]
+    most = max(item.greenwood, item.resistance)
+    across = Axis("resistance $R$", scale_of("ohm", [one[1] for one in parts]), low=0.0, high=1.08 * most)
+    upright = Axis(low=-0.6, high=2.3, ticks=np.array([0.0, 1.0]), names=("Greenwood", "one voltage"))
+    title = f"$R$ = {told(item.resistance, 'ohm')}"
+    return Sheet((left, Panel(tuple(bars), across, upright, title, grid="x", legend="upper left")), height=3.3)
 
 
-@draw.register(ConductanceBoundsSolution)
-def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ConductanceBoundsSolution)
+def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None) -> Sheet:
     """Return the force curves between which a rough one must lie, and the steepest and flattest slopes there."""
     _refuse(item, extent)
     problem = item.problem
@@ -111,28 +79,20 @@ def bounds_sheet(item: ConductanceBoundsSolution, *, extent: float | None = None
         except ValueError:
             continue
     along, of = series("Indentation", "depth", depth + rough), series("Indentation", "force", np.asarray(smooth))
-    with style.styled():
-        figure = style.figure(width=5.2, height=3.4)
-        axes: Any = figure.subplots()
-        x, y = along.scale.factor, of.scale.factor
-        axes.plot(depth / x, of.shown(), color=style.BLUE, label="smooth")
-        axes.plot((depth + rough) / x, of.shown(), color=style.BLUE, linestyle=style.DASHES[1], label="smooth, offset")
-        axes.fill_betweenx(of.shown(), depth / x, (depth + rough) / x, color=style.BLUE, alpha=0.12, linewidth=0.0)
-        axes.axhline(problem.force / y, color=style.MUTED, linewidth=0.8)
-        for start, slope, colour, name in (
-            (depth0 + rough, item.least_stiffness, style.GREEN, "flattest"),
-            (depth0 + rough, item.greatest_stiffness, style.RED, "steepest"),
-        ):
-            line = start + np.array([-0.6, 0.6]) * depth0
-            force = problem.force + slope * (line - start)
-            axes.plot(
-                line / x, force / y, color=colour, linestyle=style.DASHES[3], label=f"{name}: {told(slope, 'N/m')}"
-            )
-        axes.set_ylim(0.0, float(np.max(of.shown())))
-        axes.set_xlim(0.0, float(depth[-1] + rough) / x)
-        axes.set_xlabel(along.label())
-        axes.set_ylabel(of.label())
-        style.framed_legend(axes, loc="upper left")
-        least, most = told(item.least_conductance, "S"), told(item.greatest_conductance, "S")
-        axes.set_title(f"conductance from {least} to {most}")
-    return figure
+    force, shifted = of.content, depth + rough
+    marks: list[Any] = [
+        Line(depth, force, name="smooth"),
+        Line(shifted, force, dash=style.DASHES[1], name="smooth, offset"),
+        Area(force, depth, shifted, alpha=0.12, across=True),
+        Rule(problem.force),
+    ]
+    slopes = ((item.least_stiffness, style.GREEN, "flattest"), (item.greatest_stiffness, style.RED, "steepest"))
+    for slope, colour, name in slopes:
+        line = np.array([-0.6, 0.6]) * depth0
+        words = f"{name}: {told(slope, 'N/m')}"
+        marks.append(
+            Line(depth0 + rough + line, problem.force + slope * line, colour, dash=style.DASHES[3], name=words)
+        )
+    across, upright = Axis.of(along, low=0.0, high=float(shifted[-1])), Axis.of(of, low=0.0, high=float(np.max(force)))
+    title = f"conductance from {told(item.least_conductance, 'S')} to {told(item.greatest_conductance, 'S')}"
+    return Sheet((Panel(tuple(marks), across, upright, title, legend="upper left"),), width=5.2, height=3.4)

@@ -2,72 +2,133 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
+from winkler.fitting.compare import AnyFit
+from winkler.fitting.outcome import CreepFit, Fit
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.series import Series, common_scale, middle_scale
+from winkler.plot.panel import Axis, Bars, Dots, Line, Map, Panel, Rule, Sheet
+from winkler.plot.series import Scale, Series, common_scale, middle_scale
 from winkler.vocabulary import Word
 
-if TYPE_CHECKING:
-    from winkler.fitting.outcome import Fit
-    from winkler.plot.picture import Picture
-
-__all__ = ["Grid", "fit_picture", "grid_of", "map_picture", "numbers_picture"]
+__all__ = [
+    "DIRECTIONS",
+    "Grid",
+    "fit_panels",
+    "fit_sheet",
+    "grid_of",
+    "map_sheet",
+    "measured_dots",
+    "numbers_sheet",
+    "origin_of",
+]
 
 BINS = 40
 DENSE = 400
 """More points are drawn as dots without an outline."""
+DIRECTIONS = (
+    (1.0, style.BLUE, "measured, going in"),
+    (0.0, style.ORANGE, "measured, held"),
+    (-1.0, style.GREEN, "measured, coming out"),
+)
 
 
-def fit_picture(fit: Fit) -> Picture:
-    """Return a figure of a curve, the fitted model, and the residuals below.
+def fit_sheet(fit: Fit) -> Sheet:
+    """Return a curve, the fitted model, and the residuals below.
 
     Parameters
     ----------
     fit : Fit
     """
-    with style.styled():
-        figure = style.figure(width=5.4, height=4.2)
-        above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3.0, 1.0))
-        curve = fit.curve
-        origin = fit.value("contact_point") if "contact_point" in fit.names else 0.0
-        meaning = "position from first touch" if origin else "position"
-        along = Series(meaning, Word("D - D_0" if origin else "D", "m", meaning), curve.position - origin)
-        measured = Series("force", Word("F_N", "N", "force"), curve.force)
-        model = Series("force", measured.word, fit.predicted)
-        left = Series("residual", Word("", "N", "measured less fitted force"), fit.residuals)
-        across, upright = along.scale, common_scale(measured, model)
-        ways = [way for way in (1.0, -1.0) if np.any(curve.direction == way)]
-        size = 5.0 if curve.count > DENSE else 12.0
-        for way, colour in zip(ways, (style.BLUE, style.GREEN), strict=False):
-            mine = curve.direction == way
-            label = {1.0: "measured, going in", -1.0: "measured, coming out"}[way]
-            dots = {"s": size, "color": colour, "alpha": 0.45, "linewidths": 0.0, "rasterized": curve.count > DENSE}
-            above.scatter(along.shown(across)[mine], measured.shown(upright)[mine], label=label, **dots)
-            below.scatter(along.shown(across)[mine], left.shown()[mine], **dots)
-        for number, way in enumerate(ways):
-            mine = np.flatnonzero(curve.direction == way)
-            mine = mine[np.argsort(curve.position[mine], kind="stable")]
-            told = "fitted" if number == 0 else None
-            above.plot(along.shown(across)[mine], model.shown(upright)[mine], color=style.RED, lw=1.4, label=told)
-        if origin:
-            for axes in (above, below):
-                axes.axvline(0.0, color=style.MUTED, lw=0.8, ls=(0, (4, 3)), zorder=0)
-        below.axhline(0.0, color=style.INK, lw=0.8)
-        above.set_ylabel(measured.label(upright))
-        below.set_ylabel(left.label())
-        below.set_xlabel(along.label(across))
-        above.margins(x=0.02, y=0.05)
-        style.framed_legend(above, loc="upper left", markerscale=2.0)
-        figure.align_ylabels([above, below])
-    return figure
+    return Sheet(fit_panels(fit), 1, width=5.4, height=2.1, heights=(3.0, 1.0), shared="x")
 
 
-def numbers_picture(of: Series, errors: Array) -> Picture:
-    """Return a figure of a fitted number of many curves: one by one with its error, and how often it occurs.
+def fit_panels(fit: AnyFit, some: Array | None = None) -> tuple[Panel, Panel]:
+    """Return the curve with the fitted law, and the residuals: over the position, of a body that relaxes over time.
+
+    Parameters
+    ----------
+    fit
+        What was found.
+    some : ndarray, optional
+        Which points are drawn; all if left out.
+    """
+    some = np.arange(fit.curve.count) if some is None else some
+    along, measured, model = _series(fit, some)
+    seen = fit.radius[some] > 0.0 if isinstance(fit, CreepFit) else np.ones(some.size, dtype=bool)
+    counted = seen if isinstance(fit, Fit) else fit.weights[some] > 0.0
+    left = Series("residual", Word("", measured.word.unit, "measured less fitted"), fit.residuals[some] * counted)
+    upright = common_scale(*(Series(one.name, one.word, one.content[seen]) for one in (measured, model)))
+    directions = fit.curve.direction[some]
+    above: list[Any] = measured_dots(fit, along.content, measured.content, directions, seen)
+    below: list[Any] = measured_dots(fit, along.content, left.content, directions, counted, named=False)
+    for number, mine in enumerate(_lines(fit, directions, along.content)):
+        content = np.where(seen, model.content, np.nan)[mine]
+        above.append(Line(along.content[mine], content, style.RED, width=1.4, name="" if number else "fitted"))
+    below.append(Rule(0.0, colour=style.INK))
+    if isinstance(fit, Fit) and origin_of(fit):
+        first_touch = Rule(0.0, upright=True, dash=style.DASHED, order=0.0)
+        above.append(first_touch)
+        below.append(first_touch)
+    across = Axis.of(along, margin=0.02)
+    upper = Panel(
+        tuple(above),
+        Axis(scale=across.scale, margin=0.02),
+        Axis.of(measured, upright, margin=0.05),
+        legend="upper left" if isinstance(fit, Fit) else "best",
+        marker_scale=2.0,
+    )
+    return upper, Panel(tuple(below), across, Axis.of(left))
+
+
+def origin_of(fit: AnyFit) -> float:
+    """Return the position of first touch, where it was fitted [m]; else zero."""
+    return fit.value("contact_point") if "contact_point" in fit.names else 0.0
+
+
+def measured_dots(
+    fit: AnyFit, x: Array, y: Array, directions: Array, which: Array, *, named: bool = True
+) -> list[Dots]:
+    """Return measured points in the colours of the direction of motion, those that `which` marks."""
+    dense = fit.curve.count > DENSE
+    return [
+        Dots(x[mine], y[mine], colour, 5.0 if dense else 12.0, 0.45, name if named else "", dense)
+        for direction, colour, name in DIRECTIONS
+        if (mine := (directions == direction) & which).any()
+    ]
+
+
+def _series(fit: AnyFit, some: Array) -> tuple[Series, Series, Series]:
+    """Return along what the curve is drawn, what was measured, and what is fitted."""
+    curve, origin = fit.curve, origin_of(fit)
+    name = "position from first touch" if origin or isinstance(fit, CreepFit) else "position"
+    place, force = Word("D - D_0" if name != "position" else "D", "m", name), Word("F_N", "N", "force")
+    if isinstance(fit, Fit):
+        along = Series(name, place, curve.position[some] - origin)
+    else:
+        along = Series("time", Word("t", "s", "time"), curve.time[some] - curve.time[0])
+    if isinstance(fit, CreepFit):
+        measured, model = (Series(name, place, part[some] - origin) for part in (curve.position, fit.predicted))
+    else:
+        measured, model = (Series("force", force, part[some]) for part in (curve.force, fit.predicted))
+    return along, measured, model
+
+
+def _lines(fit: AnyFit, directions: Array, x: Array) -> list[Any]:
+    """Return the points of each line of the fitted law, in their order."""
+    if not isinstance(fit, Fit):
+        return [np.arange(x.size)]
+    found = [
+        np.flatnonzero(directions == direction) for direction, _, _ in DIRECTIONS if np.any(directions == direction)
+    ]
+    return [mine[np.argsort(x[mine], kind="stable")] for mine in found]
+
+
+def numbers_sheet(of: Series, errors: Array) -> Sheet:
+    """Return a fitted number of many curves: one by one with its error, and how often it occurs.
 
     Parameters
     ----------
@@ -76,36 +137,27 @@ def numbers_picture(of: Series, errors: Array) -> Picture:
     errors : ndarray
         Their standard errors.
     """
-    from matplotlib.ticker import MaxNLocator
-
-    with style.styled():
-        figure = style.figure(width=6.4, height=2.9)
-        left, right = figure.subplots(1, 2, sharey=True, width_ratios=(2.6, 1.0))
-        known = np.isfinite(of.content)
-        scale = middle_scale(of.word.unit, np.fmax(np.abs(of.content), errors))
-        number, shown = np.arange(1, known.size + 1)[known], of.shown(scale)[known]
-        many = known.size > 60
-        left.errorbar(
-            number,
-            shown,
-            yerr=errors[known] / scale.factor,
-            fmt="o",
-            ms=2.0 if many else 4.0,
-            lw=0.6 if many else 1.0,
-            color=style.BLUE,
-            ecolor=style.MUTED,
-        )
-        left.margins(x=0.03, y=0.08)
-        for axes in (left, right):
-            axes.xaxis.set_major_locator(MaxNLocator(nbins=6 if axes is left else 3, integer=True))
-        left.set_xlabel("number of the curve")
-        left.set_ylabel(of.label(scale))
-        right.hist(shown, bins=min(BINS, max(5, int(np.sqrt(shown.size)))), orientation="horizontal", color=style.BLUE)
-        right.axhline(float(np.median(shown)), color=style.RED, lw=1.2)
-        right.set_xlabel("curves")
-        left.axhline(float(np.median(shown)), color=style.RED, lw=1.2)
-        right.set_title(f"median {np.median(shown):.4g}{f' {scale.unit}' if scale.unit else ''}", fontweight="normal")
-    return figure
+    known = np.isfinite(of.content)
+    scale = middle_scale(of.word.unit, np.fmax(np.abs(of.content), errors))
+    number, content = np.arange(1.0, known.size + 1.0)[known], of.content[known]
+    many = known.size > 60
+    points = Line(
+        number,
+        content,
+        width=0.6 if many else 1.0,
+        marker="o",
+        size=2.0 if many else 4.0,
+        error_y=np.stack([errors[known]] * 2),
+        error_colour=style.MUTED,
+    )
+    median = float(np.median(content))
+    middle = Rule(median, colour=style.RED, width=1.2)
+    counts, edges = np.histogram(content, bins=min(BINS, max(5, int(np.sqrt(content.size)))))
+    places, thick = 0.5 * (edges[1:] + edges[:-1]), float(edges[1] - edges[0])
+    left = Panel((points, middle), Axis("number of the curve", margin=0.03, parts=6), Axis.of(of, scale, margin=0.08))
+    right = Panel((Bars(places, counts, thick=thick), middle), Axis("curves", parts=3), Axis(scale=scale))
+    shown = f"{median / scale.factor:.4g}{f' {scale.unit}' if scale.unit else ''}"
+    return Sheet((left, right.plus(title=f"median {shown}")), width=3.2, height=2.9, widths=(2.6, 1.0), shared="y")
 
 
 class Grid:
@@ -165,7 +217,7 @@ def _nearest(levels: Array, places: Array) -> Array:
     return np.asarray(np.argmin(np.abs(levels[:, np.newaxis] - places), axis=0))
 
 
-def map_picture(grid: Grid, of: Series) -> Picture:
+def map_sheet(grid: Grid, of: Series) -> Sheet:
     """Return a map of a fitted number over the sample.
 
     Parameters
@@ -174,23 +226,8 @@ def map_picture(grid: Grid, of: Series) -> Picture:
     of : Series
         One number for each curve; blank where there is none.
     """
-    with style.styled():
-        figure = style.figure(width=4.8, height=3.9)
-        axes = figure.add_subplot()
-        scale = middle_scale(of.word.unit, of.content)
-        micro = 1e-6
-        mesh = axes.pcolormesh(
-            (grid.x - grid.x.min()) / micro,
-            (grid.y - grid.y.min()) / micro,
-            np.ma.masked_invalid(grid.laid(of.shown(scale))),
-            cmap="viridis",
-            shading="nearest",
-            rasterized=True,
-        )
-        axes.set_facecolor("#d9dee4")
-        axes.grid(visible=False)
-        axes.set_aspect("equal")
-        axes.set_xlabel("x [µm]")
-        axes.set_ylabel("y [µm]")
-        figure.colorbar(mesh, ax=axes, label=of.label(scale))
-    return figure
+    bar = Axis.of(of, middle_scale(of.word.unit, of.content))
+    look: dict[str, Any] = {"kind": "cells", "colours": "viridis", "ground": style.PALE}
+    shown = Map(grid.x - grid.x.min(), grid.y - grid.y.min(), grid.laid(of.content), bar, **look)
+    axes = Axis("x", Scale(1e-6, "µm")), Axis("y", Scale(1e-6, "µm"))
+    return Sheet((Panel((shown,), *axes, equal=True, grid=""),), width=4.8, height=3.9)

@@ -9,13 +9,13 @@ import numpy as np
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.series import Scale, Series
+from winkler.plot.panel import Axis, Band, Line, Panel, Rule, Sheet, Text, titled
+from winkler.plot.series import Series
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
     from winkler.fitting.curves.curve import ForceCurve
     from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
-    from winkler.plot.picture import Picture
 
 __all__ = ["segments_sheet", "unloading_sheet"]
 
@@ -31,26 +31,20 @@ HEADROOM = 0.45
 """Part of the forces that is left above them for the names."""
 
 
-def segments_sheet(curve: ForceCurve) -> Picture:
-    """Return a figure of a curve: its segments in their order, each with its name, and force over position.
+def segments_sheet(curve: ForceCurve) -> Sheet:
+    """Return a curve: its segments in their order, each with its name, and force over position.
 
     Parameters
     ----------
     curve : ForceCurve
     """
-    with style.styled():
-        figure = style.figure(width=9.2, height=3.4)
-        left, right = figure.subplots(1, 2)
-        _in_order(left, curve, curve.segments)
-        _over_depth(right, Series("position", Word("D", "m", "position"), curve.position), curve, curve.segments)
-        left.set_title("segments")
-        right.set_title("force over position")
-        style.framed_legend(right, loc="upper left")
-    return figure
+    position = Series("position", Word("D", "m", "position"), curve.position)
+    panels = _in_order(curve, curve.segments), _over_depth(position, curve, curve.segments)
+    return Sheet(titled(panels, "segments", "force over position"), width=4.6, height=3.4)
 
 
-def unloading_sheet(item: OliverPharrSolution) -> Picture:
-    """Return a figure of a reading: the segments, the fitted unloading, its slope at the peak, and the contact depth.
+def unloading_sheet(item: OliverPharrSolution) -> Sheet:
+    """Return a reading: the segments, the fitted unloading, its slope at the peak, and the contact depth.
 
     Parameters
     ----------
@@ -59,84 +53,53 @@ def unloading_sheet(item: OliverPharrSolution) -> Picture:
     problem = item.problem
     curve, segments = problem.curve, problem.curve.segments
     depth = Series("depth", Word("h", "m", "depth"), curve.depth(problem.contact_point))
-    with style.styled():
-        figure = style.figure(width=9.2, height=3.6)
-        left, right = figure.subplots(1, 2)
-        _in_order(left, curve, segments)
-        across, upright = _over_depth(right, depth, curve, segments)
-        share = np.linspace(0.0, 1.0, 200)
-        law = item.final_depth + share * (item.depth - item.final_depth)
-        right.plot(
-            law / across.factor,
-            item.fitted_force * share**item.exponent / upright.factor,
-            color=style.RED,
-            lw=1.2,
-            label=f"$F \\propto (h-h_f)^{{{item.exponent:.3g}}}$",
-        )
-        fitted = depth.content[item.fitted_points.astype(int)]
-        right.axvspan(fitted.min() / across.factor, fitted.max() / across.factor, color=style.GREEN, alpha=0.08, lw=0.0)
-        foot = item.depth - item.fitted_force / item.stiffness
-        right.plot(
-            np.array([foot, item.depth]) / across.factor,
-            np.array([0.0, item.fitted_force]) / upright.factor,
-            color=style.INK,
-            lw=1.0,
-            ls=(0, (4, 2)),
-            label="stiffness $S$",
-        )
-        right.plot(item.depth / across.factor, item.force / upright.factor, "o", color=style.INK, ms=4.0, label="peak")
-        right.axvline(item.contact_depth / across.factor, color=style.MUTED, lw=0.9, label="contact depth $h_c$")
-        left.set_title("segments")
-        right.set_title("the unloading and its stiffness")
-        style.framed_legend(right, loc="upper left")
-    return figure
+    share = np.linspace(0.0, 1.0, 200)
+    law = item.final_depth + share * (item.depth - item.final_depth)
+    name = f"$F \\propto (h-h_f)^{{{item.exponent:.3g}}}$"
+    fitted = depth.content[item.fitted_points.astype(int)]
+    slope = np.array([item.depth - item.fitted_force / item.stiffness, item.depth])
+    peak: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": "peak"}
+    marks = (
+        Line(law, item.fitted_force * share**item.exponent, style.RED, width=1.2, name=name),
+        Band(fitted.min(), fitted.max(), alpha=0.08),
+        Line(slope, np.array([0.0, item.fitted_force]), style.INK, width=1.0, dash=(4.0, 2.0), name="stiffness $S$"),
+        Line(np.array([item.depth]), np.array([item.force]), style.INK, **peak),
+        Rule(item.contact_depth, upright=True, width=0.9, name="contact depth $h_c$"),
+    )
+    panels = _in_order(curve, segments), _over_depth(depth, curve, segments).plus(*marks)
+    return Sheet(titled(panels, "segments", "the unloading and its stiffness"), width=4.6, height=3.6)
 
 
-def _in_order(axes: Any, curve: ForceCurve, segments: tuple[Segment, ...]) -> None:
-    """Draw the force over time, or over the number of the point, with the segments behind it."""
+def _in_order(curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
+    """Return the force over time, or over the number of the point, with the segments behind it."""
     order = (
         Series("time", Word("t", "s", "time"), curve.time)
         if curve.timed
         else Series("point", Word("", "", "point"), np.arange(float(curve.count)))
     )
     force = Series("force", Word("F", "N", "force"), curve.force)
-    along = order.shown(order.scale)
+    along = order.content
     span = float(np.ptp(along)) or 1.0
+    marks: list[Any] = []
+    words: dict[str, Any] = {"upright": "top", "size": 8.0, "turned": True, "framed": (False, True)}
     for part in segments:
         start, end = along[part.first], along[min(part.last + 1, curve.count - 1)]
-        axes.axvspan(start, end, color=COLOURS[part.kind], alpha=0.14, lw=0.0)
+        marks.append(Band(start, end, COLOURS[part.kind], 0.14))
         if end - start > NAMED * span:
-            axes.text(
-                0.5 * (start + end),
-                0.98,
-                part.kind.value,
-                rotation=90.0,
-                ha="center",
-                va="top",
-                fontsize=8.0,
-                transform=axes.get_xaxis_transform(),
-            )
-    axes.plot(along, force.shown(force.scale), color=style.INK, lw=1.2)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + HEADROOM * (high - low))
-    axes.set_xlabel(order.label(order.scale))
-    axes.set_ylabel(force.label(force.scale))
+            marks.append(Text(0.5 * (start + end), 0.98, part.kind.value, **words))
+    marks.append(Line(along, force.content, style.INK, width=1.2))
+    return Panel(tuple(marks), Axis.of(order), Axis.of(force, headroom=HEADROOM))
 
 
-def _over_depth(axes: Any, depth: Series, curve: ForceCurve, segments: tuple[Segment, ...]) -> tuple[Scale, Scale]:
-    """Draw force over depth, one colour for each kind of segment, and return both scales."""
+def _over_depth(depth: Series, curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
+    """Return force over depth, one colour for each kind of segment."""
     force = Series("force", Word("F", "N", "force"), curve.force)
-    across, upright = depth.scale, force.scale
-    x, y = depth.shown(across), force.shown(upright)
+    lines = []
     for kind, colour in COLOURS.items():
-        mine = [_with_start(part, x, y) for part in segments if part.kind is kind]
-        for place, (places, forces) in enumerate(mine):
-            label = kind.value if place == 0 else None
-            axes.plot(places, forces, ".-", color=colour, ms=2.5, lw=0.8, label=label, rasterized=curve.count > 4000)
-    axes.set_xlabel(depth.label(across))
-    axes.set_ylabel(force.label(upright))
-    axes.margins(x=0.02, y=0.04)
-    return across, upright
+        mine = [_with_start(part, depth.content, force.content) for part in segments if part.kind is kind]
+        look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": curve.count > 4000}
+        lines += [Line(*points, colour, name="" if place else kind.value, **look) for place, points in enumerate(mine)]
+    return Panel(tuple(lines), Axis.of(depth, margin=0.02), Axis.of(force, margin=0.04), legend="upper left")
 
 
 def _with_start(part: Segment, x: Array, y: Array) -> tuple[Array, Array]:

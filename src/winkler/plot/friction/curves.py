@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,22 +12,21 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.panel import Area, Axis, Band, Line, Panel, Rule, note, zero
 from winkler.plot.series import Series, common_scale, places, scale_of, series, told
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 __all__ = [
     "Restored",
     "around_contact",
-    "draw_energies",
-    "draw_lines",
-    "draw_loop",
-    "draw_slip",
-    "draw_traction",
-    "lost_told",
-    "roomy_legend",
-    "shade_stick",
+    "bounds",
+    "energies_panel",
+    "lines_panel",
+    "loop_panel",
+    "lost_words",
+    "mirrored_bounds",
+    "slip_panel",
+    "stick_band",
+    "traction_panel",
 ]
 
 MARKED = 40
@@ -49,118 +48,109 @@ class Restored:
         self.sheared = sheared
 
 
-def draw_loop(axes: Axes, along: Series, of: Series, lost: float | None = None) -> None:
-    """Draw a load over the motion that goes with it, from the first point (open) to the last (full).
+def loop_panel(along: Series, of: Series, lost: float | None = None) -> Panel:
+    """Return a load over the motion that goes with it, from the first point (open) to the last (full).
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     along, of : Series
         Of one length.
     lost : float, optional
-        Energy lost on the way [J], told in the picture.
+        Energy lost along the path [J], written into the picture.
     """
-    x, y = along.shown(), of.shown()
-    axes.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-    axes.plot(x, y, color=style.BLUE, marker="o" if x.size <= MARKED else "", markersize=3.5)
-    axes.plot(x[:1], y[:1], "o", color=style.BLUE, markerfacecolor="white", zorder=5)
-    axes.plot(x[-1:], y[-1:], "o", color=style.RED, zorder=6)
-    axes.margins(x=0.06, y=0.12)
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(of.label())
-    if lost is not None:
-        style.note(axes, lost_told(lost, along.content, of.content), where="upper left")
+    x, y = along.content, of.content
+    marks: list[Any] = [
+        zero(),
+        Line(x, y, marker="o" if x.size <= MARKED else "", size=3.5),
+        Line(x[:1], y[:1], width=0.0, marker="o", hollow=True, order=5.0),
+        Line(x[-1:], y[-1:], style.RED, width=0.0, marker="o", order=6.0),
+    ]
+    marks += [] if lost is None else [note(lost_words(lost, x, y), "upper left")]
+    return Panel(tuple(marks), Axis.of(along, margin=0.06), Axis.of(of, margin=0.12))
 
 
-def lost_told(lost: float, way: Array, load: Array) -> str:
-    """Return what a picture says about the energy lost on a way; what is less than rounding is nothing."""
-    most = float(np.max(np.abs(way)) * np.max(np.abs(load)))
+def lost_words(lost: float, path: Array, load: Array) -> str:
+    """Return what a picture says about the energy lost along a path; what is less than rounding is nothing."""
+    most = float(np.max(np.abs(path)) * np.max(np.abs(load)))
     return f"lost on the way: {told(lost, 'J')}" if lost > ROUNDING * most else "nothing lost"
 
 
-def draw_lines(axes: Axes, along: Series, lines: list[tuple[Series, str]], ylabel: str) -> None:
-    """Draw several quantities of one unit over one, told apart by colour and dashes.
+def lines_panel(
+    along: Series, lines: list[tuple[Series, str]], label: str, low: float | None = None, *, log: bool = False
+) -> Panel:
+    """Return several quantities of one unit over one, told apart by colour and dashes.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     along : Series
     lines : list of (Series, str)
-        With their names for the legend.
-    ylabel : str
+        With their names for the legend; bounds, as `bounds` returns them, are drawn alike.
+    label : str
         What they are, without a unit.
+    low : float, optional
+        Where the upright axis begins [SI].
+    log : bool, optional
+        Whether the upright axis is logarithmic.
     """
-    scale = common_scale(*(line for line, _ in lines))
-    axes.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
+    marks: list[Any] = [] if log else [zero()]
+    bounded = any(name in BOUNDS for _, name in lines)
     for place, (line, name) in enumerate(lines):
-        axes.plot(
-            along.shown(),
-            np.where(np.isfinite(line.content), line.shown(scale), np.nan),
-            color=style.CYCLE[place],
-            linestyle=style.DASHES[place % len(style.DASHES)],
-            label=name,
-        )
-    axes.margins(x=0.0, y=0.08)
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(f"{ylabel} [{scale.unit}]" if scale.unit else ylabel)
-    if len(lines) > 1:
-        roomy_legend(axes)
+        content = np.where(np.isfinite(line.content), line.content, np.nan)
+        look: dict[str, Any] = {"colour": style.CYCLE[place], "dash": style.DASHES[place % len(style.DASHES)]}
+        if bounded and name in (*BOUNDS, "_"):
+            look = {"colour": style.MUTED, "dash": style.DASHES[1], "width": 1.1}
+        marks.append(Line(along.content, content, name=name if len(lines) > 1 else "", **look))
+    names = [name for _, name in lines if not name.startswith("_")]
+    columns = 3 if bounded else len(names) if sum(map(len, names)) <= LETTERS else 2
+    room = 0.2 if len(lines) > 1 else 0.0
+    upright = Axis(label, common_scale(*(line for line, _ in lines)), low=low, margin=0.08, headroom=room, log=log)
+    legend: dict[str, Any] = {"legend": "upper center" if len(lines) > 1 else "", "columns": columns, "spaced": True}
+    return Panel(tuple(marks), Axis.of(along, margin=0.0), upright, **legend)
 
 
-def roomy_legend(axes: Axes, share: float = 0.2) -> None:
-    """Add a legend above the curves, which get so much more room there."""
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + share * (high - low))
-    names = [name for name in axes.get_legend_handles_labels()[1] if not name.startswith("_")]
-    columns = len(names) if sum(map(len, names)) <= LETTERS else 2
-    style.framed_legend(axes, loc="upper center", ncols=columns, columnspacing=1.2)
+BOUNDS = (r"$\pm\mu F_N$", "what friction bears")
+"""Names of bounds in a legend."""
 
 
-def draw_energies(axes: Axes, solution: Any, names: dict[str, str], along: str = "time") -> None:
-    """Draw energies of an answer on top of each other, over time.
+def bounds(owner: type[Any] | str, field: str, limit: Array, name: str = BOUNDS[0]) -> list[tuple[Series, str]]:
+    """Return a bound in both directions, as `lines_panel` draws it."""
+    return [(series(owner, field, sign * limit), name if sign > 0.0 else "_") for sign in (1.0, -1.0)]
+
+
+def energies_panel(solution: Any, names: dict[str, str], along: str = "time", room: float = 1.0) -> Panel:
+    """Return energies of an answer on top of each other, over time.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     solution
         With arrays over the steps.
     names : dict of str
         Fields of the answer, and their names for the legend, from the bottom up.
     along : str
         Field of the answer along which is drawn.
+    room : float
+        The upright axis ends at so many times what the energies alone need.
     """
     owner = type(solution)
     across = series(owner, along, getattr(solution, along))
-    parts = [series(owner, name, getattr(solution, name)) for name in names]
-    total = np.sum([part.content for part in parts], axis=0)
-    scale = scale_of("J", total)
-    colours = (style.RED, style.BLUE, style.GREEN, style.ORANGE)
-    axes.stackplot(
-        across.shown(),
-        *(part.shown(scale) for part in parts),
-        labels=list(names.values()),
-        colors=colours[: len(parts)],
-        alpha=0.55,
-        linewidth=0.0,
-    )
-    axes.plot(across.shown(), total / scale.factor, color=style.INK, linewidth=1.0)
-    axes.margins(x=0.0)
-    axes.set_ylim(0.0, 1.15 * float(np.max(total)) / scale.factor if np.max(total) > 0.0 else 1.0)
-    axes.set_xlabel(across.label())
-    axes.set_ylabel(f"energy [{scale.unit}]")
-    style.framed_legend(axes, loc="upper left")
+    rows = np.cumsum([np.zeros(across.content.shape), *(getattr(solution, name) for name in names)], axis=0)
+    scale, most = scale_of("J", rows[-1]), float(np.max(rows[-1]))
+    areas = [
+        Area(across.content, low, high, colour, 0.55, name)
+        for low, high, colour, name in zip(
+            rows, rows[1:], (style.RED, style.BLUE, style.GREEN, style.ORANGE), names.values(), strict=False
+        )
+    ]
+    upright = Axis("energy", scale, low=0.0, high=room * (1.15 * most if most > 0.0 else scale.factor))
+    line = Line(across.content, rows[-1], style.INK, width=1.0)
+    return Panel((*areas, line), Axis.of(across, margin=0.0), upright, legend="upper left")
 
 
-def draw_traction(axes: Axes, fields: ShearedFields, coefficient: float, stick: float) -> None:
-    """Draw the traction over the contact between the bounds that friction sets, and the zone of stick.
+def traction_panel(fields: ShearedFields, coefficient: float, stick: float) -> Panel:
+    """Return the traction over the contact between the bounds that friction sets, and the zone of stick.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     fields : ShearedFields
         Over the contact and beside it, from the axis on.
     coefficient : float
@@ -175,38 +165,32 @@ def draw_traction(axes: Axes, fields: ShearedFields, coefficient: float, stick: 
     greatest = float(np.max([np.max(np.where(np.isfinite(row), np.abs(row), 0.0)) for row in (*rows, bound)]))
     top = min(greatest, CEILING * mean) if mean > 0.0 else greatest
     scale = scale_of("Pa", [top])
-    across = scale_of("m", [extent])
-    shade_stick(axes, stick / across.factor)
-    for sign in (1.0, -1.0) if np.any(bound) else ():
-        x, y = style.mirrored(fields.r / across.factor, sign * bound / scale.factor)
-        axes.plot(
-            x,
-            y,
-            color=style.MUTED,
-            linewidth=1.1,
-            linestyle=style.DASHES[1],
-            label=r"$\pm\mu p$" if sign > 0.0 else "_",
-        )
+    marks: list[Any] = [*stick_band(stick), *mirrored_bounds(fields.r, bound, r"$\pm\mu p$")]
     names = [r"$\tau$"] if len(rows) == 1 else [r"$\tau_x$", r"$\tau_y$"]
     for row, name, colour in zip(rows, names, (style.RED, style.BLUE), strict=False):
-        x, y = style.mirrored(fields.r / across.factor, row / scale.factor)
-        axes.plot(x, y, color=colour, label=name)
-        axes.fill_between(x, y, color=colour, alpha=0.12, linewidth=0.0)
-    axes.set_xlim(-extent / across.factor, extent / across.factor)
-    low = min(0.0, *(float(np.min(row)) for row in rows))
-    axes.set_ylim(1.15 * max(low, -top) / scale.factor, 1.45 * top / scale.factor if top > 0.0 else 1.0)
-    axes.set_xlabel(series("ShearedFields", "r", fields.r).label(across))
-    axes.set_ylabel(series("ShearedFields", "traction", rows[0]).label(scale))
-    style.framed_legend(axes, loc="upper right")
+        x, y = style.mirrored(fields.r, row)
+        marks += [Line(x, y, colour, name=name), Area(x, y, 0.0, colour, 0.12)]
+    low = max(min(0.0, *(float(np.min(row)) for row in rows)), -top)
+    of = series("ShearedFields", "traction", rows[0])
+    upright = Axis.of(of, scale, low=1.15 * low, high=1.45 * top if top > 0.0 else scale.factor)
+    across = Axis.of(series("ShearedFields", "r", fields.r), scale_of("m", [extent]), low=-extent, high=extent)
+    return Panel(tuple(marks), across, upright, legend="upper right")
 
 
-def draw_slip(axes: Axes, fields: ShearedFields, radius: float, stick: float) -> None:
-    """Draw how far the surface is dragged along, and how far it slips, over the distance from the axis.
+def mirrored_bounds(along: Array, bound: Array, name: str) -> list[Line]:
+    """Return a bound in both directions and on both sides of the axis; nothing if it is zero."""
+    look: dict[str, Any] = {"colour": style.MUTED, "width": 1.1, "dash": style.DASHES[1]}
+    return [
+        Line(*style.mirrored(along, sign * bound), name=name if sign > 0.0 else "", **look)
+        for sign in ((1.0, -1.0) if np.any(bound) else ())
+    ]
+
+
+def slip_panel(fields: ShearedFields, radius: float, stick: float) -> Panel:
+    """Return how far the surface is dragged along, and how far it slips, over the distance from the axis.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     fields : ShearedFields
         Over the contact and beside it, from the axis on.
     radius, stick : float
@@ -214,33 +198,24 @@ def draw_slip(axes: Axes, fields: ShearedFields, radius: float, stick: float) ->
     """
     extent = float(fields.r[-1])
     moved, slips = _rows(fields.tangential_displacement), _rows(fields.slip)
-    marks = ["_x", "_y"] if len(moved) > 1 else [""]
-    scale, across = scale_of("m", *moved, *slips), scale_of("m", [extent])
-    shade_stick(axes, stick / across.factor, mirrored=False)
-    for place, (row, slip, mark) in enumerate(zip(moved, slips, marks, strict=True)):
-        told_moved = f"$u{mark or '_x'}$ dragged"
-        told_slip = f"$s{mark}$ slipped"
-        axes.plot(fields.r / across.factor, row / scale.factor, color=style.CYCLE[2 * place], label=told_moved)
-        axes.plot(
-            fields.r / across.factor,
-            slip / scale.factor,
-            color=style.CYCLE[2 * place + 1],
-            linestyle=style.DASHES[1],
-            label=told_slip,
-        )
-    axes.axvline(radius / across.factor, color=style.MUTED, linewidth=0.9, linestyle=":")
-    axes.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-    axes.set_xlim(0.0, extent / across.factor)
-    axes.margins(y=0.08)
-    axes.set_xlabel(series("ShearedFields", "r", fields.r).label(across))
-    axes.set_ylabel(f"along the surface [{scale.unit}]")
-    roomy_legend(axes, 0.35 if len(moved) == 1 else 0.5)
+    directions = ["_x", "_y"] if len(moved) > 1 else [""]
+    marks: list[Any] = stick_band(stick, mirrored=False)
+    for place, (row, slip, index) in enumerate(zip(moved, slips, directions, strict=True)):
+        marks.append(Line(fields.r, row, style.CYCLE[2 * place], name=f"$u{index or '_x'}$ dragged"))
+        look: dict[str, Any] = {"dash": style.DASHES[1], "name": f"$s{index}$ slipped"}
+        marks.append(Line(fields.r, slip, style.CYCLE[2 * place + 1], **look))
+    marks += [Rule(radius, upright=True, width=0.9, dash=style.DOTTED), zero()]
+    across = Axis.of(series("ShearedFields", "r", fields.r), scale_of("m", [extent]), low=0.0, high=extent)
+    scale = scale_of("m", *moved, *slips)
+    upright = Axis("along the surface", scale, margin=0.08, headroom=0.35 if len(moved) == 1 else 0.5)
+    letters = sum(len(mark.name) for mark in marks if isinstance(mark, Line | Band))
+    columns = sum(bool(mark.name) for mark in marks if isinstance(mark, Line | Band)) if letters <= LETTERS else 2
+    return Panel(tuple(marks), across, upright, legend="upper center", columns=columns, spaced=True)
 
 
-def shade_stick(axes: Axes, stick: float, *, mirrored: bool = True) -> None:
-    """Shade the zone that sticks, up to a radius in the unit of the axis."""
-    if stick > 0.0:
-        axes.axvspan(-stick if mirrored else 0.0, stick, color=style.GREEN, alpha=0.13, linewidth=0.0, label="stick")
+def stick_band(stick: float, *, mirrored: bool = True) -> list[Any]:
+    """Return the zone that sticks, shaded up to a radius [m]; nothing if all slides."""
+    return [Band(-stick if mirrored else 0.0, stick, name="stick")] if stick > 0.0 else []
 
 
 def around_contact(sheared: ShearedSprings, extent: float) -> ShearedFields:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,30 +14,30 @@ from winkler.materials.elastic import Rigid
 from winkler.peaks import peak_stress
 from winkler.plot import style
 from winkler.plot.friction.curves import Restored
-from winkler.plot.series import Scale, scale_of, series, told
+from winkler.plot.normal.stresses import stress_map
+from winkler.plot.panel import Line, Panel, note
+from winkler.plot.series import series, told
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-__all__ = ["draw_body_stress", "draw_dragged_stress"]
+__all__ = ["body_stress_panel", "dragged_stress_panel"]
 
 ACROSS, DOWN = 113, 49
+FEW_ACROSS, FEW_DOWN = 61, 25
+"""Places of a coarse map."""
 DEEP = 1.6
 """Depth of the map in contact radii."""
-LEVELS = 20
 
 
-def draw_dragged_stress(axes: Axes, sheared: ShearedSprings, extent: float) -> None:
-    """Draw the von Mises stress in the plane y = 0 of a sheared contact, and mark where it is greatest.
+def dragged_stress_panel(sheared: ShearedSprings, extent: float, *, coarse: bool = False) -> Panel:
+    """Return the von Mises stress in the plane y = 0 of a sheared contact, with a mark where it is greatest.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     sheared : ShearedSprings
         Of a contact.
     extent : float
         [m].
+    coarse : bool, optional
+        In fewer places, and without the search for the greatest stress: for pictures that move.
 
     Raises
     ------
@@ -46,40 +46,32 @@ def draw_dragged_stress(axes: Axes, sheared: ShearedSprings, extent: float) -> N
     """
     solution, radius = Restored(sheared), sheared.pressed.radius
     sign = -1.0 if isinstance(getattr(sheared.pressed.bed.medium, "first", None), Rigid) else 1.0
-    x = np.linspace(-extent, extent, ACROSS)
-    z = DEEP * radius * (np.linspace(0.0, 1.0, DOWN) ** 1.6 + 1e-3)
+    across, down = (FEW_ACROSS, FEW_DOWN) if coarse else (ACROSS, DOWN)
+    x = np.linspace(-extent, extent, across)
+    z = DEEP * radius * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
     fields = restore_body(solution, x[:, None], 0.0, sign * z[None, :])
-    draw_body_stress(axes, fields)
-    across = scale_of("m", fields.x, fields.z)
+    edge = Line(np.array([-radius, radius]), np.zeros(2), style.INK, width=3.0, clipped=False, blunt=True, order=8.0)
+    if coarse:
+        return body_stress_panel(fields).plus(edge)
     peak = peak_stress(solution, below=sign > 0.0)
     corner = "lower centre" if sign > 0.0 else "upper centre"
+    marks: list[Any] = [note("infinite at a sharp edge, kink or tip", corner)]
     if np.isfinite(peak.von_mises):
-        axes.plot(
-            peak.x / across.factor,
-            peak.z / across.factor,
-            "P",
-            color=style.RED,
-            markeredgecolor="white",
-            markersize=9,
-            clip_on=False,
-            zorder=9,
-        )
+        look: dict[str, Any] = {"marker": "P", "size": 9.0, "edge": "white", "clipped": False, "order": 9.0}
         beside = f"$y$ = {told(peak.y, 'm', 3)}, " if abs(peak.y) > 1e-3 * radius else ""
         where = f"$x$ = {told(peak.x, 'm', 3)}, {beside}$z$ = {told(peak.z, 'm', 3)}"
-        style.note(axes, f"greatest: {told(peak.von_mises, 'Pa')} at {where}", where=corner)
-    else:
-        style.note(axes, "infinite at a sharp edge, kink or tip", where=corner)
-    line = np.array([-radius, radius]) / across.factor
-    axes.plot(line, np.zeros(2), color=style.INK, linewidth=3.0, clip_on=False, solid_capstyle="butt", zorder=8)
+        marks = [
+            Line(np.array([peak.x]), np.array([peak.z]), style.RED, width=0.0, **look),
+            note(f"greatest: {told(peak.von_mises, 'Pa')} at {where}", corner),
+        ]
+    return body_stress_panel(fields).plus(*marks, edge)
 
 
-def draw_body_stress(axes: Axes, fields: BodyFields) -> None:
-    """Draw the von Mises stress of fields that were restored on a grid of x and z.
+def body_stress_panel(fields: BodyFields) -> Panel:
+    """Return the von Mises stress of fields that were restored on a grid of x and z.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     fields : BodyFields
         x and z of shape (n, m), one varying along either axis.
 
@@ -88,47 +80,12 @@ def draw_body_stress(axes: Axes, fields: BodyFields) -> None:
     InvalidInput
         If they are no such grid.
     """
-    x, z, stress = fields.x, fields.z, fields.von_mises
-    if x.ndim != 2 or min(x.shape) < 2:
+    if fields.x.ndim != 2 or min(fields.x.shape) < 2:
         raise InvalidInput(
             "draw: the fields were not restored on a grid of x and z; give restore_body(solution, x[:, None], y, "
             "z[None, :])."
         )
-    known = np.isfinite(stress)
-    if not known.any():
+    if not np.isfinite(fields.von_mises).any():
         raise InvalidInput("draw: none of the restored stresses is finite; restore them below the surface.")
-    top, most = float(np.percentile(stress[known], 99.5)), float(np.max(stress[known]))
-    levels = _levels(most if most < 1.25 * top else top)
-    scale = scale_of("Pa", [levels[-1]])
-    across: Scale = scale_of("m", x, z)
-    shown = np.where(known, stress, 10.0 * levels[-1]) / scale.factor
-    over = "max" if float(np.max(shown)) > levels[-1] / scale.factor else "neither"
-    drawn = axes.contourf(
-        x / across.factor, z / across.factor, shown, levels=levels / scale.factor, cmap=style.shades(), extend=over
-    )
-    axes.contour(
-        x / across.factor,
-        z / across.factor,
-        shown,
-        levels=levels[1:] / scale.factor,
-        colors="white",
-        linewidths=0.4,
-        alpha=0.7,
-    )
-    assert axes.figure is not None
-    label = series("BodyFields", "von_mises", stress).label(scale)
-    bar: Any = axes.figure.colorbar(drawn, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)), label=label)
-    bar.outline.set_visible(False)
-    bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])
-    axes.set_aspect("equal")
-    axes.set_ylim(max(float(np.max(z)), 0.0) / across.factor, min(float(np.min(z)), 0.0) / across.factor)
-    axes.set_xlabel(f"along the motion $x$ [{across.unit}]")
-    axes.set_ylabel(series("BodyFields", "z", z).label(across))
-    axes.grid(visible=False)
-
-
-def _levels(top: float) -> Any:
-    from matplotlib.ticker import MaxNLocator
-
-    levels = np.asarray(MaxNLocator(LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, top), dtype=float)
-    return levels[levels >= 0.0]
+    x, z, stress = (series("BodyFields", name, getattr(fields, name)) for name in ("x", "z", "von_mises"))
+    return stress_map(x, z, stress, label="along the motion $x$")

@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import draw
+from winkler.plot.draw import sheet_of
+from winkler.plot.panel import Area, Arrow, Axis, Band, Line, Map, Panel, Rule, Sheet, note, plane, titled
 from winkler.plot.series import common_scale, middle_scale, scale_of, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.steady import FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeatingSolution
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.colors import Colormap
-
-    from winkler.plot.picture import Picture
 
 __all__ = ["fretting_heat_sheet", "heating_sheet", "transient_heating_sheet"]
 
@@ -43,8 +38,8 @@ MOMENTS = 6
 FAR = 2.5
 
 
-@draw.register(FrictionHeatingSolution)
-def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(FrictionHeatingSolution)
+def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None) -> Sheet:
     """Return the map of the warmer wake, both bodies along their middle line, and the flash temperature over speed.
 
     Of many loads or speeds at once: the flash temperature and the share, over what was varied.
@@ -56,20 +51,19 @@ def heating_sheet(item: FrictionHeatingSolution, *, extent: float | None = None)
         return _many(item)
     told_heat = f"   heat {told(float(item.heat_rate), 'W')}   first body takes {told(float(item.first_share), '')}"
     fastest = told(float(max(item.first_peclet, item.second_peclet)), "", 3)
-    with style.styled():
-        figure = style.figure(3, width=4.1, height=3.2)
-        panels = figure.subplots(1, 3)
-        faster = item.first if item.first_peclet >= item.second_peclet else item.second
-        _draw_map(panels[0], faster, "first" if faster == item.first else "second")
-        _draw_wake(panels[1], item)
-        _draw_speeds(panels[2], item)
-        flash = told(float(item.flash_temperature), "K")
-        figure.suptitle(f"$T_\\mathrm{{flash}}$ = {flash}{told_heat}   Pe = {fastest}")
-    return figure
+    flash = told(float(item.flash_temperature), "K")
+    faster = item.first if item.first_peclet >= item.second_peclet else item.second
+    panels = titled(
+        (_map_panel(faster), _wake_panel(item), _speeds_panel(item)),
+        f"surface of the {'first' if faster == item.first else 'second'} body",
+        "along the middle, contact shaded",
+        "flash temperature over the speed",
+    )
+    return Sheet(panels, width=4.1, height=3.2, title=f"$T_\\mathrm{{flash}}$ = {flash}{told_heat}   Pe = {fastest}")
 
 
-def _draw_map(axes: Axes, body: HeatedBody, name: str) -> None:
-    """Draw lines of equal temperature around the contact, the wake to the right of a body that moves forwards."""
+def _map_panel(body: HeatedBody) -> Panel:
+    """Return lines of equal temperature around the contact, the wake to the right of a body that moves forwards."""
     from scipy.interpolate import RectBivariateSpline
 
     a = body.pressed.radius
@@ -80,89 +74,66 @@ def _draw_map(axes: Axes, body: HeatedBody, name: str) -> None:
     fine_x, fine_y = (np.linspace(line[0], line[-1], FINE * line.size) for line in (x, y))
     fine = np.maximum(RectBivariateSpline(x, np.concatenate([-y[:0:-1], y]), _mirror(rise))(fine_x, fine_y), 0.0)
     along, of = series("HeatedBody", "x", fine_x), series("FrictionHeatingSolution", "temperature", _mirror(fine))
-    across = np.concatenate([-fine_y[:0:-1], fine_y]) / along.scale.factor
-    filled = axes.contourf(along.shown(), across, of.shown().T, levels=LEVELS, cmap=_heats())
-    axes.contour(
-        along.shown(), across, of.shown().T, levels=np.asarray(filled.levels)[1:], colors="white", linewidths=0.4
-    )
+    bar = Axis("rise of temperature", of.scale)
+    look: dict[str, Any] = {"levels": LEVELS, "colours": style.HEATS, "line_width": 0.4, "shrink": 0.78}
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
-    rim = a / along.scale.factor
-    axes.plot(rim * np.cos(turn), rim * np.sin(turn), color=style.INK, linewidth=1.1)
-    peak = body.warmest
-    axes.plot([peak.x / along.scale.factor], [peak.y / along.scale.factor], "+", color=style.INK)
+    peak = np.array([body.warmest.x]), np.array([body.warmest.y])
+    marks: list[Any] = [
+        Map(fine_x, np.concatenate([-fine_y[:0:-1], fine_y]), of.content.T, bar, **look),
+        Line(a * np.cos(turn), a * np.sin(turn), style.INK, width=1.1),
+        Line(*peak, style.INK, width=0.0, marker="+"),
+    ]
     if body.speed != 0.0:
-        axes.annotate(
-            "", xy=(forth * 2.9 * rim, 1.45 * rim), xytext=(forth * 1.7 * rim, 1.45 * rim),
-            arrowprops={"arrowstyle": "-|>", "color": style.INK},
-        )  # fmt: skip
-    axes.set_aspect("equal")
-    axes.grid(visible=False)
-    axes.set_xlabel(f"$x$ [{along.scale.unit}]")
-    axes.set_ylabel(f"$y$ [{along.scale.unit}]")
-    axes.figure.colorbar(filled, ax=axes, shrink=0.78, label=f"rise of temperature [{of.scale.unit}]")
-    axes.set_title(f"surface of the {name} body")
-
-
-def _heats() -> Colormap:
-    """Return the colour map of temperatures: the darker, the warmer."""
-    from matplotlib import colormaps
-
-    return colormaps["YlOrRd"]
+        ends = (forth * 1.7 * a, 1.45 * a), (forth * 2.9 * a, 1.45 * a)
+        marks.append(Arrow(*ends, style.INK))
+    return Panel(tuple(marks), *plane(along.scale), equal=True, grid="")
 
 
 def _mirror(half: Array) -> Array:
     return np.concatenate([half[:, :0:-1], half], axis=1)
 
 
-def _draw_wake(axes: Axes, item: FrictionHeatingSolution) -> None:
-    """Draw the temperature of both surfaces along the middle line."""
+def _wake_panel(item: FrictionHeatingSolution) -> Panel:
+    """Return the temperature of both surfaces along the middle line."""
     a = float(item.contact.radius)
     x = np.linspace(-BEHIND, BEHIND, ALONG) * a
-    along = series("HeatedBody", "x", x)
-    rises = [
-        series("FrictionHeatingSolution", "temperature", body.temperature(x)) for body in (item.first, item.second)
-    ]
-    scale = common_scale(*rises)
-    for rise, body, name, color, dash in zip(
-        rises, (item.first, item.second), ("first", "second"), (style.RED, style.BLUE), style.DASHES, strict=False
+    marks: list[Any] = []
+    for body, name, colour, dash in (
+        (item.first, "first", style.RED, style.DASHES[0]),
+        (item.second, "second", style.BLUE, style.DASHES[1]),
     ):
         moves = f"moves, Pe = {told(body.peclet, '', 3)}" if body.speed else "rests"
-        axes.plot(along.shown(), rise.shown(scale), color=color, linestyle=dash, label=f"{name}: {moves}")
-    axes.axvspan(-a / along.scale.factor, a / along.scale.factor, color=style.MUTED, alpha=0.12, linewidth=0.0)
-    axes.set_ylim(0.0, 1.42 * max(float(np.max(rise.shown(scale))) for rise in rises))
-    axes.set_xlabel(f"$x$ along the motion [{along.scale.unit}]")
-    axes.set_ylabel(f"rise of temperature $T$ [{scale.unit}]")
-    axes.set_title("along the middle, contact shaded")
-    style.framed_legend(axes, loc="upper left")
+        marks.append(Line(x, body.temperature(x), colour, dash=dash, name=f"{name}: {moves}"))
+    marks.append(Band(-a, a, style.MUTED, 0.12))
+    rises = [series("FrictionHeatingSolution", "temperature", line.y) for line in marks[:2]]
+    high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
+    across = Axis("$x$ along the motion", series("HeatedBody", "x", x).scale)
+    upright = Axis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
+    return Panel(tuple(marks), across, upright, legend="upper left")
 
 
-def _draw_speeds(axes: Axes, item: FrictionHeatingSolution) -> None:
-    """Draw the flash temperature over the speed of sliding, as a part of what the rule for bodies at rest gives."""
+def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
+    """Return the flash temperature over the speed of sliding, as a part of what the rule for bodies at rest gives."""
     factors = np.geomspace(10.0**-DECADES, 10.0**DECADES, SPEEDS)
     problem = item.problem
     curve = dataclasses.replace(
         problem, first_speed=factors * problem.first_speed, second_speed=factors * problem.second_speed
     ).solve()
     sliding = abs(float(problem.first_speed) - float(problem.second_speed))
-    along = series("TransientHeating", "speed", factors * sliding)
-    across = middle_scale("m/s", along.content)
-    rest = np.asarray(curve.stationary_temperature)
-    axes.plot(along.shown(across), curve.flash_temperature / rest, color=style.BLUE, label="flash temperature")
-    for name, label, color, dash in ESTIMATES:
+    speed, rest = factors * sliding, np.asarray(curve.stationary_temperature)
+    marks = [Line(speed, curve.flash_temperature / rest, name="flash temperature")]
+    for name, label, colour, dash in ESTIMATES:
         guess = np.asarray(getattr(curve, name)) / rest
         if np.all(np.isfinite(guess)):
-            axes.plot(along.shown(across), guess, color=color, linestyle=dash, linewidth=1.2, label=label)
-    asked = float(item.flash_temperature) / float(item.stationary_temperature)
-    axes.plot([sliding / across.factor], [asked], "o", color=style.RED, label="asked", zorder=5)
-    axes.set_xscale("log")
-    axes.set_ylim(0.0, 1.7)
-    axes.set_xlabel(f"speed of sliding $v$ [{across.unit}]")
-    axes.set_ylabel("over that of bodies at rest [-]")
-    axes.set_title("flash temperature over the speed")
-    style.framed_legend(axes, loc="upper right", ncols=2)
+            marks.append(Line(speed, guess, colour, width=1.2, dash=dash, name=label))
+    asked = np.array([float(item.flash_temperature) / float(item.stationary_temperature)])
+    marks.append(Line(np.array([sliding]), asked, style.RED, width=0.0, marker="o", name="asked", order=5.0))
+    across = Axis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
+    upright = Axis("over that of bodies at rest [-]", low=0.0, high=1.7)
+    return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
 
 
-def _many(item: FrictionHeatingSolution) -> Picture:
+def _many(item: FrictionHeatingSolution) -> Sheet:
     """Return flash temperature and share over what was varied: the Peclet number, or else the force."""
     pe = np.maximum(np.asarray(item.first_peclet), np.asarray(item.second_peclet))
     warm = np.ravel(np.asarray(item.heat_rate)) > 0.0
@@ -170,50 +141,42 @@ def _many(item: FrictionHeatingSolution) -> Picture:
     if np.ptp(pe) > 0.0:
         along = series("HeatedBody", "peclet", np.ravel(pe))
     kept = dataclasses.replace(along, content=along.content[warm])
-    with style.styled():
-        figure = style.figure(2, width=4.6, height=3.3)
-        left, right = figure.subplots(1, 2)
-        order = np.argsort(kept.content, kind="stable")
-        across = middle_scale(kept.word.unit, kept.content)
-        for axes, names in (
-            (left, ("first_max_temperature", "second_max_temperature", "stationary_temperature")),
-            (right, ("first_share",)),
-        ):
-            many = [
-                series("FrictionHeatingSolution", name, np.ravel(np.asarray(getattr(item, name)))[warm])
-                for name in names
-            ]
-            upright = scale_of(many[0].word.unit, *(one.content for one in many))
-            for one, color, dash, label in zip(
-                many,
-                (style.RED, style.BLUE, style.GREEN),
-                style.DASHES,
-                ("first", "second", "both at rest"),
-                strict=False,
-            ):
-                marker = "o" if order.size <= 40 else ""
-                shown = kept.shown(across)[order], one.shown(upright)[order]
-                axes.plot(*shown, color=color, linestyle=dash, label=label, marker=marker, markersize=3.0)
-            axes.set_xlabel(kept.label(across).replace("peclet", "Peclet number"))
-            axes.set_ylabel(
-                many[0].label(upright) if axes is right else f"greatest rise of temperature [{upright.unit}]"
+    order = np.argsort(kept.content, kind="stable")
+    steep = bool(np.min(kept.content) > 0.0 and np.max(kept.content) > 20.0 * np.min(kept.content))
+    label = Axis.of(kept).label.replace("peclet", "Peclet number")
+    across = Axis(label, middle_scale(kept.word.unit, kept.content), margin=0.03, log=steep)
+    panels = []
+    for names in (("first_max_temperature", "second_max_temperature", "stationary_temperature"), ("first_share",)):
+        many = [
+            series("FrictionHeatingSolution", name, np.ravel(np.asarray(getattr(item, name)))[warm]) for name in names
+        ]
+        scale = scale_of(many[0].word.unit, *(one.content for one in many))
+        looks = zip(
+            (style.RED, style.BLUE, style.GREEN), style.DASHES, ("first", "second", "both at rest"), strict=False
+        )
+        lines = [
+            Line(
+                kept.content[order],
+                one.content[order],
+                colour,
+                dash=dash,
+                name=name,
+                marker="o" if order.size <= 40 else "",
+                size=3.0,
             )
-            if np.min(kept.content) > 0.0 and np.max(kept.content) > 20.0 * np.min(kept.content):
-                axes.set_xscale("log")
-            axes.margins(x=0.03)
-        if left.get_xscale() == "log":
-            left.set_yscale("log")
-        else:
-            left.set_ylim(0.0, None)
-        right.set_ylim(0.0, 1.0)
-        left.set_title("how warm the bodies get")
-        right.set_title("part of the heat for the first body")
-        style.framed_legend(left, loc="upper left")
-    return figure
+            for one, (colour, dash, name) in zip(many, looks, strict=False)
+        ]
+        share = names == ("first_share",)
+        upright = Axis.of(many[0], scale, low=0.0, high=1.0)
+        if not share:
+            upright = Axis("greatest rise of temperature", scale, low=None if steep else 0.0, log=steep)
+        panels.append(Panel(tuple(lines), across, upright, legend="" if share else "upper left"))
+    titles = ("how warm the bodies get", "part of the heat for the first body")
+    return Sheet(titled(panels, *titles), width=4.6, height=3.3)
 
 
-@draw.register(TransientHeatingSolution)
-def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(TransientHeatingSolution)
+def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | None = None) -> Sheet:
     """Return how the contact warms up over time, and the surface of the first body at some moments."""
     refuse_extent(item, extent)
     if item.stationary_temperature == 0.0:
@@ -223,74 +186,55 @@ def transient_heating_sheet(item: TransientHeatingSolution, *, extent: float | N
         low, high = low / 30.0, high * 30.0
     curve = dataclasses.replace(item.problem, time=np.geomspace(low, high, 61)).solve()
     a = float(item.contact.radius)
-    with style.styled():
-        figure = style.figure(2, width=4.6, height=3.3)
-        left, right = figure.subplots(1, 2)
-        time = series("TransientHeatingSolution", "time", curve.time)
-        across = middle_scale("s", time.content)
-        of = series("TransientHeatingSolution", "flash_temperature", curve.flash_temperature)
-        left.plot(time.shown(across), of.shown(), color=style.BLUE, label="flash temperature")
-        mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
-        left.plot(
-            time.shown(across), mean / of.scale.factor, color=style.ORANGE, linestyle=style.DASHES[1], label="mean"
-        )
-        left.axhline(
-            item.stationary_temperature / of.scale.factor, color=style.GREEN, linewidth=1.2, linestyle=style.DASHES[2],
-            label="in the end",
-        )  # fmt: skip
-        left.plot(
-            item.time / across.factor, item.flash_temperature / of.scale.factor, "o", color=style.RED, markersize=3.5,
-            label="asked",
-        )  # fmt: skip
-        left.set_xscale("log")
-        left.set_ylim(0.0, 1.15 * item.stationary_temperature / of.scale.factor)
-        left.set_xlabel(time.label(across))
-        left.set_ylabel(of.label())
-        left.set_title("how the contact warms up")
-        style.framed_legend(left, loc="lower right")
-        r = np.linspace(0.0, FAR, 61) * a
-        moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS)).solve()
-        rows = moments.first_temperature(r)
-        along, rise = series("HeatedBody", "r", r), series("FrictionHeatingSolution", "temperature", rows)
-        for row, moment, share in zip(rise.shown(), moments.time, np.linspace(0.1, 0.9, MOMENTS), strict=True):
-            right.plot(along.shown(), row, color=_heats()(share), label=told(float(moment), "s", 3))
-        right.axvline(a / along.scale.factor, color=style.MUTED, linewidth=0.9, linestyle=":")
-        right.set_ylim(0.0, None)
-        right.set_xlabel(along.label())
-        right.set_ylabel(f"rise of temperature $T$ [{rise.scale.unit}]")
-        right.set_title("surface of the first body")
-        style.framed_legend(right, loc="upper right")
-    return figure
+    time = series("TransientHeatingSolution", "time", curve.time)
+    of = series("TransientHeatingSolution", "flash_temperature", curve.flash_temperature)
+    mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
+    final = item.stationary_temperature
+    look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 3.5, "name": "asked"}
+    marks = (
+        Line(time.content, of.content, name="flash temperature"),
+        Line(time.content, mean, style.ORANGE, dash=style.DASHES[1], name="mean"),
+        Rule(final, colour=style.GREEN, width=1.2, dash=style.DASHES[2], name="in the end"),
+        Line(item.time, item.flash_temperature, style.RED, **look),
+    )
+    across = Axis.of(time, middle_scale("s", time.content), log=True)
+    left = Panel(marks, across, Axis.of(of, low=0.0, high=1.15 * final), legend="lower right")
+    r = np.linspace(0.0, FAR, 61) * a
+    moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS)).solve()
+    rows = moments.first_temperature(r)
+    lines = [
+        Line(r, row, (style.HEATS, float(share)), name=told(float(moment), "s", 3))
+        for row, moment, share in zip(rows, moments.time, np.linspace(0.1, 0.9, MOMENTS), strict=True)
+    ]
+    rise = series("FrictionHeatingSolution", "temperature", rows)
+    edge = Rule(a, upright=True, width=0.9, dash=style.DOTTED)
+    upright = Axis("rise of temperature $T$", rise.scale, low=0.0)
+    right = Panel((*lines, edge), Axis.of(series("HeatedBody", "r", r)), upright, legend="upper right")
+    titles = ("how the contact warms up", "surface of the first body")
+    return Sheet(titled((left, right), *titles), width=4.6, height=3.3)
 
 
-@draw.register(FrettingHeatSolution)
-def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(FrettingHeatSolution)
+def fretting_heat_sheet(item: FrettingHeatSolution, *, extent: float | None = None) -> Sheet:
     """Return where the heat of a cycle is released, and the mean temperature of the surface."""
     refuse_extent(item, extent)
     a = item.source.radius
     stick = a * float(item.source.joints[1])  # what does not slip ends there; at the rim if all slips
     places = np.linspace(0.0, 1.8, 3 * ALONG) * a
-    with style.styled():
-        figure = style.figure(2, width=4.6, height=3.3)
-        left, right = figure.subplots(1, 2)
-        along, of = series("HeatedBody", "r", places), series("RoundFlux", "flux", item.flux.at(places))
-        left.fill_between(along.shown(), of.shown(), color=style.RED, alpha=0.14, linewidth=0.0)
-        left.plot(along.shown(), of.shown(), color=style.RED)
-        if 0.0 < stick < a:
-            left.axvline(stick / along.scale.factor, color=style.MUTED, linewidth=0.9, linestyle=":")
-            style.note(left, f"sticks within {told(stick, 'm', 3)}", where="upper left")
-        left.set_ylim(0.0, None)
-        left.set_xlabel(along.label())
-        left.set_ylabel(f"mean heat flux $q$ [{of.scale.unit}]")
-        left.set_title("where the heat is released")
-        r = np.linspace(0.0, 1.8, ALONG) * a
-        rise = series("FrettingHeatSolution", "temperature", item.temperature(r))
-        right.plot(r / along.scale.factor, rise.shown(), color=style.BLUE)
-        right.axvline(a / along.scale.factor, color=style.MUTED, linewidth=0.9, linestyle=":")
-        right.set_ylim(0.0, None)
-        right.set_xlabel(along.label())
-        right.set_ylabel(f"mean rise of temperature [{rise.scale.unit}]")
-        right.set_title("how warm the surfaces get")
-        style.note(right, f"swings by about ±{told(item.swing, 'K', 2)}")
-        figure.suptitle(f"{told(item.loss_per_cycle, 'J')} in every cycle, {told(item.heat_rate, 'W')}")
-    return figure
+    along, of = series("HeatedBody", "r", places), series("RoundFlux", "flux", item.flux.at(places))
+    marks: list[Any] = [Area(places, of.content, 0.0, style.RED), Line(places, of.content, style.RED)]
+    if 0.0 < stick < a:
+        marks.append(Rule(stick, upright=True, width=0.9, dash=style.DOTTED))
+        marks.append(note(f"sticks within {told(stick, 'm', 3)}", "upper left"))
+    left = Panel(tuple(marks), Axis.of(along), Axis("mean heat flux $q$", of.scale, low=0.0))
+    r = np.linspace(0.0, 1.8, ALONG) * a
+    rise = series("FrettingHeatSolution", "temperature", item.temperature(r))
+    warm = (
+        Line(r, rise.content),
+        Rule(a, upright=True, width=0.9, dash=style.DOTTED),
+        note(f"swings by about ±{told(item.swing, 'K', 2)}"),
+    )
+    right = Panel(warm, Axis.of(along), Axis("mean rise of temperature", rise.scale, low=0.0))
+    title = f"{told(item.loss_per_cycle, 'J')} in every cycle, {told(item.heat_rate, 'W')}"
+    titles = ("where the heat is released", "how warm the surfaces get")
+    return Sheet(titled((left, right), *titles), width=4.6, height=3.3, title=title)

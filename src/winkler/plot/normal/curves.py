@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,23 +12,22 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import is_singular, is_torn, marks_of
 from winkler.plot.medium import OFF_AXIS
+from winkler.plot.panel import Area, Axis, Line, Panel, Text, note, zero
 from winkler.plot.series import Curve, Series, places, scale_of, series, told
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import IndentationSolution
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 __all__ = [
-    "draw_curve",
-    "draw_line_load",
-    "draw_pressure",
-    "draw_surface",
-    "draw_surface_pressure",
+    "curve_panel",
     "force_depth",
     "line_load",
+    "line_load_panel",
     "load_curves",
+    "loaded_so_far",
+    "pressure_panel",
     "surface",
+    "surface_panel",
+    "surface_pressure_panel",
 ]
 
 MARKED = 40
@@ -108,77 +107,70 @@ def force_depth(pressed: Pressed) -> Curve:
     return Curve(series("IndentationSolution", "depth", depth), series("IndentationSolution", "force", force))
 
 
-def draw_curve(axes: Axes, curve: Curve, colour: str = style.BLUE, **options: Any) -> None:
-    """Draw one quantity over another, with labelled axes; every point too where they are few.
+def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
+    """Return one quantity over another; every point too where they are few.
 
     Parameters
     ----------
-    axes : Axes
     curve : Curve
     colour : str
-    options
-        Passed on to matplotlib's plot.
+    look
+        Of the `Line`.
     """
     few = curve.along.content.size <= MARKED
-    options.setdefault("marker", "o" if few else "")
-    axes.plot(curve.along.shown(), curve.of.shown(), color=colour, **options)
-    axes.set_xlabel(curve.along.label())
-    axes.set_ylabel(curve.of.label())
-    axes.margins(x=0.03 if few else 0.0)
+    line = Line(curve.along.content, curve.of.content, colour, **({"marker": "o" if few else ""} | look))
+    return Panel((line,), Axis.of(curve.along, margin=0.03 if few else 0.0), Axis.of(curve.of))
 
 
-def draw_line_load(
-    axes: Axes, solution: Restorable, extent: float, force: float | None = None, pull: float = 0.0
-) -> None:
-    """Draw q(x); the area below it is the force, that above it where springs pull counted negative.
+def loaded_so_far(pressed: Pressed, force: float) -> Panel:
+    """Return F(d) up to a contact, and the contact itself as a point."""
+    curve = force_depth(pressed)
+    depth = float(pressed.depth)
+    point = Line(np.array([depth]), np.array([force]), style.RED, width=0.0, marker="o", clipped=False)
+    panel = curve_panel(curve, marker="").plus(point)
+    return panel.plus(across=Axis.of(curve.along), upright=Axis.of(curve.of, low=0.0))
+
+
+def line_load_panel(solution: Restorable, extent: float, force: float | None = None, pull: float = 0.0) -> Panel:
+    """Return q(x); the area below it is the force, that above it where springs pull counted negative.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     solution
         For one load.
     extent : float
         [m].
     force : float, optional
-        [N], told in the picture.
+        [N], written into the picture.
     pull : float, optional
         What attraction from afar adds to the pull [N]: the springs bear it beside the force.
     """
     curve = line_load(solution, extent)
-    draw_curve(axes, curve, style.RED, marker="")
-    x, q = curve.along.shown(), curve.of.shown()
-    for part, colour in ((np.maximum(q, 0.0), style.RED), (np.minimum(q, 0.0), style.BLUE)):
-        axes.fill_between(x, part, color=colour, alpha=0.16, linewidth=0.0)
+    x, q = curve.along.content, curve.of.content
+    marks: list[Any] = [
+        Area(x, part, 0.0, colour, 0.16)
+        for part, colour in ((np.maximum(q, 0.0), style.RED), (np.minimum(q, 0.0), style.BLUE))
+    ]
+    marks.append(Line(x, q, style.RED))
+    across = Axis.of(curve.along, low=-float(np.max(x)), high=float(np.max(x)))
     if not np.any(q != 0.0):
-        axes.set_ylim(0.0, 1.0)
-        style.note(axes, "no contact", where="upper centre")
-        return
-    away = q[np.abs(curve.along.content) >= 0.03 * solution.pressed.radius]
-    top, bottom = 1.12 * max(float(np.max(away)), 0.0), 1.12 * min(float(np.min(away)), 0.0)
-    axes.set_ylim(bottom, top)
-    if bottom < 0.0:
-        axes.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-    if force is not None:
-        sum_ = "$F_N$" if pull == 0.0 else "$F_N + F_w$"
-        axes.text(
-            0.0,
-            0.36 * (top if q[q.size // 2] > 0.0 else bottom),
-            f"area = {sum_}\n= {told(force + pull, 'N')}",
-            ha="center",
-            va="center",
-            fontsize=8.5,
-            linespacing=1.5,
+        return Panel(
+            (*marks, note("no contact", "upper centre")), across, Axis.of(curve.of, low=0.0, high=curve.of.scale.factor)
         )
+    away = q[np.abs(x) >= 0.03 * solution.pressed.radius]
+    top, bottom = 1.12 * max(float(np.max(away)), 0.0), 1.12 * min(float(np.min(away)), 0.0)
+    marks += [zero()] if bottom < 0.0 else []
+    if force is not None:
+        words = f"area = {'$F_N$' if pull == 0.0 else '$F_N + F_w$'}\n= {told(force + pull, 'N')}"
+        marks.append(Text(0.0, 0.36 * (top if q[q.size // 2] > 0.0 else bottom), words, spacing=1.5))
+    return Panel(tuple(marks), across, Axis.of(curve.of, low=bottom, high=top))
 
 
-def draw_pressure(axes: Axes, solution: Restorable, extent: float, mean: float | None = None, remark: str = "") -> None:
-    """Draw p(r), mirrored at the axis; where it is infinite, the picture ends and says so.
+def pressure_panel(solution: Restorable, extent: float, mean: float | None = None, remark: str = "") -> Panel:
+    """Return p(r), mirrored at the axis; where it is infinite, the picture ends and says so.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     solution
         For one load.
     extent : float
@@ -188,90 +180,63 @@ def draw_pressure(axes: Axes, solution: Restorable, extent: float, mean: float |
     remark : str, optional
         Added to what is said where the edge pulls with infinite tension.
     """
-    fields = surface(solution, extent)
-    _pressure(axes, fields, solution.pressed, mean, remark)
-
-
-def _pressure(axes: Axes, fields: SurfaceFields, pressed: Pressed, mean: float | None, remark: str) -> None:
-    radius, singular = pressed.radius, is_singular(pressed)
+    fields, pressed = surface(solution, extent), solution.pressed
+    radius, singular, torn = pressed.radius, is_singular(pressed), is_torn(pressed)
     r, p = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "pressure", fields.pressure)
     finite = p.content[np.isfinite(p.content)]
     top = 1.12 * float(np.max(finite, initial=0.0))
     if singular and mean:
         top = min(top, CEILING * mean)
     bottom = 1.12 * float(np.min(finite, initial=0.0))
-    if is_torn(pressed):
+    if torn:
         usual = float(np.median(np.abs(finite[fields.r[np.isfinite(p.content)] < pressed.radius])))
         top = min(top, CEILING * usual)
         bottom = max(bottom, -2.0 * max(top, usual))
     scale = scale_of("Pa", [top, bottom])
-    across = r.scale
-    x, y = style.mirrored(r.shown(), p.shown(scale))
-    axes.plot(x, y, color=style.BLUE)
-    axes.fill_between(x, y, color=style.BLUE, alpha=0.14, linewidth=0.0)
-    axes.set_xlim(-np.max(x), np.max(x))
-    axes.set_ylim(bottom / scale.factor, top / scale.factor if top > bottom else 1.0)
-    if bottom < 0.0:
-        axes.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
+    x, y = style.mirrored(r.content, p.content)
+    marks: list[Any] = [Area(x, y, 0.0), Line(x, y)]
+    marks += [zero()] if bottom < 0.0 else []
     if mean:
-        span = np.array([-radius, 1.06 * radius]) / across.factor
-        axes.plot(span, np.full(2, mean / scale.factor), color=style.INK, linewidth=1.0, linestyle=(0, (4, 3)))
-        axes.text(1.1 * span[1], mean / scale.factor, f"mean\n{told(mean, 'Pa')}", ha="left", va="center", fontsize=8.5)
-    if radius == 0.0:
-        style.note(axes, "no contact", where="upper centre")
-    if is_torn(pressed):
-        style.note(axes, f"infinite tension at the edge, cut off{remark}", where="lower centre")
+        ends = np.array([-radius, 1.06 * radius])
+        marks.append(Line(ends, np.full(2, mean), style.INK, width=1.0, dash=style.DASHED))
+        marks.append(Text(1.1 * ends[1], mean, f"mean\n{told(mean, 'Pa')}", across="left"))
+    marks += [note("no contact", "upper centre")] if radius == 0.0 else []
+    if torn:
+        marks.append(note(f"infinite tension at the edge, cut off{remark}", "lower centre"))
     elif singular:
-        where = "upper centre" if pressed.edge > 0.0 else "upper right"
-        style.note(axes, "infinite where\nthe curve leaves", where=where)
-    axes.set_xlabel(r.label(across))
-    axes.set_ylabel(p.label(scale))
+        marks.append(note("infinite where\nthe curve leaves", "upper centre" if pressed.edge > 0.0 else "upper right"))
+    end = float(np.max(x))
+    upright = Axis.of(p, scale, low=bottom, high=top if top > bottom else scale.factor)
+    return Panel(tuple(marks), Axis.of(r, low=-end, high=end), upright)
 
 
-def draw_surface_pressure(axes: Axes, fields: SurfaceFields) -> None:
-    """Draw restored pressures over r.
+def surface_pressure_panel(fields: SurfaceFields) -> Panel:
+    """Return restored pressures over r.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     fields : SurfaceFields
         r of shape (n,).
     """
     order = np.argsort(fields.r, kind="stable")
     pressure = np.where(np.isfinite(fields.pressure), fields.pressure, np.nan)[order]
     curve = Curve(series("SurfaceFields", "r", fields.r[order]), series("SurfaceFields", "pressure", pressure))
-    draw_curve(axes, curve)
-    if not np.any(pressure < 0.0):
-        axes.set_ylim(0.0, None)
+    panel = curve_panel(curve)
+    return panel if np.any(pressure < 0.0) else panel.plus(upright=Axis.of(curve.of, low=0.0))
 
 
-def draw_surface(axes: Axes, fields: SurfaceFields) -> None:
-    """Draw the displacement of the surface and the distance of the surfaces, over r.
-
-    Parameters
-    ----------
-    axes : Axes
-        Empty.
-    fields : SurfaceFields
-    """
-    r, sunk = series("SurfaceFields", "r", fields.r), series("SurfaceFields", "displacement", fields.displacement)
-    gap = series("SurfaceFields", "gap", np.where(np.isfinite(fields.gap), fields.gap, np.nan))
-    known: Array = gap.content[np.isfinite(gap.content)]
-    top = 1.6 * float(np.max(np.abs(sunk.content), initial=0.0)) or 1.1 * float(np.max(known, initial=0.0)) or 1.0
-    scale = scale_of("m", [top])
-    order = np.argsort(r.content, kind="stable")
+def surface_panel(fields: SurfaceFields) -> Panel:
+    """Return the displacement of the surface and the distance of the surfaces, over r."""
+    order = np.argsort(fields.r, kind="stable")
+    r, sunk = (np.asarray(part, dtype=float)[order] for part in (fields.r, fields.displacement))
+    gap = np.where(np.isfinite(fields.gap), fields.gap, np.nan)[order]
+    known: Array = gap[np.isfinite(gap)]
+    top = 1.6 * float(np.max(np.abs(sunk), initial=0.0)) or 1.1 * float(np.max(known, initial=0.0)) or 1.0
     few = "o" if order.size <= MARKED else ""
-    axes.plot(r.shown()[order], sunk.shown(scale)[order], color=style.BLUE, marker=few, label="displacement $u_z$")
-    axes.plot(
-        r.shown()[order],
-        gap.shown(scale)[order],
-        color=style.GREEN,
-        marker=few,
-        linestyle=style.DASHES[1],
-        label="separation $h$",
+    lines = (
+        Line(r, sunk, marker=few, name="displacement $u_z$"),
+        Line(r, gap, style.GREEN, marker=few, dash=style.DASHES[1], name="separation $h$"),
     )
-    axes.set_ylim(1.2 * min(float(np.min(sunk.content, initial=0.0)), 0.0) / scale.factor, top / scale.factor)
-    axes.set_xlabel(r.label())
-    axes.set_ylabel(f"along the axis [{scale.unit}]")
-    style.framed_legend(axes, loc="upper right")
+    low = 1.2 * min(float(np.min(sunk, initial=0.0)), 0.0)
+    upright = Axis("along the axis", scale_of("m", [top]), low=low, high=top)
+    return Panel(lines, Axis.of(series("SurfaceFields", "r", r)), upright, legend="upper right")

@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from winkler.plot import style
 from winkler.plot.extent import solid_until
+from winkler.plot.panel import Axis, Line, Panel
 from winkler.plot.series import places, scale_of
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Profile
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-__all__ = ["draw_profile"]
+__all__ = ["profile_panel"]
 
 
-def draw_profile(axes: Axes, profile: Profile, extent: float) -> None:
-    """Draw f(r) and g(x) of a shape, and the points of a measured one.
+def profile_panel(profile: Profile, extent: float) -> Panel:
+    """Return f(r) and g(x) of a shape, and the points of a measured one.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     profile : Profile
     extent : float
         Drawn up to this distance [m].
@@ -35,35 +29,23 @@ def draw_profile(axes: Axes, profile: Profile, extent: float) -> None:
     g = np.where(np.isfinite(g), g, np.nan)
     top = 1.25 * max(float(np.max(f)), min(float(np.nanmax(g)), 2.2 * float(np.max(f)))) or 0.3 * extent
     wall = profile.rim <= end
-    f_r, g_x, f, g = (
-        np.append(r, r[-1]),
-        np.append(r, r[-1]),
-        np.append(f, top if wall else f[-1]),
-        np.append(g, g[-1]),
-    )
-    across, upright = scale_of("m", [extent]), scale_of("m", [top])
+    r, f, g = np.append(r, r[-1]), np.append(f, top if wall else f[-1]), np.append(g, g[-1])
+    marks = []
     if isinstance(profile, Measured):
-        points = profile.heights - profile.curve.derivatives[0, 0]
-        axes.plot(
-            profile.radii / across.factor,
-            points / upright.factor,
-            ".",
-            color=style.ORANGE,
-            markersize=2.5,
-            zorder=4,
-            label=f"{profile.radii.size} measured points",
-            rasterized=profile.radii.size > 2000,
+        points = Line(
+            profile.radii,
+            profile.heights - profile.curve.derivatives[0, 0],
+            style.ORANGE,
+            width=0.0,
+            marker=".",
+            size=2.5,
+            order=4.0,
+            name=f"{profile.radii.size} measured points",
+            coarse=profile.radii.size > 2000,
         )
-    axes.plot(f_r / across.factor, f / upright.factor, color=style.INK, label="shape $f(r)$")
-    axes.plot(
-        g_x / across.factor,
-        g / upright.factor,
-        color=style.BLUE,
-        linestyle=style.DASHES[1],
-        label="equivalent profile $g(x)$",
-    )
-    axes.set_xlim(0.0, (1.25 if wall else 1.0) * extent / across.factor)
-    axes.set_ylim(-0.02 * top / upright.factor, top / upright.factor)
-    axes.set_xlabel(f"$r$, $x$ [{across.unit}]")
-    axes.set_ylabel(f"height [{upright.unit}]")
-    style.framed_legend(axes, loc="upper left")
+        marks.append(points)
+    marks.append(Line(r, f, style.INK, name="shape $f(r)$"))
+    marks.append(Line(r, g, dash=style.DASHES[1], name="equivalent profile $g(x)$"))
+    across = Axis("$r$, $x$", scale_of("m", [extent]), low=0.0, high=(1.25 if wall else 1.0) * extent)
+    upright = Axis("height", scale_of("m", [top]), low=-0.02 * top, high=top)
+    return Panel(tuple(marks), across, upright, legend="upper left")

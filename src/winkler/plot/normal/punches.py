@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from winkler.fields import restore
 from winkler.plot import style
+from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule
 from winkler.plot.series import places, scale_of, series
 from winkler.stairs import Staircase
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-__all__ = ["draw_pressures", "draw_steps"]
+__all__ = ["pressures_panel", "steps_panel"]
 
 
 class _Contact:
@@ -24,90 +20,59 @@ class _Contact:
         self.pressed = stairs.pressed
 
 
-def draw_steps(axes: Axes, stairs: Staircase, extent: float) -> None:
-    """Draw the punches as slabs under the plane profile that they approach.
+def steps_panel(stairs: Staircase, extent: float) -> Panel:
+    """Return the punches as slabs under the plane profile that they approach.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     stairs : Staircase
     extent : float
         Drawn up to this x on both sides [m].
     """
-    from matplotlib.patches import Rectangle
-
     pressed = stairs.pressed
-    across, upright = scale_of("m", [extent]), scale_of("m", [pressed.depth])
-    colours = _colours(stairs)
     below = np.cumsum(stairs.increments[::-1])[::-1]
-    for radius, thick, bottom, colour in zip(stairs.radii, stairs.increments, below, colours, strict=True):
-        axes.add_patch(
-            Rectangle(
-                (-radius / across.factor, -bottom / upright.factor),
-                2.0 * radius / across.factor,
-                thick / upright.factor,
-                facecolor=colour,
-                edgecolor="white",
-                linewidth=0.8,
-                zorder=3,
-            )
-        )
+    marks: list[Line | Polygon | Rule] = []
+    for radius, thick, bottom, colour in zip(stairs.radii, stairs.increments, below, _colours(stairs), strict=True):
+        x = radius * np.array([-1.0, 1.0, 1.0, -1.0])
+        y = np.array([-bottom, -bottom, thick - bottom, thick - bottom])
+        marks.append(Polygon(x, y, colour, edge="white", width=0.8, order=3.0))
     x = np.concatenate([[0.0], places(pressed.radius, tuple(b for b, _ in pressed.kinks)), [pressed.radius]])
     shape = np.asarray(pressed.bed.gap(x), dtype=float) - pressed.depth
     if pressed.edge > 0.0:
         x, shape = np.append(x, pressed.radius), np.append(shape, 0.0)
-    both = style.mirrored(x / across.factor, shape / upright.factor)
-    axes.plot(*both, color=style.INK, linewidth=1.6, zorder=5, label="$g(x) − d$")
-    axes.axhline(0.0, color=style.MUTED, linewidth=0.8, linestyle=(0, (4, 3)), zorder=1)
-    axes.set_xlim(-extent / across.factor, extent / across.factor)
-    axes.set_ylim(-1.08 * pressed.depth / upright.factor, 0.32 * pressed.depth / upright.factor)
-    axes.set_xlabel(series("Foundation", "x", x).label(across))
-    axes.set_ylabel(f"height [{upright.unit}]")
-    axes.legend(loc="upper right", ncols=2)
-    axes.grid(visible=False)
+    marks.append(Line(*style.mirrored(x, shape), style.INK, width=1.6, order=5.0, name="$g(x) − d$"))
+    marks.append(Rule(0.0, dash=style.DASHED, order=1.0))
+    across = Axis.of(series("Foundation", "x", x), scale_of("m", [extent]), low=-extent, high=extent)
+    upright = Axis("height", scale_of("m", [pressed.depth]), low=-1.08 * pressed.depth, high=0.32 * pressed.depth)
+    return Panel(tuple(marks), across, upright, grid="", legend="upper right", columns=2, unframed=True)
 
 
-def draw_pressures(axes: Axes, stairs: Staircase, extent: float) -> None:
-    """Draw the pressure of every punch, their sum, and the pressure of the contact itself.
+def pressures_panel(stairs: Staircase, extent: float) -> Panel:
+    """Return the pressure of every punch, their sum, and the pressure of the contact itself.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     stairs : Staircase
     extent : float
         Drawn up to this distance from the axis [m].
     """
     r = places(extent, tuple(stairs.radii), count=600)
     exact = restore(_Contact(stairs), r).pressure
-    across = scale_of("m", [extent])
     middle = exact[np.isfinite(exact) & (exact > 0.0)]
     top = 1.9 * float(np.percentile(middle, 90.0)) if middle.size else 1.0
-    scale = scale_of("Pa", [top])
+    marks = []
     for radius, increment, colour in zip(stairs.radii, stairs.increments, _colours(stairs), strict=True):
         inside = r[r < radius]
         own = stairs.modulus * increment / (np.pi * np.sqrt((radius - inside) * (radius + inside)))
-        axes.plot(inside / across.factor, own / scale.factor, color=colour, linewidth=1.1, zorder=3)
-    label = f"sum of {stairs.radii.size} punches" if stairs.radii.size > 1 else "one punch"
-    together = stairs.pressure(r)
-    axes.plot(r / across.factor, together / scale.factor, color=style.RED, linewidth=1.1, zorder=4, label=label)
-    axes.plot(
-        r / across.factor,
-        exact / scale.factor,
-        color=style.INK,
-        linewidth=2.0,
-        linestyle=style.DASHES[1],
-        zorder=5,
-        label="infinitely many",
-    )
-    axes.set_xlim(0.0, extent / across.factor)
-    axes.set_ylim(0.0, top / scale.factor)
-    axes.set_xlabel(series("SurfaceFields", "r", r).label(across))
-    axes.set_ylabel(series("SurfaceFields", "pressure", exact).label(scale))
-    style.framed_legend(axes, loc="upper right")
+        marks.append(Line(inside, own, colour, width=1.1, order=3.0))
+    name = f"sum of {stairs.radii.size} punches" if stairs.radii.size > 1 else "one punch"
+    marks.append(Line(r, stairs.pressure(r), style.RED, width=1.1, order=4.0, name=name))
+    marks.append(Line(r, exact, style.INK, width=2.0, dash=style.DASHES[1], order=5.0, name="infinitely many"))
+    across = Axis.of(series("SurfaceFields", "r", r), scale_of("m", [extent]), low=0.0, high=extent)
+    upright = Axis.of(series("SurfaceFields", "pressure", exact), scale_of("Pa", [top]), low=0.0, high=top)
+    return Panel(tuple(marks), across, upright, legend="upper right")
 
 
-def _colours(stairs: Staircase) -> list[tuple[float, ...]]:
+def _colours(stairs: Staircase) -> list[tuple[str, float]]:
     """Return one colour for every punch, from the narrowest to the widest."""
-    return [tuple(style.shades()(tone)) for tone in np.linspace(0.9, 0.25, stairs.radii.size)]
+    return [style.shade(float(tone)) for tone in np.linspace(0.9, 0.25, stairs.radii.size)]

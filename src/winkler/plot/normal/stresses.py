@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -15,14 +15,21 @@ from winkler.peaks import PeakStress, peak_stress
 from winkler.plot import style
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
-from winkler.plot.series import scale_of, series, told
+from winkler.plot.panel import Axis, Line, Map, Panel, Rule, note
+from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, told
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-__all__ = ["draw_along", "draw_field", "draw_stress", "mark_interfaces", "stressed_first"]
+__all__ = [
+    "along_panel",
+    "field_panel",
+    "interface_rules",
+    "stress_map",
+    "stress_panel",
+    "stressed_first",
+]
 
 ACROSS, DOWN = 57, 49
+FEW_ACROSS, FEW_DOWN, NEAR = 31, 25, 2.2
+"""Places of a coarse map, and its end in contact radii."""
 DEEP = 2.0
 """Depth of the map in contact radii."""
 LEVELS = 20
@@ -35,19 +42,19 @@ def stressed_first(solution: Restorable) -> bool:
     return not isinstance(getattr(solution.pressed.bed.medium, "first", None), Rigid)
 
 
-def draw_stress(axes: Axes, solution: Restorable, extent: float, radius: float) -> None:
-    """Draw the von Mises stress below a contact, and mark where it is greatest.
+def stress_panel(solution: Restorable, extent: float, radius: float, *, coarse: bool = False) -> Panel:
+    """Return the von Mises stress below a contact, with a mark where it is greatest.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     solution
         For one load, with a contact.
     extent : float
         Drawn up to this distance from the axis [m].
     radius : float
         Contact radius [m].
+    coarse : bool, optional
+        In fewer places, up to less far, and without the search for the greatest stress: for pictures that move.
 
     Raises
     ------
@@ -56,44 +63,36 @@ def draw_stress(axes: Axes, solution: Restorable, extent: float, radius: float) 
     """
     below = stressed_first(solution)
     sign, corner = (1.0, "lower centre") if below else (-1.0, "upper centre")
-    r = np.linspace(0.0, extent, ACROSS)
+    r = np.linspace(0.0, min(extent, NEAR * radius) if coarse else extent, FEW_ACROSS if coarse else ACROSS)
     # denser towards the surface; the last bit above zero is enough to stay off the poles of sharp edges
-    z = DEEP * radius * (np.linspace(0.0, 1.0, DOWN) ** 1.6 + 1e-3)
+    z = DEEP * radius * (np.linspace(0.0, 1.0, FEW_DOWN if coarse else DOWN) ** 1.6 + 1e-3)
     borders = np.array([h for h in interfaces(solution.pressed.bed.medium) if below and h < z[-1]])
     if borders.size:  # stresses jump there: one row of places on either side
         z = np.unique(np.concatenate([z, borders * (1.0 - NEXT_TO), borders * (1.0 + NEXT_TO)]))
     fields = restore(solution, r[:, None], sign * z[None, :])
-    draw_field(axes, fields)
-    across = scale_of("m", fields.r, fields.z)
-    mark_interfaces(axes, fields, solution.pressed.bed.medium)
+    marks: list[Any] = list(interface_rules(fields, solution.pressed.bed.medium))
     if is_singular(solution.pressed):
-        style.note(axes, "infinite at a sharp edge, kink or tip", where=corner)
-    else:
+        marks.append(note("infinite at a sharp edge, kink or tip", corner))
+    elif not coarse:
         peak = _peak(solution, fields, below=below)
-        axes.plot(peak.r / across.factor, peak.z / across.factor, "+", color="white", markersize=9, markeredgewidth=1.8)
-        where = f"at $z$ = {told(peak.z, 'm', 3)}" + (
-            f", $r$ = {told(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""
-        )
-        style.note(axes, f"greatest: {told(peak.von_mises, 'Pa')} {where}", where=corner)
-    line = np.array([-radius, radius]) / across.factor
-    axes.plot(line, np.zeros(2), color=style.RED, linewidth=3.0, clip_on=False, solid_capstyle="butt", zorder=8)
+        marks.append(Line(np.array([peak.r]), np.array([peak.z]), "white", width=0.0, marker="+", size=9.0))
+        beside = f", $r$ = {told(peak.r, 'm', 3)}" if peak.r > 1e-3 * radius else ""
+        marks.append(note(f"greatest: {told(peak.von_mises, 'Pa')} at $z$ = {told(peak.z, 'm', 3)}{beside}", corner))
+    edge = Line(np.array([-radius, radius]), np.zeros(2), style.RED, width=3.0, clipped=False, blunt=True, order=8.0)
+    return field_panel(fields).plus(*marks, edge)
 
 
-def mark_interfaces(axes: Axes, fields: SubsurfaceFields, medium: Medium) -> None:
-    """Draw the interfaces of a coating into the map of a stress; nothing if there are none, or above the surface.
+def interface_rules(fields: SubsurfaceFields, medium: Medium) -> tuple[Rule, ...]:
+    """Return the interfaces of a coating in the map of a stress; none if there are none, or above the surface.
 
     Parameters
     ----------
-    axes : Axes
-        That of the map.
     fields : SubsurfaceFields
         What the map shows.
     medium : Medium
     """
-    across = scale_of("m", fields.r, fields.z)
-    for depth in interfaces(medium):
-        if depth < np.max(fields.z):
-            axes.axhline(depth / across.factor, color=style.INK, linewidth=0.9, linestyle=(0, (4, 2)), zorder=7)
+    depths = [depth for depth in interfaces(medium) if depth < np.max(fields.z)]
+    return tuple(Rule(depth, colour=style.INK, width=0.9, dash=(4.0, 2.0), order=7.0) for depth in depths)
 
 
 def _peak(solution: Restorable, fields: SubsurfaceFields, *, below: bool) -> PeakStress:
@@ -104,13 +103,11 @@ def _peak(solution: Restorable, fields: SubsurfaceFields, *, below: bool) -> Pea
     return PeakStress(*(float(part[place]) for part in (fields.von_mises, fields.r, fields.z)))
 
 
-def draw_field(axes: Axes, fields: SubsurfaceFields) -> None:
-    """Draw the von Mises stress of fields that were restored on a grid, mirrored at the axis.
+def field_panel(fields: SubsurfaceFields) -> Panel:
+    """Return the von Mises stress of fields that were restored on a grid, mirrored at the axis.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     fields : SubsurfaceFields
         r and z of shape (n, m), one varying along either axis.
     """
@@ -118,48 +115,48 @@ def draw_field(axes: Axes, fields: SubsurfaceFields) -> None:
     if np.ptp(r, axis=0).max() == 0.0:
         r, z, stress = r.T, z.T, stress.T
     r, z, stress = _ordered(r, z, stress)
-    fits = np.isfinite(stress)
-    if not fits.any():
+    if not np.isfinite(stress).any():
         raise InvalidInput(
             "draw: none of the restored stresses is finite; restore the fields below the surface, z > 0."
         )
-    top, most = float(np.percentile(stress[fits], 99.5)), float(np.max(stress[fits]))
-    top = most if most < 1.25 * top else top
-    levels = _levels(top)
-    scale = scale_of("Pa", [levels[-1]])
-    across = scale_of("m", r, z)
-    x = np.concatenate([-r[::-1], r]) if r[0, 0] > 0.0 else np.concatenate([-r[:0:-1], r])
-    y = np.concatenate([z[::-1], z]) if r[0, 0] > 0.0 else np.concatenate([z[:0:-1], z])
-    c = np.concatenate([stress[::-1], stress]) if r[0, 0] > 0.0 else np.concatenate([stress[:0:-1], stress])
-    c = np.where(np.isfinite(c), c, 10.0 * levels[-1])
-    over = "max" if float(np.max(c)) > levels[-1] else "neither"
-    shown = axes.contourf(
-        x / across.factor,
-        y / across.factor,
-        c / scale.factor,
-        levels=levels / scale.factor,
-        cmap=style.shades(),
-        extend=over,
+    first = 0 if r[0, 0] > 0.0 else 1
+    x, y, both = (
+        np.concatenate([sign * part[first:][::-1], part]) for part, sign in ((r, -1.0), (z, 1.0), (stress, 1.0))
     )
-    axes.contour(
-        x / across.factor,
-        y / across.factor,
-        c / scale.factor,
-        levels=levels[1:] / scale.factor,
-        colors="white",
-        linewidths=0.4,
-        alpha=0.7,
+    owner = "SubsurfaceFields"
+    return stress_map(series(owner, "r", x), series(owner, "z", y), series(owner, "von_mises", both))
+
+
+def stress_map(along: Series, down: Series, stress: Series, label: str = "") -> Panel:
+    """Return the map of a stress over two series of places ``(n, m)``, depth downwards, between round levels.
+
+    Parameters
+    ----------
+    along, down, stress : Series
+        The stress may be infinite, or unknown, in places.
+    label : str, optional
+        Of the axis across, without a unit.
+    """
+    known = stress.content[np.isfinite(stress.content)]
+    top, most = float(np.percentile(known, 99.5)), float(np.max(known))
+    levels = round_numbers(0.0, most if most < 1.25 * top else top, LEVELS)
+    shown = np.where(np.isfinite(stress.content), stress.content, 10.0 * levels[-1])
+    drawn = Map(
+        along.content,
+        down.content,
+        shown,
+        Axis.of(stress, scale_of("Pa", [levels[-1]])),
+        levels=levels,
+        lines=levels[1:],
+        line_width=0.4,
+        line_alpha=0.7,
+        extend="max" if float(np.max(shown)) > levels[-1] else "neither",
+        place="inset",
     )
-    told_by = series("SubsurfaceFields", "von_mises", c)
-    assert axes.figure is not None
-    bar: Any = axes.figure.colorbar(shown, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)), label=told_by.label(scale))
-    bar.outline.set_visible(False)
-    bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])
-    axes.set_aspect("equal")
-    axes.set_ylim(max(float(np.max(z)), 0.0) / across.factor, min(float(np.min(z)), 0.0) / across.factor)
-    axes.set_xlabel(series("SubsurfaceFields", "r", r).label(across))
-    axes.set_ylabel(series("SubsurfaceFields", "z", z).label(across))
-    axes.grid(visible=False)
+    scale, z = common_scale(along, down), down.content
+    upright = Axis.of(down, scale, low=max(float(np.max(z)), 0.0), high=min(float(np.min(z)), 0.0))
+    across = Axis(label, scale) if label else Axis.of(along, scale)
+    return Panel((drawn,), across, upright, equal=True, grid="")
 
 
 def _ordered(r: Array, z: Array, stress: Array) -> tuple[Array, Array, Array]:
@@ -168,21 +165,11 @@ def _ordered(r: Array, z: Array, stress: Array) -> tuple[Array, Array, Array]:
     return r[np.ix_(rows, columns)], z[np.ix_(rows, columns)], stress[np.ix_(rows, columns)]
 
 
-def _levels(top: float) -> Array:
-    """Return round levels from zero to just above `top`."""
-    from matplotlib.ticker import MaxNLocator
-
-    levels = np.asarray(MaxNLocator(LEVELS, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, top), dtype=float)
-    return np.asarray(levels[levels >= 0.0])
-
-
-def draw_along(axes: Axes, fields: SubsurfaceFields) -> None:
-    """Draw all stresses along a line of places, over the coordinate that varies more.
+def along_panel(fields: SubsurfaceFields) -> Panel:
+    """Return all stresses along a line of places, over the coordinate that varies more.
 
     Parameters
     ----------
-    axes : Axes
-        Empty.
     fields : SubsurfaceFields
         r and z of shape (n,).
     """
@@ -191,19 +178,18 @@ def draw_along(axes: Axes, fields: SubsurfaceFields) -> None:
     order = np.argsort(along.content, kind="stable")
     names = ("radial_stress", "hoop_stress", "axial_stress", "shear_stress", "von_mises")
     stresses = [series("SubsurfaceFields", one, np.ravel(getattr(fields, one))) for one in names]
-    scale = scale_of("Pa", *(one.content for one in stresses))
     marker = "o" if order.size <= 40 else ""
-    for place, one in enumerate(stresses):
-        axes.plot(
-            along.shown()[order],
-            one.shown(scale)[order],
-            color=style.CYCLE[place],
+    lines = [
+        Line(
+            along.content[order],
+            one.content[order],
+            style.CYCLE[place],
             marker=marker,
-            markersize=3.5,
-            linestyle=style.DASHES[place % len(style.DASHES)],
-            label=one.label(scale).partition(" [")[0],
+            size=3.5,
+            dash=style.DASHES[place % len(style.DASHES)],
+            name=one.label().partition(" [")[0],
         )
-    axes.axhline(0.0, color=style.MUTED, linewidth=0.8)
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(f"stress [{scale.unit}]")
-    style.framed_legend(axes, loc="best", ncols=1)
+        for place, one in enumerate(stresses)
+    ]
+    upright = Axis("stress", common_scale(*stresses))
+    return Panel((*lines, Rule(0.0)), Axis.of(along), upright, legend="best")

@@ -5,21 +5,17 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.loading import Depth, Force
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.friction.curves import lost_told
+from winkler.plot.friction.curves import lost_words
+from winkler.plot.panel import Axis, Line, Panel, Rule, Sheet, note, titled, zero
 from winkler.plot.series import series, told
 from winkler.problems.particles.elastic_plastic import ParticleSolution
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from winkler.plot.picture import Picture
 
 __all__ = ["particle_sheet"]
 
@@ -40,23 +36,20 @@ class _Leg(NamedTuple):
     radius: Array
 
 
-def particle_sheet(item: ParticleSolution) -> Picture:
+def particle_sheet(item: ParticleSolution) -> Sheet:
     """Return force and contact radius over the depth: going in, coming out, and where yield begins."""
     legs = _legs(item)
-    with style.styled():
-        figure = style.figure(2, height=3.5)
-        left, right = figure.subplots(1, 2)
-        _draw(left, item, legs, "force")
-        _draw(right, item, legs, "radius")
-        left.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-        left.set_ylim(None, 1.45 * float(left.get_ylim()[1]))
-        right.set_ylim(0.0, None)
-        style.framed_legend(left, loc="upper left")
-        style.note(right, lost_told(float(item.dissipation[-1]), item.depth, item.force), where="lower right")
-        left.set_title("force over depth")
-        right.set_title("contact radius over depth")
-        figure.suptitle(_headline(item))
-    return figure
+    force, radius = _panel(item, legs, "force"), _panel(item, legs, "radius")
+    lost = lost_words(float(item.dissipation[-1]), item.depth, item.force)
+    panels = titled(
+        (
+            force.plus(zero(), legend="upper left"),
+            radius.plus(note(lost, "lower right"), upright=dataclasses.replace(radius.upright, low=0.0)),
+        ),
+        "force over depth",
+        "contact radius over depth",
+    )
+    return Sheet(panels, height=3.5, title=_headline(item))
 
 
 def _headline(item: ParticleSolution) -> str:
@@ -67,43 +60,40 @@ def _headline(item: ParticleSolution) -> str:
     return f"yields from $d_Y$ = {told(onset, 'm')} on; let go, it would just touch at $d_0$ = {told(kept, 'm')}"
 
 
-def _draw(axes: Axes, item: ParticleSolution, legs: list[_Leg], name: str) -> None:
-    """Draw one quantity over the depth."""
+def _panel(item: ParticleSolution, legs: list[_Leg], name: str) -> Panel:
+    """Return one quantity over the depth."""
     along = series("ParticleSolution", "depth", np.concatenate([leg.depth for leg in legs]))
     of = series("ParticleSolution", name, np.concatenate([getattr(leg, name) for leg in legs]))
-    across, upright = along.scale.factor, of.scale.factor
     named: set[bool] = set()
+    marks: list[Line | Rule] = []
     for leg in legs:
-        axes.plot(
-            leg.depth / across,
-            getattr(leg, name) / upright,
-            color=style.BLUE if leg.deeper else style.RED,
-            linestyle=style.DASHES[0 if leg.deeper else 1],
-            label="_" if leg.deeper in named else "loading" if leg.deeper else "unloading",
-        )
+        colour, dash = (style.BLUE, style.DASHES[0]) if leg.deeper else (style.RED, style.DASHES[1])
+        words = "" if leg.deeper in named else "loading" if leg.deeper else "unloading"
+        marks.append(Line(leg.depth, getattr(leg, name), colour, dash=dash, name=words))
         named.add(leg.deeper)
     if float(np.max(along.content)) > item.yield_depth:
-        axes.axvline(item.yield_depth / across, color=style.GREEN, linestyle=style.DASHES[2], label="yield begins")
+        look: dict[str, Any] = {"colour": style.GREEN, "width": 1.8, "dash": style.DASHES[2]}
+        marks.append(Rule(item.yield_depth, upright=True, name="yield begins", **look))
     if item.depth.size <= MARKED:
-        points = item.depth / across, getattr(item, name) / upright
-        axes.plot(*points, "o", color=style.INK, markersize=4.0, label="points of the path", zorder=5)
-    axes.margins(x=0.04, y=0.08)
-    axes.set_xlabel(along.label().replace("depth", "depth (overlap)", 1))
-    axes.set_ylabel(of.label())
+        look = {"colour": style.INK, "width": 0.0, "marker": "o", "size": 4.0, "order": 5.0}
+        marks.append(Line(item.depth, getattr(item, name), name="points of the path", **look))
+    across = Axis(along.label().partition(" [")[0].replace("depth", "depth (overlap)", 1), along.scale, margin=0.04)
+    return Panel(tuple(marks), across, Axis.of(of, margin=0.08, headroom=0.0 if name == "radius" else 0.45))
 
 
 def _legs(item: ParticleSolution) -> list[_Leg]:
-    """Return the whole way through many states, as far as the answer goes."""
+    """Return the whole path through many states, as far as the answer goes."""
     problem, by_depth = item.problem, isinstance(item.problem.path, Depth)
     levels = item.depth if by_depth else item.force
     row = np.append(min(0.0, float(levels[0])), levels)
-    ways = [_between(low, high, item.yield_depth if by_depth else math.inf) for low, high in itertools.pairwise(row)]
-    dense = np.concatenate([row[:1], *ways])
+    jump = item.yield_depth if by_depth else math.inf
+    parts = [_between(low, high, jump) for low, high in itertools.pairwise(row)]
+    dense = np.concatenate([row[:1], *parts])
     found = dataclasses.replace(problem, path=Depth(dense) if by_depth else Force(dense)).solve()
     legs, start = [], 0
-    for way, (low, high) in zip(ways, itertools.pairwise(row), strict=True):
-        part = slice(start, start + way.size + 1)
-        start += way.size
+    for one, (low, high) in zip(parts, itertools.pairwise(row), strict=True):
+        part = slice(start, start + one.size + 1)
+        start += one.size
         if high != low:
             legs.append(_Leg(high > low, found.depth[part], found.force[part], found.radius[part]))
     return legs
@@ -111,8 +101,8 @@ def _legs(item: ParticleSolution) -> list[_Leg]:
 
 def _between(low: float, high: float, jump: float) -> Array:
     """Return places after one and up to another, with both sides of a jump between them."""
-    way = np.linspace(low, high, FINE + 1)[1:]
+    found = np.linspace(low, high, FINE + 1)[1:]
     beside = np.array([jump * (1.0 - BESIDE), jump * (1.0 + BESIDE)])
     inside = beside[(beside > min(low, high)) & (beside < max(low, high))]
-    way = np.unique(np.append(way, inside))
-    return way if low < high else way[::-1]
+    found = np.unique(np.append(found, inside))
+    return found if low < high else found[::-1]

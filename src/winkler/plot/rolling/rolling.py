@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import draw
+from winkler.plot.draw import sheet_of
+from winkler.plot.panel import Area, Axis, Line, Map, Panel, Rule, Sheet, Text, Vectors, note, titled, zero
 from winkler.plot.series import Series, middle_scale, series
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.oscillating import OscillatingRollingSolution
 from winkler.problems.rolling.simplified_theory import SimplifiedRollingSolution
 from winkler.problems.rolling.start import RollingStartSolution
 from winkler.problems.rolling.steady import RollingSolution
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from winkler.plot.picture import Picture
 
 __all__: list[str] = []
 
@@ -60,41 +56,40 @@ def _strongest(item: Any) -> Any:
     return dataclasses.replace(item.problem, creepage=one).solve()
 
 
-def _draw_creep(axes: Axes, item: Any, force: float) -> None:
-    """Draw the force over the creepage: of many what was asked, of one all creepages in its proportion."""
+def _creep_panel(item: Any, force: float) -> Panel:
+    """Return the force over the creepage: of many what was asked, of one all creepages in its proportion."""
     single = item.problem.creepage.shape == ()
     given = item.problem.creepage
     spread = {name: float(np.ptp(np.asarray(getattr(given, name), dtype=float))) for name in WORDS}
     moved = {name: float(np.max(np.abs(getattr(given, name)))) for name in WORDS}
     names = [name for name in WORDS if (moved[name] if single else spread[name]) > 0.0]
     if not names:
-        style.note(axes, "no creepage, no force" if single else "one creepage, many times", where="upper centre")
-        return
+        words = "no creepage, no force" if single else "one creepage, many times"
+        return Panel((note(words, "upper centre"),), title="creep force")
     curve = _solved_at(item, np.linspace(0.0, _far(item), POINTS)) if single else item
     along = _along(curve, names[0])
     order = np.argsort(along.content, kind="stable")
-    most, lines = _most(item.problem, force), 0
+    most = _most(item.problem, force)
+    marks: list[Any] = []
     for part, colour in (("longitudinal_force", style.BLUE), ("lateral_force", style.RED)):
         content = np.ravel(np.asarray(getattr(curve, part))) / most
         if np.max(np.abs(content)) < UNSEEN:
             continue
-        lines += 1
         marker = "" if single or content.size > 40 else "o"
-        axes.plot(along.shown()[order], content[order], color=colour, marker=marker, label=part.removesuffix("_force"))
+        name = part.removesuffix("_force")
+        marks.append(Line(along.content[order], content[order], colour, marker=marker, name=name))
         if single:
-            place = float(getattr(given, names[0])) / along.scale.factor
-            axes.plot([place], [float(getattr(item, part)) / most], "o", color=colour)
+            point = np.array([float(getattr(given, names[0]))]), np.array([float(getattr(item, part)) / most])
+            marks.append(Line(*point, colour, width=0.0, marker="o"))
         if np.max(np.abs(content)) > 0.8:
-            axes.axhline(np.sign(content[np.argmax(np.abs(content))]), color=style.MUTED, linewidth=0.9, linestyle=":")
-    axes.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-    axes.margins(y=0.1)
+            marks.append(Rule(float(np.sign(content[np.argmax(np.abs(content))])), width=0.9, dash=style.DOTTED))
+    lines = sum(isinstance(mark, Line) and bool(mark.name) for mark in marks)
     others = ", the others in proportion" if single and len(names) > 1 else ""
-    symbol = along.word.symbol
     unit = f" [{along.scale.unit}]" if along.scale.unit else ""
-    axes.set_xlabel(f"{names[0]}{' creepage' if names[0] != 'spin' else ''} ${symbol}${unit}{others}")
-    axes.set_ylabel(r"creep force $F/(\mu F_N)$")
-    if lines > 1:
-        style.framed_legend(axes, loc="best")
+    label = f"{names[0]}{' creepage' if names[0] != 'spin' else ''} ${along.word.symbol}${unit}{others}"
+    across = Axis(label, along.scale._replace(unit=""))
+    upright = Axis(r"creep force $F/(\mu F_N)$", margin=0.1)
+    return Panel((*marks, zero()), across, upright, title="creep force", legend="best" if lines > 1 else "")
 
 
 def _along(curve: Any, name: str) -> Series:
@@ -114,207 +109,143 @@ def _far(item: Any) -> float:
     return (BEYOND if item.problem.creepage.spin == 0.0 else 2.0 * BEYOND) * limit
 
 
-@draw.register(RollingSolution)
-def rolling_sheet(item: RollingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(RollingSolution)
+def rolling_sheet(item: RollingSolution, *, extent: float | None = None) -> Sheet:
     """Return the creep curve, and what the springs bear at the greatest creepage that was asked for."""
     one = _strongest(item)
     a = float(item.contact.radius) if extent is None else extent
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        _draw_creep(left, item, float(item.contact.force))
-        x = a * np.linspace(-1.0, 1.0, 801)
-        load = one.shear_load(x)
-        bound = one.problem.friction.coefficient * one.contact.line_load(x)
-        _draw_line(right, x, load, bound)
-        left.set_title("creep force")
-        right.set_title("load of the springs, rolling to the right")
-    return figure
+    x = a * np.linspace(-1.0, 1.0, 801)
+    right = _line_panel(x, one.shear_load(x), one.problem.friction.coefficient * one.contact.line_load(x))
+    return Sheet((_creep_panel(item, float(item.contact.force)), right), height=3.3)
 
 
-def _draw_line(axes: Axes, x: Array, load: Array, bound: Array) -> None:
+BOUND = r"bound $\mu q_z$"
+TO_THE_RIGHT = "load of the springs, rolling to the right"
+
+
+def _line_panel(x: Array, load: Array, bound: Array) -> Panel:
     along, of = series("RollingState", "x", x), series("RollingState", "shear_load", load)
-    limit = middle_scale(of.word.unit, bound)
     sticks = load < bound * (1.0 - 1e-9)
-    upright = limit.factor
-    axes.plot(along.shown(), bound / upright, color=style.MUTED, linestyle=style.DASHES[1], label=r"bound $\mu q_z$")
-    axes.plot(along.shown(), load / upright, color=style.BLUE, label="$q_x$")
-    axes.fill_between(along.shown(), load / upright, where=sticks, color=style.BLUE, alpha=0.15, linewidth=0.0)
-    axes.set_ylim(0.0, 1.15 * float(np.max(bound)) / upright)
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(of.label(limit))
-    style.framed_legend(axes, loc="upper left")
-    if np.any(sticks):
-        style.note(axes, "shaded: sticks", where="upper right")
+    marks: list[Any] = [
+        Line(x, bound, style.MUTED, dash=style.DASHES[1], name=BOUND),
+        Line(x, load, name="$q_x$"),
+        Area(x, np.where(sticks, load, np.nan), 0.0, alpha=0.15),
+    ]
+    marks += [note("shaded: sticks")] if np.any(sticks) else []
+    upright = Axis.of(of, middle_scale(of.word.unit, bound), low=0.0, high=1.15 * float(np.max(bound)))
+    return Panel(tuple(marks), Axis.of(along), upright, title=TO_THE_RIGHT, legend="upper left")
 
 
-@draw.register(SimplifiedRollingSolution)
-def simplified_sheet(item: SimplifiedRollingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(SimplifiedRollingSolution)
+def simplified_sheet(item: SimplifiedRollingSolution, *, extent: float | None = None) -> Sheet:
     """Return the creep curve, the tractions over the contact, and where it sticks and slides."""
     one = _strongest(item)
     fine = dataclasses.replace(one.problem, count=max(STRIPS, one.problem.count)).solve()
-    with style.styled():
-        figure = style.figure(3, width=3.9, height=3.3)
-        left, middle, right = figure.subplots(1, 3)
-        _draw_creep(left, item, float(item.problem.load.force))
-        _draw_traction(middle, fine)
-        _draw_zones(right, fine)
-        for axes, title in zip(
-            (left, middle, right),
-            ("creep force", "traction, rolling to the right", "where it sticks and slides"),
-            strict=True,
-        ):
-            axes.set_title(title)
-    return figure
+    panels = _creep_panel(item, float(item.problem.load.force)), _traction_panel(fine), _zones_panel(fine)
+    titles = ("creep force", "traction, rolling to the right", "where it sticks and slides")
+    return Sheet(titled(panels, *titles), width=3.9, height=3.3)
 
 
-def _outlined(axes: Axes, item: SimplifiedRollingSolution) -> tuple[float, str]:
-    """Draw the ellipse and label both axes alike; return the factor and unit of lengths."""
+def _outlined(item: SimplifiedRollingSolution, *marks: Any, room: float = 0.05) -> Panel:
+    """Return the ellipse with further marks, both axes alike."""
     a, b = item.longitudinal_semi_axis, item.lateral_semi_axis
-    scale = middle_scale("m", np.array([a, b]))
-    turn = np.linspace(0.0, 2.0 * np.pi, 181)
-    axes.plot(a * np.cos(turn) / scale.factor, b * np.sin(turn) / scale.factor, color=style.INK, linewidth=1.0)
-    axes.set_aspect("equal")
-    axes.set_xlabel(f"$x$ [{scale.unit}]")
-    axes.set_ylabel(f"$y$ [{scale.unit}]")
-    axes.grid(visible=False)
-    axes.margins(0.05)
-    return scale.factor, scale.unit
+    scale, turn = middle_scale("m", np.array([a, b])), np.linspace(0.0, 2.0 * np.pi, 181)
+    outline = Line(a * np.cos(turn), b * np.sin(turn), style.INK, width=1.0)
+    axes = Axis("$x$", scale, margin=0.05), Axis("$y$", scale, margin=room)
+    return Panel((outline, *marks), *axes, equal=True, grid="")
 
 
-def _draw_traction(axes: Axes, item: SimplifiedRollingSolution) -> None:
+def _traction_panel(item: SimplifiedRollingSolution) -> Panel:
     field = item.traction
-    factor, _ = _outlined(axes, item)
-    size = series("RollingTraction", "traction", field.traction)
     across = field.y[:, :1] * np.ones_like(field.x)
-    drawn = axes.pcolormesh(
-        field.x / factor, across / factor, size.shown(), cmap=style.shades(), shading="gouraud", rasterized=True
-    )
-    axes.figure.colorbar(drawn, ax=axes, label=size.label(), shrink=0.85)
+    size = series("RollingTraction", "traction", field.traction)
     rows = np.unique(np.linspace(2, field.x.shape[0] - 3, ARROWS).round().astype(int))
     columns = np.unique(np.linspace(3, field.x.shape[1] - 4, ARROWS).round().astype(int))
     place = np.ix_(rows, columns)
-    axes.quiver(
-        field.x[place] / factor,
-        across[place] / factor,
-        field.longitudinal[place],
-        field.lateral[place],
-        color=style.INK,
-        angles="xy",
-        pivot="mid",
-        width=0.005,
-    )
+    arrows = Vectors(field.x[place], across[place], field.longitudinal[place], field.lateral[place])
+    return _outlined(item, Map(field.x, across, size.content, Axis.of(size), kind="smooth", shrink=0.85), arrows)
 
 
-def _draw_zones(axes: Axes, item: SimplifiedRollingSolution) -> None:
-    field = item.traction
-    factor, _ = _outlined(axes, item)
+def _zones_panel(item: SimplifiedRollingSolution) -> Panel:
+    field, nothing = item.traction, np.empty(0)
     across = field.y[:, :1] * np.ones_like(field.x)
-    axes.contourf(
-        field.x / factor,
-        across / factor,
-        field.sliding.astype(float),
-        levels=[-0.5, 0.5, 1.5],
-        colors=[style.BLUE, style.ORANGE],
-        alpha=0.55,
+    colours = (style.BLUE, style.ORANGE)
+    look: dict[str, Any] = {"colours": colours, "levels": np.array([-0.5, 0.5, 1.5]), "alpha": 0.55, "place": ""}
+    zones = (
+        Area(nothing, nothing, nothing, colour, 0.55, name)
+        for colour, name in zip(colours, ("sticks", "slides"), strict=True)
     )
-    from matplotlib.patches import Patch
-
-    zones = [Patch(color=style.BLUE, alpha=0.55, label="sticks"), Patch(color=style.ORANGE, alpha=0.55, label="slides")]
-    axes.margins(x=0.05, y=0.28)
-    style.framed_legend(axes, handles=zones, loc="upper right", ncols=2)
+    panel = _outlined(item, Map(field.x, across, field.sliding.astype(float), **look), *zones, room=0.28)
+    return panel.plus(legend="upper right", columns=2)
 
 
-@draw.register(RollingStartSolution)
-def start_sheet(item: RollingStartSolution, *, extent: float | None = None) -> Picture:
-    """Return the force over the distance rolled, and the springs at some places on the way."""
-    most = _most(item.problem, float(item.contact.force))
-    steady = item.steady
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        along = series("RollingStartSolution", "distance", item.distance)
-        left.plot(along.shown(), item.shear_force / most, color=style.BLUE, label="$F_x$")
-        left.axhline(
-            float(steady.saturation), color=style.MUTED, linestyle=style.DASHES[1], linewidth=1.1, label="steady"
-        )
-        width = 2.0 * float(item.contact.radius)
-        if width < float(item.distance[-1]):
-            left.axvline(width / along.scale.factor, color=style.MUTED, linestyle=":", linewidth=0.9)
-            left.text(width / along.scale.factor, 0.5, " $2a$", transform=left.get_xaxis_transform(), color=style.MUTED)
-        left.axhline(0.0, color=style.MUTED, linewidth=0.8, zorder=1)
-        left.set_xlabel(along.label())
-        left.set_ylabel(r"shear force $F_x/(\mu F_N)$")
-        style.framed_legend(left, loc="lower right")
-        places = np.unique(np.linspace(0, len(item.states) - 1, SHOWN).round().astype(int))
-        _draw_states(right, item, [(int(k), _rolled_so_far(item, int(k))) for k in places])
-        left.set_title("from rest to steady rolling")
-        right.set_title("load of the springs, rolling to the right")
-    return figure
+@sheet_of.register(RollingStartSolution)
+def start_sheet(item: RollingStartSolution, *, extent: float | None = None) -> Sheet:
+    """Return the force over the distance rolled, and the springs at some places along it."""
+    along, force = series("RollingStartSolution", "distance", item.distance), r"shear force $F_x/(\mu F_N)$"
+    steady = float(item.steady.saturation)
+    marks: list[Any] = [
+        Line(along.content, item.shear_force / _most(item.problem, float(item.contact.force)), name="$F_x$"),
+        Rule(steady, width=1.1, dash=style.DASHES[1], name="steady"),
+        zero(),
+    ]
+    width = 2.0 * float(item.contact.radius)
+    if width < float(item.distance[-1]):
+        words: dict[str, Any] = {"across": "left", "upright": "baseline", "colour": style.MUTED, "size": 9.0}
+        marks.append(Rule(width, upright=True, width=0.9, dash=style.DOTTED))
+        marks.append(Text(width, 0.5, " $2a$", framed=(False, True), **words))
+    left = Panel(tuple(marks), Axis.of(along), Axis(force), legend="lower right", title="from rest to steady rolling")
+    places = np.unique(np.linspace(0, len(item.states) - 1, SHOWN).round().astype(int))
+    right = _states_panel(item, [(int(k), _rolled_so_far(item, int(k))) for k in places])
+    return Sheet((left, right.plus(title=TO_THE_RIGHT)), height=3.3)
 
 
 def _rolled_so_far(item: RollingStartSolution, index: int) -> str:
     return f"{float(item.distance[index]) / float(item.contact.radius):.2g} $a$"
 
 
-def _draw_states(
-    axes: Axes, item: RollingStartSolution | OscillatingRollingSolution, chosen: list[tuple[int, str]]
-) -> None:
-    """Draw what springs bear in some states, and what they can bear."""
-    states = item.states
-    bound = item.problem.friction.coefficient * item.contact.line_load(states[0].x)
+def _states_panel(item: RollingStartSolution | OscillatingRollingSolution, chosen: list[tuple[int, str]]) -> Panel:
+    """Return what springs bear in some states, and what they can bear."""
+    states, x = item.states, item.states[0].x
+    bound = item.problem.friction.coefficient * item.contact.line_load(x)
     signs = (1.0, -1.0) if min(float(np.min(state.shear_load)) for state in states) < 0.0 else (1.0,)
-    along, limit = series("RollingState", "x", states[0].x), series("RollingState", "shear_load", bound)
-    for sign in signs:
-        axes.plot(
-            along.shown(),
-            sign * limit.shown(),
-            color=style.MUTED,
-            linestyle=style.DASHES[1],
-            linewidth=1.1,
-            label=r"bound $\mu q_z$" if sign > 0.0 else "_",
-        )
-    for colour, (index, told) in zip(style.CYCLE, chosen, strict=False):
-        axes.plot(along.shown(), states[index].shear_load / limit.scale.factor, color=colour, linewidth=1.4, label=told)
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(limit.label())
-    style.framed_legend(axes, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    dashed: dict[str, Any] = {"colour": style.MUTED, "width": 1.1, "dash": style.DASHES[1]}
+    lines = [Line(x, sign * bound, name=BOUND if sign > 0.0 else "", **dashed) for sign in signs]
+    for colour, (index, name) in zip(style.CYCLE, chosen, strict=False):
+        lines.append(Line(x, states[index].shear_load, colour, width=1.4, name=name))
+    upright = Axis.of(series("RollingState", "shear_load", bound))
+    return Panel(tuple(lines), Axis.of(series("RollingState", "x", x)), upright, legend="upper left", outside=True)
 
 
-@draw.register(OscillatingRollingSolution)
-def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(OscillatingRollingSolution)
+def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = None) -> Sheet:
     """Return the shift over the cycles, the springs after some of them, and where the force lies to the limit."""
     problem, radius = item.problem, float(item.contact.radius)
     most = _most(problem, float(item.contact.force))
-    with style.styled():
-        figure = style.figure(3, width=4.0, height=3.3)
-        left, middle, right = figure.subplots(1, 3)
-        of = series("OscillatingRollingSolution", "shift", item.shift)
-        left.plot(item.cycle, of.shown(), color=style.BLUE, marker="o" if item.cycle.size < 40 else "", markersize=3.5)
-        left.set_ylim(0.0, None)
-        left.margins(x=0.03)
-        left.set_xlabel("cycles $n$")
-        left.set_ylabel(of.label())
-        last = len(item.states) - 1
-        after = sorted({0, 1, min(4, last), last})
-        _draw_states(middle, item, [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after])
-        ways = np.linspace(0.0, 1.0, 61)[1:]
-        limits = [dataclasses.replace(problem, amplitude=float(w) * radius).shakedown_force / most for w in ways]
-        ways, limit = np.concatenate([[0.0], ways]), np.concatenate([[1.0], limits])
-        right.fill_between(ways, limit, 1.0, color=style.RED, alpha=0.14, linewidth=0.0)
-        right.fill_between(ways, 0.0, limit, color=style.GREEN, alpha=0.14, linewidth=0.0)
-        right.plot(ways, limit, color=style.INK)
-        right.text(0.1, 0.25, "comes to rest", color=style.INK)
-        right.text(0.55, 0.75, "creeps on", color=style.INK)
-        at = min(problem.amplitude / radius, 1.0)
-        right.plot(
-            [at], [problem.shear_force / most], "o", color=style.RED if item.ratchets else style.GREEN, clip_on=False
-        )
-        right.set_xlim(0.0, 1.0)
-        right.set_ylim(0.0, 1.0)
-        right.set_xlabel("amplitude $W/a$")
-        right.set_ylabel(r"shear force $F_x/(\mu F_N)$")
-        left.set_title("creeps on" if item.ratchets else "comes to rest")
-        middle.set_title("load of the springs, in the middle")
-        right.set_title("limit of shakedown")
-    return figure
+    shift = Line(item.cycle, item.shift, marker="o" if item.cycle.size < 40 else "", size=3.5)
+    upright = Axis.of(series("OscillatingRollingSolution", "shift", item.shift), low=0.0)
+    last = len(item.states) - 1
+    after = sorted({0, 1, min(4, last), last})
+    names = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]
+    shares = np.linspace(0.0, 1.0, 61)[1:]
+    limits = [dataclasses.replace(problem, amplitude=float(w) * radius).shakedown_force / most for w in shares]
+    shares, limit = np.concatenate([[0.0], shares]), np.concatenate([[1.0], limits])
+    words: dict[str, Any] = {"across": "left", "upright": "baseline", "size": 9.0}
+    colour = style.RED if item.ratchets else style.GREEN
+    here = np.array([min(problem.amplitude / radius, 1.0)]), np.array([problem.shear_force / most])
+    marks = (
+        Area(shares, limit, 1.0, style.RED),
+        Area(shares, 0.0, limit, style.GREEN),
+        Line(shares, limit, style.INK),
+        Text(0.1, 0.25, "comes to rest", **words),
+        Text(0.55, 0.75, "creeps on", **words),
+        Line(*here, colour, width=0.0, marker="o", clipped=False),
+    )
+    axes = Axis("amplitude $W/a$", low=0.0, high=1.0), Axis(r"shear force $F_x/(\mu F_N)$", low=0.0, high=1.0)
+    panels = titled(
+        (Panel((shift,), Axis("cycles $n$", margin=0.03), upright), _states_panel(item, names), Panel(marks, *axes)),
+        "creeps on" if item.ratchets else "comes to rest",
+        "load of the springs, in the middle",
+        "limit of shakedown",
+    )
+    return Sheet(panels, width=4.0, height=3.3)

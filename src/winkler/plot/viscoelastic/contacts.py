@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.draw import draw
-from winkler.plot.friction.curves import draw_energies, draw_lines, draw_loop
+from winkler.plot.draw import sheet_of
+from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
+from winkler.plot.panel import Axis, Line, Panel, Sheet, titled
 from winkler.plot.series import Series, series, told
-from winkler.plot.viscoelastic.springs import draw_recovering, draw_state_loads
+from winkler.plot.viscoelastic.springs import pressure_panel, recovering_panel
 from winkler.problems.viscoelastic.impact import ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticSolution
 from winkler.problems.viscoelastic.states import ViscoelasticState
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from winkler.plot.picture import Picture
 
 __all__ = ["TELLING", "depth_and_radius", "impact_sheet", "path_sheet", "refuse_extent", "state_sheet"]
 
@@ -34,27 +30,24 @@ def refuse_extent(item: Any, extent: float | None) -> None:
         raise InvalidInput(f"draw: the curves of a {type(item).__name__} have no extent; leave it out.")
 
 
-@draw.register(ViscoelasticSolution)
-def path_sheet(item: ViscoelasticSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticSolution)
+def path_sheet(item: ViscoelasticSolution, *, extent: float | None = None) -> Sheet:
     """Return the loop, force, depth and contact over time, energies; below springs and pressure of a late contact."""
     refuse_extent(item, extent)
     state = _late(item)
-    time = _told(item, "time")
-    with style.styled():
-        figure = style.figure(3, 2, width=3.9)
-        panels = figure.subplots(2, 3).ravel()
-        draw_loop(panels[0], _told(item, "depth"), _told(item, "force"), float(item.dissipation[-1]))
-        draw_lines(panels[1], time, [(_told(item, "force"), "force")], "force $F_N$")
-        depth_and_radius(panels[2], item)
-        draw_energies(panels[3], item, {"dissipation": "lost", "stored_energy": "stored"})
-        panels[3].set_ylim(0.0, 1.2 * float(panels[3].get_ylim()[1]))
-        draw_recovering(panels[4], state, item.problem.bed)
-        draw_state_loads(panels[5], state)
-        when = f" at {told(state.time, 's', 3)}"
-        titles = ("force over depth", "force", "depth and contact", "energy", f"springs{when}", f"pressure{when}")
-        for axes, title in zip(panels, titles, strict=True):
-            axes.set_title(title)
-    return figure
+    time = _series(item, "time")
+    force = _series(item, "force")
+    panels = (
+        loop_panel(_series(item, "depth"), force, float(item.dissipation[-1])),
+        lines_panel(time, [(force, "force")], "force $F_N$"),
+        depth_and_radius(item),
+        energies_panel(item, {"dissipation": "lost", "stored_energy": "stored"}, room=1.2),
+        recovering_panel(state, item.problem.bed),
+        pressure_panel(state),
+    )
+    when = f" at {told(state.time, 's', 3)}"
+    titles = ("force over depth", "force", "depth and contact", "energy", f"springs{when}", f"pressure{when}")
+    return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
 def _late(item: ViscoelasticSolution) -> ViscoelasticState:
@@ -64,56 +57,49 @@ def _late(item: ViscoelasticSolution) -> ViscoelasticState:
     return next(itertools.islice(item.problem.steps(), last, None))
 
 
-def depth_and_radius(axes: Axes, item: Any) -> None:
-    """Draw the depth, and on a second axis the contact radius, over time."""
-    time, depth, radius = (_told(item, name) for name in ("time", "depth", "radius"))
-    axes.plot(time.shown(), depth.shown(), color=style.BLUE)
-    axes.set_xlabel(time.label())
-    axes.set_ylabel(depth.label(), color=style.BLUE)
-    beside = axes.twinx()
-    beside.plot(time.shown(), radius.shown(), color=style.RED, linestyle=style.DASHES[1])
-    beside.set_ylabel(radius.label(), color=style.RED)
-    beside.spines["right"].set_visible(True)
-    beside.grid(visible=False)
-    beside.set_ylim(0.0, None)
-    axes.margins(x=0.0, y=0.08)
-    if np.min(depth.content) >= 0.0:
-        axes.set_ylim(0.0, 1.08 * float(np.max(depth.shown())))
+def depth_and_radius(item: Any) -> Panel:
+    """Return the depth, and on a second axis the contact radius, over time."""
+    time, depth, radius = (_series(item, name) for name in ("time", "depth", "radius"))
+    sides: dict[str, Any] = {"low": 0.0, "high": 1.08 * float(np.max(depth.content))}
+    if np.min(depth.content) < 0.0:
+        sides = {"margin": 0.08}
+    return Panel(
+        (
+            Line(time.content, depth.content),
+            Line(time.content, radius.content, style.RED, dash=style.DASHES[1], beside=True),
+        ),
+        Axis.of(time, margin=0.0),
+        Axis.of(depth, colour=style.BLUE, **sides),
+        beside=(Axis.of(radius, low=0.0, colour=style.RED),),
+    )
 
 
-@draw.register(ViscoelasticState)
-def state_sheet(item: ViscoelasticState, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticState)
+def state_sheet(item: ViscoelasticState, *, extent: float | None = None) -> Sheet:
     """Return the springs at one moment, those that recover as well, and the pressure."""
     refuse_extent(item, extent)
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        draw_recovering(left, item)
-        draw_state_loads(right, item)
-        left.set_title("springs")
-        right.set_title("pressure $p(r)$")
-        parts = (("t", item.time, "s"), ("F_N", item.force, "N"), ("d", item.depth, "m"), ("a", item.radius, "m"))
-        figure.suptitle("   ".join(f"${symbol}$ = {told(number, unit)}" for symbol, number, unit in parts))
-    return figure
+    parts = (("t", item.time, "s"), ("F_N", item.force, "N"), ("d", item.depth, "m"), ("a", item.radius, "m"))
+    title = "   ".join(f"${symbol}$ = {told(number, unit)}" for symbol, number, unit in parts)
+    panels = titled((recovering_panel(item), pressure_panel(item)), "springs", "pressure $p(r)$")
+    return Sheet(panels, height=3.3, title=title)
 
 
-@draw.register(ViscoelasticImpactSolution)
-def impact_sheet(item: ViscoelasticImpactSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticImpactSolution)
+def impact_sheet(item: ViscoelasticImpactSolution, *, extent: float | None = None) -> Sheet:
     """Return force over depth and over time, velocity, depth and contact of an impact."""
     refuse_extent(item, extent)
-    time = _told(item, "time")
-    with style.styled():
-        figure = style.figure(2, 2, height=3.1)
-        panels = figure.subplots(2, 2).ravel()
-        draw_loop(panels[0], _told(item, "depth"), _told(item, "force"), float(item.dissipation))
-        draw_lines(panels[1], time, [(_told(item, "force"), "force")], "force $F_N$")
-        draw_lines(panels[2], time, [(_told(item, "velocity"), "velocity")], "velocity of approach $v$")
-        depth_and_radius(panels[3], item)
-        for axes, title in zip(panels, ("force over depth", "force", "velocity", "depth and contact"), strict=True):
-            axes.set_title(title)
-        figure.suptitle(f"restitution $e$ = {item.restitution:.4g}   contact for {told(item.duration, 's')}")
-    return figure
+    time = _series(item, "time")
+    force = _series(item, "force")
+    panels = (
+        loop_panel(_series(item, "depth"), force, float(item.dissipation)),
+        lines_panel(time, [(force, "force")], "force $F_N$"),
+        lines_panel(time, [(_series(item, "velocity"), "velocity")], "velocity of approach $v$"),
+        depth_and_radius(item),
+    )
+    title = f"restitution $e$ = {item.restitution:.4g}   contact for {told(item.duration, 's')}"
+    titles = ("force over depth", "force", "velocity", "depth and contact")
+    return Sheet(titled(panels, *titles), 2, height=3.1, title=title)
 
 
-def _told(item: Any, name: str) -> Series:
+def _series(item: Any, name: str) -> Series:
     return series(type(item), name, getattr(item, name))

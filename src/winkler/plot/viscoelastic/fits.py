@@ -2,172 +2,119 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
-from winkler.fitting.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.outcome import AnyFit, CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic.band import relaxation_band, watched
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import draw
+from winkler.plot.draw import sheet_of
+from winkler.plot.fitting.fits import fit_panels, measured_dots, origin_of
+from winkler.plot.panel import Area, Axis, Band, Line, Panel, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.vocabulary import Word
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+__all__ = ["relaxing_fit_sheet", "relaxing_loop"]
 
-    from winkler.plot.picture import Picture
-
-__all__ = ["relaxing_fit_sheet"]
-
-DENSE = 400
 BEYOND = 3.0
 """The relaxation is shown this much beyond what was watched, at either side."""
 NARROW = 1e3
-"""A modulus whose interval is wider than this is not told, and not drawn."""
-WAYS = ((1.0, style.BLUE, "going in"), (0.0, style.ORANGE, "held"), (-1.0, style.GREEN, "coming out"))
+"""A modulus whose interval is wider than this is neither given nor drawn."""
 
 
-@draw.register(ViscoelasticFit)
-@draw.register(CreepFit)
-def relaxing_fit_sheet(item: ViscoelasticFit | CreepFit, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticFit)
+@sheet_of.register(CreepFit)
+def relaxing_fit_sheet(item: ViscoelasticFit | CreepFit, *, extent: float | None = None) -> Sheet:
     """Return the fitted quantity over time with residuals, force over depth, and the relaxation with its interval."""
     refuse_extent(item, extent)
-    creep = isinstance(item, CreepFit)
-    since = item.curve.time - item.curve.time[0]
-    time = Series("time", Word("t", "s", "time"), since)
-    if creep:
-        origin = item.value("contact_point") if "contact_point" in item.names else 0.0
-        name, symbol = "position from first touch", "D - D_0"
-        measured = Series(name, Word(symbol, "m", name), item.curve.position - origin)
-        model = Series(name, measured.word, item.predicted - origin)
-    else:
-        measured = Series("force", Word("F_N", "N", "force"), item.curve.force)
-        model = Series("force", measured.word, item.predicted)
-    fitted = item.weights > 0.0
-    left = Series("residual", Word("", measured.word.unit, "measured less fitted"), item.residuals * fitted)
-    shown = item.radius > 0.0 if creep else np.ones(fitted.size, dtype=bool)  # a free tip may be anywhere
-    with style.styled():
-        figure = style.figure(width=8.6, height=5.0)
-        grid = figure.add_gridspec(2, 2, height_ratios=(2.6, 1.0), width_ratios=(1.35, 1.0))
-        above = figure.add_subplot(grid[0, 0])
-        below = figure.add_subplot(grid[1, 0], sharex=above)
-        across, upright = time.scale, common_scale(_of(measured, shown), _of(model, shown))
-        _dots(above, item, time.shown(across), measured.shown(upright), shown)
-        _dots(below, item, time.shown(across), left.shown(), fitted, labels=False)
-        line = np.where(shown, model.shown(upright), np.nan)
-        above.plot(time.shown(across), line, color=style.RED, lw=1.3, label="fitted")
-        below.axhline(0.0, color=style.INK, lw=0.8)
-        above.set_ylabel(measured.label(upright))
-        above.tick_params(labelbottom=False)
-        below.set_xlabel(time.label(across))
-        below.set_ylabel(left.label())
-        above.margins(x=0.02, y=0.06)
-        style.framed_legend(above, loc="best", markerscale=2.0)
-        inner = grid[:, 1].subgridspec(2, 1)
-        _loop(figure.add_subplot(inner[0]), item, shown)
-        _relaxation(figure.add_subplot(inner[1]), item)
-        figure.align_ylabels([above, below])
-    return figure
+    left = Sheet(fit_panels(item), 1, heights=(2.6, 1.0), shared="x")
+    right = Sheet((relaxing_loop(item), _relaxation(item)), 1)
+    return Sheet((left, right), width=4.3, height=5.0, widths=(1.35, 1.0))
 
 
 def _of(one: Series, which: Array) -> Series:
     return Series(one.name, one.word, one.content[which])
 
 
-def _dots(
-    axes: Axes, item: ViscoelasticFit | CreepFit, x: Array, y: Array, which: Array, *, labels: bool = True
-) -> None:
-    """Draw measured points in the colour of their way."""
-    size = 4.0 if item.curve.count > DENSE else 12.0
-    for way, colour, word in WAYS:
-        mine = (item.curve.direction == way) & which
-        if mine.any():
-            axes.scatter(
-                x[mine],
-                y[mine],
-                s=size,
-                color=colour,
-                alpha=0.45,
-                linewidths=0.0,
-                rasterized=item.curve.count > DENSE,
-                label=f"measured, {word}" if labels else None,
-            )
+def relaxing_loop(item: AnyFit, some: Array | None = None) -> Panel:
+    """Return the force of the contact over the depth, as measured and as fitted.
 
-
-def _loop(axes: Axes, item: ViscoelasticFit | CreepFit, which: Array) -> None:
-    """Draw the force of the contact over the depth."""
+    Parameters
+    ----------
+    item
+        What was found.
+    some : ndarray, optional
+        Which points are drawn; all if left out.
+    """
     creep = isinstance(item, CreepFit)
     borne = item.curve.force - _outside(item)
     force = Series("force", Word("F_N", "N", "force"), borne if creep else item.curve.force)
-    origin = item.value("contact_point") if "contact_point" in item.names else 0.0
     gone = item.curve.compliance * borne
-    deep = Series("depth", Word("d", "m", "depth"), item.curve.position - origin - gone)
-    model = Series("force", force.word, item.model.path.across if creep else item.predicted)
-    near = which & (item.depth > -0.3 * float(item.depth.max()))
-    scale, upright = _of(deep, near).scale, common_scale(_of(force, near), _of(model, near))
-    _dots(axes, item, deep.shown(scale), force.shown(upright), near, labels=False)
-    along = Series("depth", deep.word, np.where(near, item.depth, np.nan))
-    axes.plot(along.shown(scale), np.where(near, model.shown(upright), np.nan), color=style.RED, lw=1.2)
-    axes.set_xlabel(deep.label(scale))
-    axes.set_ylabel(force.label(upright))
-    axes.margins(x=0.03, y=0.06)
+    deep = Series("depth", Word("d", "m", "depth"), item.curve.position - origin_of(item) - gone)
+    model = Series("force", force.word, item.model.path.across if isinstance(item, CreepFit) else item.predicted)
+    near = item.depth > -0.3 * float(item.depth.max())
+    near &= item.radius > 0.0 if creep else True  # a free tip may be anywhere
+    drawn = np.arange(near.size) if some is None else some
+    measured = (part[drawn] for part in (deep.content, force.content, item.curve.direction, near))
+    marks: list[Any] = measured_dots(item, *measured, named=False)
+    x, y = (np.where(near, part, np.nan)[drawn] for part in (item.depth, model.content))
+    marks.append(Line(x, y, style.RED, width=1.2))
+    across = Axis.of(deep, _of(deep, near).scale, margin=0.03)
+    return Panel(tuple(marks), across, Axis.of(force, common_scale(_of(force, near), _of(model, near)), margin=0.06))
 
 
-def _outside(item: ViscoelasticFit | CreepFit) -> Array:
+def _outside(item: AnyFit) -> Array:
     """Return the part of the force that the contact does not bear, as far as it is one number [N]."""
     return np.full(item.curve.count, item.value("baseline") if "baseline" in item.names else 0.0)
 
 
-def _relaxation(axes: Axes, item: ViscoelasticFit | CreepFit) -> None:
-    """Draw E*(t) with its interval, what lies outside of the time that was watched in grey, and the single terms."""
+def _relaxation(item: ViscoelasticFit | CreepFit) -> Panel:
+    """Return E*(t) with its interval, what lies outside of the time that was watched in grey, and the single terms."""
     shortest, longest = watched(item)
     t = np.geomspace(shortest / BEYOND, longest * BEYOND, 160)
     band = relaxation_band(item, t)
-    time = Series("time", Word("t", "s", "time"), t)
     half_space = isinstance(item.model.bed.medium, ViscoelasticHalfSpace)
     symbol, unit = ("E^*(t)", "Pa") if half_space else (r"\varphi(t)", "")
+    time = Series("time", Word("t", "s", "time"), t)
     modulus = Series("relaxation", Word(symbol, unit, "relaxation of the contact"), band.modulus)
-    across, upright = time.scale, middle_scale(unit, band.modulus)
-    x, told = time.shown(across), band.high < NARROW * band.low
-    axes.fill_between(
-        x[told], band.low[told] / upright.factor, band.high[told] / upright.factor, color=style.BLUE, alpha=0.25, lw=0.0
+    narrow = band.high < NARROW * band.low
+    marks = (
+        Area(t[narrow], band.low[narrow], band.high[narrow], alpha=0.25),
+        Line(t, band.modulus, name=f"${symbol}$, 95 %"),
+        *(Band(low, high, style.MUTED, 0.15) for low, high in ((t[0], shortest), (longest, t[-1]))),
+        *_terms(item),
     )
-    axes.plot(x, modulus.shown(upright), color=style.BLUE, label=f"${symbol}$, 95 %")
-    for low, high in ((t[0], shortest), (longest, t[-1])):
-        axes.axvspan(low / across.factor, high / across.factor, color=style.MUTED, alpha=0.15, lw=0.0)
-    _terms(axes, item, across.factor, upright.factor)
-    axes.set_xscale("log")
-    axes.set_ylim(bottom=0.0)
-    axes.margins(x=0.0)
-    axes.set_xlabel(time.label(across))
-    axes.set_ylabel(modulus.label(upright))
-    style.framed_legend(axes, loc="best")
+    upright = Axis.of(modulus, middle_scale(unit, band.modulus), low=0.0)
+    return Panel(marks, Axis.of(time, log=True, margin=0.0), upright, legend="best")
 
 
-def _terms(axes: Axes, item: ViscoelasticFit | CreepFit, second: float, pascal: float) -> None:
-    """Draw the fitted terms: modulus over relaxation time, with both intervals."""
+def _terms(item: ViscoelasticFit | CreepFit) -> list[Line]:
+    """Return the fitted terms: modulus over relaxation time, with both intervals."""
     lead = "bed.medium.first."
     pairs = [(f"{lead}shears[{i}]", f"{lead}relaxation_times[{i}]") for i in range(len(item.names))]
     pairs = [pair for pair in [*pairs, (f"{lead}shear", f"{lead}relaxation_time")] if set(pair) <= set(item.names)]
     poisson = getattr(getattr(item.model.bed.medium, "first", None), "poisson", 0.5)
-    contact = 2.0 / (1.0 - poisson) / pascal
+    contact = 2.0 / (1.0 - poisson)
+    found = []
     for number, (shear, time) in enumerate(pairs):
         (low, high), (early, late) = item.interval(shear), item.interval(time)
         middle, at = item.value(shear), item.value(time)
         if high > NARROW * low or late > NARROW * early:
             continue
-        axes.errorbar(
-            at / second,
-            middle * contact,
-            xerr=[[(at - early) / second], [(late - at) / second]],
-            yerr=[[(middle - low) * contact], [(high - middle) * contact]],
-            fmt="o",
-            ms=4.0,
-            lw=1.2,
-            color=style.RED,
-            label=r"terms $2G_i/(1-\nu)$ at $\tau_i$" if number == 0 else None,
+        term = Line(
+            np.array([at]),
+            np.array([middle * contact]),
+            style.RED,
+            width=1.2,
+            marker="o",
+            size=4.0,
+            name="" if number else r"terms $2G_i/(1-\nu)$ at $\tau_i$",
+            error_x=np.array([[at - early], [late - at]]),
+            error_y=contact * np.array([[middle - low], [high - middle]]),
         )
+        found.append(term)
+    return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -13,15 +13,12 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
-from winkler.plot import style
-from winkler.plot.decades import Line, draw_decades
-from winkler.plot.draw import draw
+from winkler.plot.decades import Quantity, decades_panel
+from winkler.plot.draw import sheet_of
+from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent
 from winkler.vocabulary import Word
-
-if TYPE_CHECKING:
-    from winkler.plot.picture import Picture
 
 __all__ = ["half_space_sheet", "proportional_sheet", "solid_sheet"]
 
@@ -31,8 +28,8 @@ BEYOND = 30.0
 NOTHING = (np.empty(0), np.empty(0))
 
 
-@draw.register(ViscoelasticSolid)
-def solid_sheet(item: ViscoelasticSolid, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticSolid)
+def solid_sheet(item: ViscoelasticSolid, *, extent: float | None = None) -> Sheet:
     """Return G(t), J(t), and storage and loss over the frequency; what was measured as points.
 
     Parameters
@@ -50,15 +47,15 @@ def solid_sheet(item: ViscoelasticSolid, *, extent: float | None = None) -> Pict
     return _sheet(item, item.series, _span(item.series, item.span), "G", "J", (relaxed, sunk, stored, lost))
 
 
-@draw.register(ViscoelasticHalfSpace)
-def half_space_sheet(item: ViscoelasticHalfSpace, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticHalfSpace)
+def half_space_sheet(item: ViscoelasticHalfSpace, *, extent: float | None = None) -> Sheet:
     """Return E*(t), what a step of load makes of the pair, and storage and loss over the frequency."""
     refuse_extent(item, extent)
     return _sheet(item, item.relaxation, _span(item.relaxation, item.span), "E^*", "C", (NOTHING,) * 4)
 
 
-@draw.register(RelaxingInProportion)
-def proportional_sheet(item: RelaxingInProportion, *, extent: float | None = None) -> Picture:
+@sheet_of.register(RelaxingInProportion)
+def proportional_sheet(item: RelaxingInProportion, *, extent: float | None = None) -> Sheet:
     """Return the function of time by which all moduli of a medium are multiplied, and what follows from it."""
     refuse_extent(item, extent)
     known = item.relaxation
@@ -82,7 +79,7 @@ def _sheet(
     compliance: str,
     points: tuple[tuple[Array, Array], ...],
     unit: str = "Pa",
-) -> Picture:
+) -> Sheet:
     time = series("CreepTest", "time", np.geomspace(*span, POINTS))
     omega = series("HarmonicIndentation", "angular_frequency", 1.0 / time.content[::-1])
     dynamic = known.dynamic(omega.content)
@@ -98,19 +95,17 @@ def _sheet(
         "creep",
     )
     stored, lost = of(dynamic.real, "", unit, "storage"), of(dynamic.imag, "", unit, "loss")
-    with style.styled():
-        figure = style.figure(3, width=3.9, height=3.2)
-        panels = figure.subplots(1, 3)
-        draw_decades(panels[0], time, [Line(relaxes, points=points[0])])
-        if known.viscosity > 0.0:
-            style.note(panels[0], f"at once an impulse of {told(known.viscosity, 'Pa s')}", where="lower left")
-        draw_decades(panels[1], time, [Line(creeps, points=points[1])])
-        pair = [
-            Line(stored, "storage" if "*" in modulus else f"storage ${modulus}'$", points[2]),
-            Line(lost, "loss" if "*" in modulus else f"loss ${modulus}''$", points[3]),
-        ]
-        draw_decades(panels[2], omega, pair, "modulus" if unit else "part of the moduli")
-        for axes, title in zip(panels, ("relaxation", "creep", "storage and loss"), strict=True):
-            axes.set_title(title)
-        figure.suptitle(type(item).__name__)
-    return figure
+    relaxation = decades_panel(time, [Quantity(relaxes, points=points[0])])
+    if known.viscosity > 0.0:
+        relaxation = relaxation.plus(note(f"at once an impulse of {told(known.viscosity, 'Pa s')}", "lower left"))
+    pair = [
+        Quantity(stored, "storage" if "*" in modulus else f"storage ${modulus}'$", points[2]),
+        Quantity(lost, "loss" if "*" in modulus else f"loss ${modulus}''$", points[3]),
+    ]
+    panels = (
+        relaxation,
+        decades_panel(time, [Quantity(creeps, points=points[1])]),
+        decades_panel(omega, pair, "modulus" if unit else "part of the moduli"),
+    )
+    titles = ("relaxation", "creep", "storage and loss")
+    return Sheet(titled(panels, *titles), width=3.9, height=3.2, title=type(item).__name__)

@@ -4,26 +4,29 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.decades import Line, draw_decades
-from winkler.plot.draw import draw
-from winkler.plot.friction.curves import draw_energies, draw_lines, draw_loop, shade_stick
+from winkler.plot.decades import Quantity, decades_panel
+from winkler.plot.draw import sheet_of
+from winkler.plot.friction.curves import (
+    bounds,
+    energies_panel,
+    lines_panel,
+    loop_panel,
+    mirrored_bounds,
+    stick_band,
+)
+from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, note, titled
 from winkler.plot.series import Series, common_scale, series, told
 from winkler.plot.viscoelastic.contacts import TELLING, depth_and_radius, refuse_extent
-from winkler.plot.viscoelastic.springs import draw_recovering, width_of
+from winkler.plot.viscoelastic.springs import no_contact, recovering_panel, width_of
 from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesionSolution
 from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import ViscoelasticTangentialSolution
 from winkler.problems.viscoelastic.tangential_states import ViscoelasticTangentialState
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from winkler.plot.picture import Picture
 
 __all__ = ["adhesion_sheet", "dragged_sheet", "dragged_state_sheet", "sliding_sheet"]
 
@@ -32,93 +35,66 @@ AROUND = 300.0
 """One speed is shown within so many times more and less."""
 
 
-@draw.register(ViscoelasticTangentialSolution)
-def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticTangentialSolution)
+def dragged_sheet(item: ViscoelasticTangentialSolution, *, extent: float | None = None) -> Sheet:
     """Return the loop, forces, energies and contact along a path; springs and their loads of a late contact."""
     refuse_extent(item, extent)
     bearing = np.flatnonzero(item.force >= TELLING * np.max(item.force))
-    state, time = item.states[int(bearing[-1]) if bearing.size else 0], _told(item, "time")
+    state, time = item.states[int(bearing[-1]) if bearing.size else 0], _series(item, "time")
     mu = item.problem.law.coefficient
-    with style.styled():
-        figure = style.figure(3, 2, width=3.9)
-        panels = figure.subplots(2, 3).ravel()
-        draw_loop(panels[0], _told(item, "shift"), _told(item, "shear_force"))
-        lines = [(_told(item, "shear_force"), "$F_x$")]
-        if math.isfinite(mu):
-            lines += [
-                (series(type(item), "shear_force", sign * mu * item.force), r"$\pm\mu F_N$" if sign > 0 else "_")
-                for sign in (1.0, -1.0)
-            ]
-        draw_lines(panels[1], time, lines, "shear force")
-        for line in panels[1].lines[-2:] if len(lines) > 1 else ():
-            line.set(color=style.MUTED, linestyle=style.DASHES[1], linewidth=1.1)
-        if len(lines) > 1:
-            style.framed_legend(panels[1], loc="upper center", ncols=2)
-        names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
-        draw_energies(panels[2], item, names)
-        panels[2].set_ylim(0.0, 1.35 * float(panels[2].get_ylim()[1]))
-        draw_lines(
-            panels[3], time, [(_told(item, "radius"), "contact"), (_told(item, "stick_radius"), "stick")], "radius"
-        )
-        panels[3].set_ylim(0.0, None)
-        draw_recovering(panels[4], state, item.problem.bed)
-        _draw_loads(panels[5], state, mu)
-        when = f" at {told(state.time, 's', 3)}"
-        titles = ("shear force over shift", "shear force", "energy", "contact", f"springs{when}", f"their loads{when}")
-        for axes, title in zip(panels, titles, strict=True):
-            axes.set_title(title)
-    return figure
+    lines = [(_series(item, "shear_force"), "$F_x$")]
+    lines += bounds(type(item), "shear_force", mu * item.force) if math.isfinite(mu) else []
+    names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
+    radii = [(_series(item, "radius"), "contact"), (_series(item, "stick_radius"), "stick")]
+    panels = (
+        loop_panel(_series(item, "shift"), _series(item, "shear_force")),
+        lines_panel(time, lines, "shear force"),
+        energies_panel(item, names, room=1.35),
+        lines_panel(time, radii, "radius", low=0.0),
+        recovering_panel(state, item.problem.bed),
+        _loads_panel(state, mu),
+    )
+    when = f" at {told(state.time, 's', 3)}"
+    titles = ("shear force over shift", "shear force", "energy", "contact", f"springs{when}", f"their loads{when}")
+    return Sheet(titled(panels, *titles), 3, width=3.9)
 
 
-@draw.register(ViscoelasticTangentialState)
-def dragged_state_sheet(item: ViscoelasticTangentialState, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticTangentialState)
+def dragged_state_sheet(item: ViscoelasticTangentialState, *, extent: float | None = None) -> Sheet:
     """Return the springs at one moment, and their loads in both directions."""
     refuse_extent(item, extent)
-    with style.styled():
-        figure = style.figure(2, height=3.3)
-        left, right = figure.subplots(1, 2)
-        draw_recovering(left, item)
-        _draw_loads(right, item, math.inf)
-        left.set_title("springs")
-        right.set_title("their loads")
-        parts = (
-            ("F_N", item.force, "N"),
-            ("F_x", item.shear_force, "N"),
-            ("d", item.depth, "m"),
-            ("u_x", item.shift, "m"),
-        )
-        figure.suptitle("   ".join(f"${symbol}$ = {told(number, unit)}" for symbol, number, unit in parts))
-    return figure
+    parts = (
+        ("F_N", item.force, "N"),
+        ("F_x", item.shear_force, "N"),
+        ("d", item.depth, "m"),
+        ("u_x", item.shift, "m"),
+    )
+    title = "   ".join(f"${symbol}$ = {told(number, unit)}" for symbol, number, unit in parts)
+    panels = titled((recovering_panel(item), _loads_panel(item, math.inf)), "springs", "their loads")
+    return Sheet(panels, height=3.3, title=title)
 
 
-def _draw_loads(axes: Axes, state: ViscoelasticTangentialState, coefficient: float) -> None:
-    """Draw the load of the springs along the surface, and what friction lets them bear."""
+def _loads_panel(state: ViscoelasticTangentialState, coefficient: float) -> Panel:
+    """Return the load of the springs along the surface, and what friction lets them bear."""
     if state.radius == 0.0:
-        axes.axis("off")
-        style.note(axes, "no contact", where="upper centre")
-        return
+        return no_contact()
     along = series("Foundation", "x", state.position)
     bound = coefficient * state.line_load if math.isfinite(coefficient) else np.zeros(state.line_load.shape)
     of, limit = (series("ViscoelasticTangentialState", "shear_load", loads) for loads in (state.shear_load, bound))
-    scale = common_scale(of, limit)
-    shade_stick(axes, state.stick_radius / along.scale.factor)
-    for sign in (1.0, -1.0) if np.any(bound) else ():
-        x, y = style.mirrored(along.shown(), sign * limit.shown(scale))
-        label = r"$\pm\mu q_z$" if sign > 0.0 else "_"
-        axes.plot(x, y, color=style.MUTED, linewidth=1.1, linestyle=style.DASHES[1], label=label)
-    x, y = style.mirrored(along.shown(), of.shown(scale))
-    axes.plot(x, y, color=style.RED, label="$q_x$")
-    axes.fill_between(x, y, color=style.RED, alpha=0.12, linewidth=0.0)
-    end = width_of(state) / along.scale.factor
-    axes.set_xlim(-end, end)
-    axes.margins(y=0.2)
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(of.label(scale))
-    style.framed_legend(axes, loc="upper right")
+    x, y = style.mirrored(along.content, of.content)
+    marks = (
+        *stick_band(state.stick_radius),
+        *mirrored_bounds(along.content, bound, r"$\pm\mu q_z$"),
+        Line(x, y, style.RED, name="$q_x$"),
+        Area(x, y, 0.0, style.RED, 0.12),
+    )
+    end = width_of(state)
+    upright = Axis.of(of, common_scale(of, limit), margin=0.2)
+    return Panel(marks, Axis.of(along, low=-end, high=end), upright, legend="upper right")
 
 
-@draw.register(SlidingResistanceSolution)
-def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(SlidingResistanceSolution)
+def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = None) -> Sheet:
     """Return the resistance and the coefficient of friction over the speed, and the springs where it is greatest."""
     refuse_extent(item, extent)
     asked = np.ravel(np.asarray(item.speed, dtype=float))
@@ -128,58 +104,53 @@ def sliding_sheet(item: SlidingResistanceSolution, *, extent: float | None = Non
     order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
     along = series(type(item), "speed", np.ravel(np.asarray(curve.speed))[order])
 
-    def line(name: str, label: str = "") -> Line:
+    def quantity(name: str, label: str = "") -> Quantity:
         points = (asked, np.ravel(np.asarray(getattr(item, name), dtype=float)))
-        return Line(series(type(item), name, np.ravel(np.asarray(getattr(curve, name)))[order]), label, points)
+        return Quantity(series(type(item), name, np.ravel(np.asarray(getattr(curve, name)))[order]), label, points)
 
-    with style.styled():
-        figure = style.figure(3, width=3.9, height=3.3)
-        panels = figure.subplots(1, 3)
-        pair = [line("shear_force", "of the body"), line("line_shear_force", "of the line of springs")]
-        draw_decades(panels[0], along, pair, "resistance $F_x$")
-        draw_decades(panels[1], along, [line("coefficient")])
-        place = int(np.argmax(np.ravel(np.asarray(curve.coefficient))))
-        _draw_trace(panels[2], curve, place)
-        speed = told(float(np.ravel(np.asarray(curve.speed))[place]), "m/s", 3)
-        for axes, title in zip(panels, ("resistance", "coefficient", f"load of the springs at {speed}"), strict=True):
-            axes.set_title(title)
-    return figure
+    pair = [quantity("shear_force", "of the body"), quantity("line_shear_force", "of the line of springs")]
+    place = int(np.argmax(np.ravel(np.asarray(curve.coefficient))))
+    speed = told(float(np.ravel(np.asarray(curve.speed))[place]), "m/s", 3)
+    panels = (
+        decades_panel(along, pair, "resistance $F_x$"),
+        decades_panel(along, [quantity("coefficient")]),
+        _trace_panel(curve, place),
+    )
+    titles = ("resistance", "coefficient", f"load of the springs at {speed}")
+    return Sheet(titled(panels, *titles), width=3.9, height=3.3)
 
 
-def _draw_trace(axes: Axes, curve: SlidingResistanceSolution, place: int) -> None:
-    """Draw q(x) under the body, which moves to the right."""
+def _trace_panel(curve: SlidingResistanceSolution, place: int) -> Panel:
+    """Return q(x) under the body, which moves to the right."""
     trace = curve.line(tuple(int(part) for part in np.unravel_index(place, np.shape(curve.speed))))
     along, of = series("Foundation", "x", trace.position), series("SlidingLine", "line_load", trace.line_load)
-    axes.plot(along.shown(), of.shown(), color=style.BLUE)
-    axes.fill_between(along.shown(), of.shown(), color=style.BLUE, alpha=0.14, linewidth=0.0)
-    axes.axvline(0.0, color=style.MUTED, linewidth=0.8, linestyle=(0, (4, 3)))
-    style.note(axes, "moves to the right →", where="upper left")
-    axes.margins(x=0.04)
-    axes.set_ylim(0.0, 1.25 * float(np.max(of.shown())))
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(of.label())
+    marks = (
+        Line(along.content, of.content),
+        Area(along.content, of.content, 0.0),
+        Rule(0.0, upright=True, dash=style.DASHED),
+        note("moves to the right →", "upper left"),
+    )
+    upright = Axis.of(of, low=0.0, high=1.25 * float(np.max(of.content)))
+    return Panel(marks, Axis.of(along, margin=0.04), upright)
 
 
-@draw.register(ViscoelasticAdhesionSolution)
-def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(ViscoelasticAdhesionSolution)
+def adhesion_sheet(item: ViscoelasticAdhesionSolution, *, extent: float | None = None) -> Sheet:
     """Return force over the machine's way, contact and depth over time, and how fast the edge opens."""
     refuse_extent(item, extent)
-    time = _told(item, "time")
-    with style.styled():
-        figure = style.figure(3, width=3.9, height=3.3)
-        panels = figure.subplots(1, 3)
-        draw_loop(panels[0], _told(item, "position"), _told(item, "force"), float(item.dissipation[-1]))
-        depth_and_radius(panels[1], item)
-        opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
-        draw_lines(panels[2], time, [(series(type(item), "crack_speed", opening), "")], "speed of the edge")
-        if np.any(item.crack_speed > 0.0):
-            panels[2].set_yscale("log")
-        titles = ("force over the way of the machine", "depth and contact", "how fast the edge opens")
-        for axes, title in zip(panels, titles, strict=True):
-            axes.set_title(title)
-        figure.suptitle(f"lowest force {told(float(item.lowest_force[-1]), 'N')}")
-    return figure
+    time = _series(item, "time")
+    opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
+    edge, opens = series(type(item), "crack_speed", opening), bool(np.any(item.crack_speed > 0.0))
+    speed = lines_panel(time, [(edge, "")], "speed of the edge", log=opens)
+    panels = (
+        loop_panel(_series(item, "position"), _series(item, "force"), float(item.dissipation[-1])),
+        depth_and_radius(item),
+        speed,
+    )
+    titles = ("force over the way of the machine", "depth and contact", "how fast the edge opens")
+    title = f"lowest force {told(float(item.lowest_force[-1]), 'N')}"
+    return Sheet(titled(panels, *titles), width=3.9, height=3.3, title=title)
 
 
-def _told(item: Any, name: str) -> Series:
+def _series(item: Any, name: str) -> Series:
     return series(type(item), name, getattr(item, name))

@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import dataclasses
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import draw
+from winkler.plot.draw import sheet_of
+from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, titled
 from winkler.plot.series import Series, series, told
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.limiting_profile import LimitingSolution
 from winkler.problems.wear.sliding import SlidingSolution
 from winkler.problems.wear.states import FrettingState, WearState
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from winkler.plot.picture import Picture
-
-__all__ = ["fretting_sheet", "limiting_sheet", "sliding_sheet", "wear_state_sheet"]
+__all__ = ["fretting_sheet", "limiting_sheet", "moment_panels", "rows_panel", "sliding_sheet", "wear_state_sheet"]
 
 SHOWN = 6
 """So many states are shown side by side."""
@@ -37,59 +34,47 @@ def _refuse(item: Any, extent: float | None) -> None:
         raise InvalidInput(f"draw: the sheet of a {type(item).__name__} has no extent; leave it out.")
 
 
-@draw.register(FrettingSolution)
-def fretting_sheet(item: FrettingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(FrettingSolution)
+def fretting_sheet(item: FrettingSolution, *, extent: float | None = None) -> Sheet:
     """Return worn profiles and pressures after growing numbers of cycles, and radii, volume and loads over them."""
     _refuse(item, extent)
-    cycles = series("FrettingSolution", "cycles", item.cycles)
-    with style.styled():
-        figure = style.figure(3, 2, width=3.9)
-        panels = figure.subplots(2, 3).ravel()
-        names = [f"{count:,.0f}" if count >= 10 or count == 0 else f"{count:.2g}" for count in item.cycles]
-        _draw_states(panels[:3], item.states, names, "cycles")
-        _draw_over(panels[3], cycles, [_told(item, "radius"), _told(item, "stick_radius")], "radius")
-        _draw_volume(panels[4], cycles, item)
-        _draw_over(panels[5], cycles, [_told(item, "force")], "")
-        for axes, title in zip(panels[3:], ("contact and core", "worn volume", "normal force"), strict=True):
-            axes.set_title(title)
-        if np.ptp(item.force) <= 1e-6 * np.max(item.force):
-            panels[5].clear()
-            _draw_over(panels[5], cycles, [_told(item, "depth")], "")
-            panels[5].set_title("depth")
-    return figure
+    cycles = _series(item, "cycles")
+    names = [f"{count:,.0f}" if count >= 10 or count == 0 else f"{count:.2g}" for count in item.cycles]
+    steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
+    volumes = ("first_volume", "second_volume") if np.any(item.second_volume > 0.0) else ("worn_volume",)
+    below = titled(
+        (
+            _over(cycles, [_series(item, "radius"), _series(item, "stick_radius")], "radius"),
+            _over(cycles, [_series(item, name) for name in volumes], "worn volume" if len(volumes) > 1 else ""),
+            _over(cycles, [_series(item, "depth" if steady else "force")]),
+        ),
+        "contact and core",
+        "worn volume",
+        "depth" if steady else "normal force",
+    )
+    return Sheet((*_state_panels(item.states, names, "cycles"), *below), 3, width=3.9)
 
 
-@draw.register(SlidingSolution)
-def sliding_sheet(item: SlidingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(SlidingSolution)
+def sliding_sheet(item: SlidingSolution, *, extent: float | None = None) -> Sheet:
     """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them."""
     _refuse(item, extent)
-    distance = series("SlidingSolution", "distance", item.distance)
-    with style.styled():
-        figure = style.figure(3, 2, width=3.9)
-        panels = figure.subplots(2, 3).ravel()
-        _draw_states(panels[:3], item.states, [told(far, "m", 3) for far in item.distance.tolist()], "distance")
-        _draw_over(panels[3], distance, [_told(item, "radius")], "")
-        _draw_over(panels[4], distance, [_told(item, "worn_volume")], "")
-        _draw_over(panels[5], distance, [_told(item, "mean_pressure")], "")
-        for axes, title in zip(panels[3:], ("contact", "worn volume", "mean pressure"), strict=True):
-            axes.set_title(title)
-    return figure
+    distance = _series(item, "distance")
+    above = _state_panels(item.states, [told(far, "m", 3) for far in item.distance.tolist()], "distance")
+    below = (_over(distance, [_series(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
+    return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
 
-@draw.register(WearState)
-@draw.register(FrettingState)
-def wear_state_sheet(item: WearState, *, extent: float | None = None) -> Picture:
+@sheet_of.register(WearState)
+@sheet_of.register(FrettingState)
+def wear_state_sheet(item: WearState, *, extent: float | None = None) -> Sheet:
     """Return the worn profile and the pressure of one state."""
     _refuse(item, extent)
-    with style.styled():
-        figure = style.figure(3, width=3.9)
-        panels = figure.subplots(1, 3)
-        _draw_states(panels, (item,), [f"{item.elapsed:.4g}"], "after")
-    return figure
+    return Sheet(_state_panels((item,), [f"{item.elapsed:.4g}"], "after"), width=3.9)
 
 
-@draw.register(LimitingSolution)
-def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Picture:
+@sheet_of.register(LimitingSolution)
+def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Sheet:
     """Return the limiting profile, what was worn off, and the pressure in the end and before wear."""
     _refuse(item, extent)
     bed, c, end = item.problem.bed, item.stick_radius, item.radius
@@ -97,31 +82,28 @@ def limiting_sheet(item: LimitingSolution, *, extent: float | None = None) -> Pi
     ring = c + (end - c) * np.linspace(0.0, 1.0, DENSE) ** 2
     r = np.unique(np.concatenate([np.linspace(0.0, reach, DENSE), ring]))
     before, worn = bed.height(r), item.worn(r)
-    with style.styled():
-        figure = style.figure(3, width=3.9)
-        panels = figure.subplots(1, 3)
-        lines = [("before wear", style.MUTED, style.DASHES[1]), ("in the end", style.BLUE, "-")]
-        _draw_rows(panels[0], "WearState", "height", [(r, before), (r, before + worn)], lines)
-        _draw_rows(panels[1], "WearState", "worn", [(r, worn)], [("worn off", style.RED, "-")])
-        share = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, DENSE))[:-1]
-        pressed = item.problem.contact
-        radius = float(pressed.radius)
-        rows = [
-            (radius * share, bed.medium.pressure(pressed.pressed, radius * share)),
-            (c * share, item.pressure(c * share)),
-        ]
-        _draw_rows(panels[2], "WearState", "pressure", rows, lines, CEILING * float(pressed.mean_pressure))
-        for axes, title in zip(panels, ("profile", "worn depth", "pressure"), strict=True):
-            axes.set_title(title)
-            _mark(axes, c, "core")
-            style.framed_legend(axes, loc="best")
-        figure.suptitle(
-            f"$c$ = {told(c, 'm')}   $a_\\infty$ = {told(end, 'm')}   $V$ = {told(item.worn_volume, 'm^3')}"
-        )
-    return figure
+    share = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, DENSE))[:-1]
+    pressed = item.problem.contact
+    radius = float(pressed.radius)
+    first: dict[str, Any] = {"name": "before wear", "colour": style.MUTED, "dash": style.DASHES[1]}
+    last: dict[str, Any] = {"name": "in the end"}
+    start, stop = bed.medium.pressure(pressed.pressed, radius * share), item.pressure(c * share)
+    panels = (
+        rows_panel("height", [Line(r, before, **first), Line(r, before + worn, **last)]),
+        rows_panel("worn", [Line(r, worn, style.RED, name="worn off")]),
+        rows_panel(
+            "pressure",
+            [Line(radius * share, start, **first), Line(c * share, stop, **last)],
+            CEILING * float(pressed.mean_pressure),
+        ),
+    )
+    core = Rule(c, upright=True, width=0.9, dash=style.DOTTED, name="core")
+    title = f"$c$ = {told(c, 'm')}   $a_\\infty$ = {told(end, 'm')}   $V$ = {told(item.worn_volume, 'm^3')}"
+    shown = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
+    return Sheet(shown, width=3.9, title=title)
 
 
-def _told(item: Any, name: str) -> Series:
+def _series(item: Any, name: str) -> Series:
     return series(type(item), name, getattr(item, name))
 
 
@@ -134,66 +116,99 @@ def _chosen(states: tuple[WearState, ...]) -> list[int]:
     return sorted({int(np.argmin(np.abs(volumes - each))) for each in wanted})
 
 
-def _draw_states(panels: Any, states: tuple[WearState, ...], names: list[str], what: str) -> None:
-    """Draw profiles, worn depths and pressures of a few states, from pale to dark."""
+def _state_panels(states: tuple[WearState, ...], names: list[str], what: str) -> tuple[Panel, ...]:
+    """Return profiles, worn depths and pressures of a few states, from pale to dark."""
     chosen = _chosen(states)
-    reach = AROUND * max(states[index].radius for index in chosen)
-    colours = style.shades()(np.linspace(0.25, 1.0, len(chosen)))
     shown = [states[index] for index in chosen]
+    reach = AROUND * max(state.radius for state in shown)
     kept = [state.radii <= reach for state in shown]
     mean = max(state.force / (np.pi * state.radius**2) for state in shown)
-    for axes, name, most in zip(panels, ("height", "worn", "pressure"), (np.inf, np.inf, CEILING * mean), strict=True):
-        rows = [
-            (state.radii[inside], np.asarray(getattr(state, name))[inside])
-            for state, inside in zip(shown, kept, strict=True)
+    shades = [style.shade(float(share)) for share in np.linspace(0.25, 1.0, len(chosen))]
+    panels = []
+    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", CEILING * mean)):
+        lines = [
+            Line(state.radii[inside], np.asarray(getattr(state, name))[inside], colour, name=names[index])
+            for state, inside, colour, index in zip(shown, kept, shades, chosen, strict=True)
         ]
-        styles = [(names[index], colour, "-") for index, colour in zip(chosen, colours, strict=True)]
-        _draw_rows(axes, "WearState", name, rows, styles, most)
-    for axes, title in zip(panels, ("worn profiles", "worn depth", "pressure"), strict=True):
-        axes.set_title(title)
-    style.framed_legend(panels[0], loc="best", title=what, title_fontsize=8.5)
+        panels.append(rows_panel(name, lines, most))
+    panels[0] = panels[0].plus(legend="best", legend_title=what)
+    return titled(panels, "worn profiles", "worn depth", "pressure")
 
 
-def _draw_rows(
-    axes: Axes,
-    owner: str,
-    name: str,
-    rows: list[tuple[Array, Array]],
-    styles: list[tuple[str, Any, Any]],
-    most: float = np.inf,
-) -> None:
-    """Draw curves over the distance from the axis, all in one unit, up to a greatest number that is shown."""
-    along = series("WearState", "radii", np.concatenate([r for r, _ in rows]))
-    every = np.minimum(np.concatenate([content for _, content in rows]), most)
-    of = series(owner, name, every)
-    for (r, content), (label, colour, line) in zip(rows, styles, strict=True):
-        axes.plot(r / along.scale.factor, content / of.scale.factor, color=colour, linestyle=line, label=label)
-    axes.set_xlabel(f"$r$ [{along.scale.unit}]")
-    axes.set_ylabel(of.label())
-    top = float(np.max(every)) / of.scale.factor
-    axes.set_ylim(0.0, 1.08 * top if top > 0.0 else 1.0)
+def rows_panel(name: str, lines: list[Line], most: float = np.inf) -> Panel:
+    """Return a quantity of wear over the distance from the axis, up to a greatest number that is shown.
+
+    Parameters
+    ----------
+    name : str
+        A field of `WearState`.
+    lines : list of Line
+    most : float
+        [SI].
+    """
+    along = series("WearState", "radii", np.concatenate([line.x for line in lines]))
+    of = series("WearState", name, np.minimum(np.concatenate([line.y for line in lines]), most))
+    top = float(np.max(of.content))
+    high = 1.08 * top if top > 0.0 else of.scale.factor
+    return Panel(tuple(lines), Axis("$r$", along.scale), Axis.of(of, low=0.0, high=high))
 
 
-def _mark(axes: Axes, radius: float, label: str) -> None:
-    along = series("WearState", "radii", np.array([radius]))
-    axes.axvline(along.shown()[0], color=style.MUTED, linewidth=0.9, linestyle=":", label=label)
+def moment_panels(states: Sequence[WearState], moment: int) -> tuple[Panel, Panel, Panel]:
+    """Return worn profile, worn depth and pressure at a moment, beside the first and the last state.
+
+    Parameters
+    ----------
+    states : sequence of WearState
+        All states of a history.
+    moment : int
+        Which of them is looked at.
+    """
+    first, now, last = states[0], states[moment], states[-1]
+    reach = min(AROUND * max(one.radius for one in states), first.bed.reach, float(last.radii[-1]))
+    r = np.unique(np.concatenate([[0.0, reach], *(one.radii[one.radii <= reach] for one in (first, last))]))
+    before = first.bed.height(r)
+    end, here = (before + np.interp(r, one.radii, one.worn) for one in (last, now))
+    thin: dict[str, Any] = {"colour": style.MUTED, "width": 1.0}
+    start = "before wear" if first.elapsed == 0.0 else "at first"
+    profile = [
+        Line(r, end, name="in the end", **thin),
+        Line(r, before, name="before wear", dash=style.DASHES[1], **thin),
+        Line(r, here, name="now"),
+    ]
+    worn = [
+        Line(last.radii, last.worn, name="in the end", **thin),
+        Line(now.radii, now.worn, style.RED, name="now"),
+    ]
+    most = CEILING * max((one.force / (np.pi * one.radius**2) for one in states if one.radius > 0.0), default=0.0)
+    top = max(float(np.max(np.minimum(one.pressure, most))) for one in states)
+    pressure = [
+        Line(first.radii, np.minimum(first.pressure, most), name=start, dash=style.DASHES[1], **thin),
+        Line(last.radii, np.minimum(last.pressure, most), name="in the end", **thin),
+        Line(now.radii, np.minimum(now.pressure, most), style.RED, name="now"),
+    ]
+    off = Area(r, before, here, alpha=0.15)
+    panels = []
+    for name, lines, marks, high in (
+        ("height", profile, (off,), float(np.max(end))),
+        ("worn", worn, (), float(np.max(last.worn))),
+        ("pressure", pressure, (), top),
+    ):
+        panel = rows_panel(name, lines)
+        scale = series("WearState", name, np.array([high])).scale
+        upright = dataclasses.replace(panel.upright, scale=scale, high=1.08 * high if high > 0.0 else scale.factor)
+        across = Axis.of(series("SurfaceFields", "r", r), low=0.0, high=reach)
+        panels.append(panel.plus(*marks, across=across, upright=upright, legend="best"))
+    return panels[0], panels[1], panels[2]
 
 
-def _draw_over(axes: Axes, along: Series, rows: list[Series], label: str) -> None:
-    """Draw quantities of one unit over cycles or distance."""
+def _over(along: Series, rows: list[Series], label: str = "") -> Panel:
+    """Return quantities of one unit over cycles or distance."""
     scale = max((row.scale for row in rows), key=lambda one: one.factor)
-    for row, colour, line in zip(rows, (style.BLUE, style.RED), ("-", style.DASHES[1]), strict=False):
-        axes.plot(along.shown(), row.shown(scale), color=colour, linestyle=line, label=row.name.replace("_", " "))
-    axes.set_xlabel(along.label())
-    axes.set_ylabel(f"{label} [{scale.unit}]" if label else rows[0].label(scale))
-    axes.set_ylim(0.0, 1.12 * max(float(np.max(row.shown(scale))) for row in rows) or 1.0)
-    if len(rows) > 1:
-        style.framed_legend(axes, loc="best")
-
-
-def _draw_volume(axes: Axes, along: Series, item: FrettingSolution) -> None:
-    """Draw what both bodies have lost; each by itself if both wear."""
-    if not np.any(item.second_volume > 0.0):
-        _draw_over(axes, along, [_told(item, "worn_volume")], "")
-        return
-    _draw_over(axes, along, [_told(item, "first_volume"), _told(item, "second_volume")], "worn volume")
+    looks: tuple[dict[str, Any], ...] = ({"colour": style.BLUE}, {"colour": style.RED, "dash": style.DASHES[1]})
+    lines = [
+        Line(along.content, row.content, name=row.name.replace("_", " "), **look)
+        for row, look in zip(rows, looks, strict=False)
+    ]
+    high = 1.12 * max(float(np.max(row.content)) for row in rows) or scale.factor
+    upright = Axis(label, scale, low=0.0, high=high) if label else Axis.of(rows[0], scale, low=0.0, high=high)
+    return Panel(tuple(lines), Axis.of(along), upright, legend="best" if len(rows) > 1 else "")

@@ -12,22 +12,30 @@
 
 from __future__ import annotations
 
-import re
+import functools
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from winkler.fitting.compare import AnyFit
 from winkler.numerics.types import Array
-from winkler.study.batch.outcome import Column, Provenance
+from winkler.study.batch.outcome import Column, Provenance, worst_of_each
 from winkler.study.language.fit_study import FitStudy, Free
-from winkler.validity import Note, worst
+from winkler.validity import Note
 from winkler.values import value
 from winkler.vocabulary import Word
 
 __all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused"]
 
 CONFIDENCE = 0.95
+OF_A_FIT = {
+    "chi_square": Word(r"\chi^2", "", "squared misfit over the noise"),
+    "chi_square_in_contact": Word(r"\chi^2", "", "squared misfit over the noise, of the points in contact alone"),
+    "effective_count": Word("", "", "independent points"),
+    "largest_depth": Word("d", "m", "largest fitted depth"),
+    "largest_radius": Word("a", "m", "largest fitted contact radius"),
+}
 
 
 @value
@@ -95,87 +103,61 @@ class FitOutcome:
         """The curves without an answer."""
         return tuple(result for result in self.results if isinstance(result, Refused))
 
-    @property
+    @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
         """The notes of all fits; of statements that differ in their numbers only, the worst."""
-        found: dict[str, Note] = {}
-        for note in (note for result in self.fitted for note in result.notes):
-            topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
-            if topic not in found or worst((found[topic], note)) is note.standing:
-                found[topic] = note
-        return tuple(found.values())
+        return worst_of_each(note for result in self.fitted for note in result.notes)
 
     def numbers(self, free: Free) -> Array:
         """Return a fitted number of every curve, NaN where there is none ``(curves,)``, SI."""
-        return np.array(
-            [result.fit.value(free.path) if isinstance(result, Fitted) else np.nan for result in self.results]
-        )
+        return self._of(lambda fit: fit.value(free.path))
 
     def errors(self, free: Free) -> Array:
         """Return the standard error of a fitted number of every curve ``(curves,)``, SI."""
-        return np.array(
-            [result.fit.error(free.path) if isinstance(result, Fitted) else np.nan for result in self.results]
-        )
+        return self._of(lambda fit: fit.error(free.path))
 
     def intervals(self, free: Free) -> Array:
         """Return the interval of 95 % of every curve ``(curves, 2)``, SI."""
-        return np.array(
-            [
-                result.fit.interval(free.path, CONFIDENCE) if isinstance(result, Fitted) else (np.nan, np.nan)
-                for result in self.results
-            ]
-        )
+        return self._of(lambda fit: fit.interval(free.path, CONFIDENCE), (np.nan, np.nan))
+
+    def flags(self, separator: str, nothing: str) -> list[str]:
+        """Return the names of the flags of every curve, `nothing` where there is no fit."""
+        return list(self._of(lambda fit: separator.join(flag.name for flag in fit.flags), nothing))
 
     def table(self) -> tuple[Column, ...]:
         """Return one row per curve: name, place, every free number with its error and interval, misfit, flags."""
-        names = [result.name for result in self.results]
-        columns = [Column("curve", Word("", None, "where the curve comes from"), np.array(names))]
+        names = np.array([result.name for result in self.results])
+        columns = [Column("curve", Word("", None, "where the curve comes from"), names)]
         for axis in ("x", "y"):
             place = np.array([getattr(result, axis) for result in self.results])
             if np.isfinite(place).any():
                 columns.append(Column(axis, Word(axis, "m", "place on the sample"), place))
         for free in self.study.free:
-            told = self.study.word(free.key)
-            limits = self.intervals(free)
+            stated = self.study.word(free.key)
+            low, high = self.intervals(free).T
             parts = (
                 ("", "", self.numbers(free)),
                 ("_error", "standard error: ", self.errors(free)),
-                ("_low", "lower end of the 95 % interval: ", limits[:, 0]),
-                ("_high", "upper end of the 95 % interval: ", limits[:, 1]),
+                ("_low", "lower end of the 95 % interval: ", low),
+                ("_high", "upper end of the 95 % interval: ", high),
             )
             columns += [
-                Column(f"{free.key}{end}", told._replace(meaning=f"{lead}{told.meaning}"), content)
+                Column(f"{free.key}{end}", stated._replace(meaning=f"{lead}{stated.meaning}"), content)
                 for end, lead, content in parts
             ]
         columns += [
-            Column("noise", self.study.spread, self._each("noise")),
-            Column("chi_square", Word(r"\chi^2", "", "squared misfit over the noise"), self._each("chi_square")),
-            Column(
-                "chi_square_in_contact",
-                Word(r"\chi^2", "", "squared misfit over the noise, of the points in contact alone"),
-                self._each("chi_square_in_contact"),
-            ),
-            Column("effective_count", Word("", "", "independent points"), self._each("effective_count")),
-            Column("largest_depth", Word("d", "m", "largest fitted depth"), self._largest("depth")),
-            Column("largest_radius", Word("a", "m", "largest fitted contact radius"), self._largest("radius")),
+            Column(name, word, self._largest(name.removeprefix("largest_")))
+            for name, word in ({"noise": self.study.spread} | OF_A_FIT).items()
         ]
-        flags = [
-            "; ".join(flag.name for flag in result.fit.flags) if isinstance(result, Fitted) else ""
-            for result in self.results
-        ]
-        reasons = [result.reason if isinstance(result, Refused) else "" for result in self.results]
-        columns.append(Column("flags", Word("", None, "what speaks against the numbers"), np.array(flags)))
-        columns.append(Column("failure", Word("", None, "why a curve has no answer"), np.array(reasons)))
+        reasons = np.array([result.reason if isinstance(result, Refused) else "" for result in self.results])
+        flags = np.array(self.flags("; ", ""))
+        columns.append(Column("flags", Word("", None, "what speaks against the numbers"), flags))
+        columns.append(Column("failure", Word("", None, "why a curve has no answer"), reasons))
         return tuple(columns)
 
-    def _each(self, name: str) -> Array:
-        return np.array([_number(result, name) for result in self.results])
+    def _of(self, stated: Callable[[AnyFit], Any], nothing: Any = np.nan) -> Array:
+        """Return something of every fit, `nothing` where there is none."""
+        return np.array([stated(result.fit) if isinstance(result, Fitted) else nothing for result in self.results])
 
     def _largest(self, name: str) -> Array:
-        return np.array(
-            [np.max(getattr(result.fit, name)) if isinstance(result, Fitted) else np.nan for result in self.results]
-        )
-
-
-def _number(result: Any, name: str) -> float:
-    return float(getattr(result.fit, name)) if isinstance(result, Fitted) else np.nan
+        return self._of(lambda fit: float(np.max(getattr(fit, name))))

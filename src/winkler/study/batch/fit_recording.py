@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from winkler.errors import InvalidInput
+from winkler.errors import InvalidInput, Mistake
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
@@ -28,15 +28,13 @@ from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.recording import notes_of, plain_notes
 from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["MISTAKE", "Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
+__all__ = ["Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
 
 Piece = str | PlacedCurve | UnreadCurve
 """A file of many, or a curve of one file."""
 Results = tuple[Fitted | Refused, ...]
 """What came of the curves of a piece."""
 
-MISTAKE = 70
-"""What the command line returns for a mistake of winkler itself."""
 FITS = {cls.__name__: cls for cls in (Fit, ViscoelasticFit, CreepFit)}
 RESTORED = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
 
@@ -88,7 +86,7 @@ def recalled_fits(study: FitStudy, todo: Sequence[Piece], journal: Journal) -> d
         return {
             places[line["of"]]: results_of(study, line)
             for line in journal.recalled()
-            if line["of"] in places and all(curve.get("code") != MISTAKE for curve in line["curves"])
+            if line["of"] in places and all(curve.get("code") != Mistake.exit_code for curve in line["curves"])
         }
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidInput(

@@ -1,7 +1,6 @@
-"""Fitting the curves of a study: one after the other or in a pool of processes, as a stream; none stops the others.
+"""The fits of the curves of a study as a stream; none stops the others.
 
-With a journal, what came of a curve is written as soon as it is fitted, and what an earlier run has written of a curve
-that is still the same is not fitted again.
+What a journal knows of a curve holds as long as the curve is the same.
 """
 
 from __future__ import annotations
@@ -17,7 +16,9 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 
-from winkler.errors import InvalidInput, WinklerError
+import numpy as np
+
+from winkler.errors import InvalidInput, Mistake, WinklerError
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit, fit_steps
@@ -25,7 +26,6 @@ from winkler.fitting.search import FitState
 from winkler.io.curves import PlacedCurve, UnreadCurve, try_curves
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, Refused
 from winkler.study.batch.fit_recording import (
-    MISTAKE,
     Piece,
     Results,
     fingerprint,
@@ -34,9 +34,9 @@ from winkler.study.batch.fit_recording import (
     written_fits,
 )
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.pool import checked_workers, completed
-from winkler.study.batch.run import ERRORS, provenance
-from winkler.study.batch.stopping import look
+from winkler.study.batch.pool import Workers
+from winkler.study.batch.run import ERRORS, provenance, resumed
+from winkler.study.batch.stream import results
 from winkler.study.language.canonical import how_fitted
 from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
@@ -45,23 +45,19 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
 
 NOTHING: Mapping[int, Results] = MappingProxyType({})
-
 Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
 """Passes on how far a fit has come, state after state, and last what it has found."""
 
 
-def fit_study(study: FitStudy, *, workers: int = 1, journal: str | Path = "") -> FitOutcome:
+def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = "") -> FitOutcome:
     """Fit every curve of a study.
 
     Parameters
     ----------
     study
         From `winkler.study.language.fit_reading.read_fit_study`.
-    workers
-        Number of processes; the numbers do not depend on it.
-    journal
-        File in which fits are kept while it runs: the same call goes on from there if it was stopped. It is removed at
-        the end.
+    workers, journal
+        As for `winkler.study.batch.run.run`.
 
     Raises
     ------
@@ -70,15 +66,12 @@ def fit_study(study: FitStudy, *, workers: int = 1, journal: str | Path = "") ->
     """
     started = time.perf_counter()
     todo = pieces(study)
-    if journal:
-        with Journal(Path(journal), study) as kept:
-            known = recalled_fits(study, todo, kept)
-            outcome = gather_fits(
-                study, fit_curves(study, todo, workers=workers, known=known, journal=kept), started=started
-            )
-            kept.remove()
-        return outcome
-    return gather_fits(study, fit_curves(study, todo, workers=workers), started=started)
+
+    def outcome(kept: Journal | None) -> FitOutcome:
+        known = NOTHING if kept is None else recalled_fits(study, todo, kept)
+        return gather_fits(study, fit_curves(study, todo, known, workers=workers, journal=kept), started=started)
+
+    return resumed(study, journal, outcome)
 
 
 def pieces(study: FitStudy) -> list[Piece]:
@@ -89,10 +82,10 @@ def pieces(study: FitStudy) -> list[Piece]:
 def fit_curves(
     study: FitStudy,
     todo: Sequence[Piece],
-    *,
-    workers: int = 1,
-    watch: Watch | None = None,
     known: Mapping[int, Results] = NOTHING,
+    *,
+    workers: Workers = 1,
+    watch: Watch | None = None,
     journal: Journal | None = None,
 ) -> Iterator[tuple[int, Results]]:
     """Yield the place of every piece and what came of it, first what is known, then others as they are fitted.
@@ -103,40 +96,29 @@ def fit_curves(
         The model, and what is free.
     todo
         Files or curves, from `pieces`.
-    workers
-        Number of processes; 1 fits in this one.
-    watch
-        Sees every fit while it runs; not those of other processes.
     known
         What an earlier run found, by place, from `recalled_fits`.
-    journal
-        Where the others are written; it is removed if no curve has an answer, for then the study has to be changed.
+    workers, watch, journal
+        As for `winkler.study.batch.stream.results`.
     """
-    checked_workers(workers)
-    yield from known.items()
-    left = [place for place in range(len(todo)) if place not in known]
-    useful = any(_useful(results) for results in known.values())
-    for nth, (mark, results) in _answered(study, [todo[place] for place in left], workers, watch):
-        look()  # a library may have made the curve a failed one of it
+
+    def kept(computed: tuple[str, Results]) -> Results:
         if journal is not None:
-            journal.write(written_fits(mark, results))
-        useful = useful or _useful(results)
-        yield left[nth], results
-    if journal is not None and not useful:
-        journal.remove()
+            journal.write(written_fits(*computed))
+        return computed[1]
 
-
-def _useful(results: Results) -> bool:
-    return any(isinstance(result, Fitted) for result in results)
-
-
-def _answered(
-    study: FitStudy, todo: list[Piece], workers: int, watch: Watch | None
-) -> Iterator[tuple[int, tuple[str, Results]]]:
-    if workers == 1 or len(todo) < 2:
-        yield from ((place, _marked(study, piece, watch)) for place, piece in enumerate(todo))
-    else:
-        yield from completed(functools.partial(_marked, study), todo, min(workers, len(todo)))
+    return results(
+        todo,
+        functools.partial(_marked, study),
+        known=known.items(),
+        left=lambda done: [todo[place] for place in np.flatnonzero(~done).tolist()],
+        result=kept,
+        useful=lambda curves: any(isinstance(one, Fitted) for one in curves),
+        journal=journal,
+        names=("files" if len(study.sources) > 1 else "curves", "fitted"),
+        workers=workers,
+        watch=watch,
+    )
 
 
 def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[str, Results]:
@@ -145,7 +127,7 @@ def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[
 
 
 def gather_fits(
-    study: FitStudy, results: Iterable[tuple[int, Results]], *, started: float, source: str = "", left: int = 0
+    study: FitStudy, found: Iterable[tuple[int, Results]], *, started: float, source: str = "", left: int = 0
 ) -> FitOutcome:
     """Return the outcome of fits.
 
@@ -153,12 +135,10 @@ def gather_fits(
     ----------
     study
         What was asked.
-    results
+    found
         What `fit_curves` yields, in any order.
-    started
-        ``time.perf_counter()`` when the run began.
-    source
-        Name of the study file.
+    started, source
+        As for `winkler.study.batch.run.gather`.
     left
         Number of pieces that were not reached.
 
@@ -167,13 +147,13 @@ def gather_fits(
     InvalidInput, NotConverged, OutsideValidity
         If no curve has an answer: the reason of the first.
     """
-    found = tuple(result for _, many in sorted(results, key=operator.itemgetter(0)) for result in many)
-    if not any(isinstance(result, Fitted) for result in found):
-        first = next(result for result in found if isinstance(result, Refused))
-        many = f"none of the {len(found)} curves can be fitted; the first: " if len(found) > 1 else ""
-        raise ERRORS.get(first.code, RuntimeError)(f"{many}{first.name}: {first.reason}")
+    each = tuple(result for _, many in sorted(found, key=operator.itemgetter(0)) for result in many)
+    if not any(isinstance(result, Fitted) for result in each):
+        first = next(result for result in each if isinstance(result, Refused))
+        many = f"none of the {len(each)} curves can be fitted; the first: " if len(each) > 1 else ""
+        raise ERRORS[first.code](f"{many}{first.name}: {first.reason}")
     made = provenance(_hash(study), time.perf_counter() - started, source)
-    return FitOutcome(study, found, made, left)
+    return FitOutcome(study, each, made, left)
 
 
 def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
@@ -205,7 +185,7 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         return Refused(name, one.x, one.y, str(error), error.exit_code)
     except Exception as error:  # it costs this curve, not the batch
         reason = " ".join(str(error).split())
-        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {reason}", MISTAKE)
+        return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {reason}", Mistake.exit_code)
 
 
 def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:

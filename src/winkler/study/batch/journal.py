@@ -49,6 +49,8 @@ class Journal:
         self.path = path
         self.count = 0
         """Number of lines that are kept, without those of points that are tried again: see `settled`."""
+        self.complete = True
+        """Whether nothing is left to do; else a later run goes on from here."""
         self._head = _head(study)
         self._file = -1
         self._known = 0

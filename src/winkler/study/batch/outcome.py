@@ -30,6 +30,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import re
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -56,6 +57,7 @@ __all__ = [
     "Solved",
     "Verdict",
     "answers_of",
+    "worst_of_each",
 ]
 
 
@@ -161,6 +163,16 @@ class Provenance:
         }
 
 
+def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
+    """Return notes; of statements that differ in their numbers only, the worst."""
+    found: dict[str, Note] = {}
+    for note in notes:
+        topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
+        if topic not in found or worst((found[topic], note)) is note.standing:
+            found[topic] = note
+    return tuple(found.values())
+
+
 @value
 class Outcome:
     """What a study came to; see the module for its parts."""
@@ -188,13 +200,8 @@ class Outcome:
     @functools.cached_property
     def validity(self) -> tuple[Note, ...]:
         """The notes of all points; of statements that differ in their numbers only, the worst."""
-        found: dict[str, Note] = {}
         each = {(note.standing, note.statement): note for point in self.solved for note in point.validity}
-        for note in each.values():
-            topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
-            if topic not in found or worst((found[topic], note)) is note.standing:
-                found[topic] = note
-        return tuple(found.values())
+        return worst_of_each(each.values())
 
     @functools.cached_property
     def answers(self) -> tuple[str, ...]:

@@ -6,20 +6,24 @@ import datetime
 import functools
 import platform
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from importlib.metadata import version
 from pathlib import Path
+from typing import TypeVar
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, OutsideValidity, WinklerError
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed, Outcome, Point, Provenance, Solved, Verdict
 from winkler.study.batch.pool import Workers
-from winkler.study.batch.sweep import journaled, solve_points
+from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.canonical import digest
+from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 
-__all__ = ["ERRORS", "first_failure", "gather", "provenance", "raised", "run"]
+__all__ = ["ERRORS", "first_failure", "gather", "named", "provenance", "raised", "resumed", "run"]
+
+Found = TypeVar("Found")
 
 ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity, Mistake)}
 
@@ -50,12 +54,19 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
         If no point of the study has an answer: the reason of the first, or of the first mistake of winkler's own.
     """
     started = time.perf_counter()
-    if journal:
-        with Journal(Path(journal), study) as kept:
-            outcome = gather(study, journaled(study, kept, workers=workers), started=started)
-            kept.remove()
-        return outcome
-    return gather(study, solve_points(study, workers=workers), started=started)
+    return resumed(
+        study, journal, lambda kept: gather(study, solve_points(study, kept, workers=workers), started=started)
+    )
+
+
+def resumed(study: Study | FitStudy, path: str | Path, outcome: Callable[[Journal | None], Found]) -> Found:
+    """Return the outcome of a study, with a journal at `path` if there is one, which is removed at the end."""
+    if not path:
+        return outcome(None)
+    with Journal(Path(path), study) as journal:
+        found = outcome(journal)
+        journal.remove()
+    return found
 
 
 def gather(study: Study, points: Iterable[Point], *, started: float, source: str = "") -> Outcome:
@@ -66,7 +77,7 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
     study
         What was asked.
     points
-        What `solve_points` or `journaled` yields, in any order.
+        What `solve_points` yields, in any order.
     started
         ``time.perf_counter()`` when the run began.
     source

@@ -1,14 +1,11 @@
-"""The points of a study, solved one after the other, in a pool of processes or on a cluster, as a stream.
+"""The points of a study as a stream.
 
-The numbers are the same whoever solves them.  With a journal, points are written as soon as they are solved, and those
-that an earlier run has written are not solved again.  One bad point does not stop a sweep: whatever it raises, it has
-no answer, and the others are solved.
+One bad point does not stop a sweep: whatever it raises, it has no answer, and the others are solved.
 """
 
 from __future__ import annotations
 
 import functools
-import time
 import traceback
 from collections.abc import Iterator
 from typing import Any
@@ -18,17 +15,17 @@ import numpy as np
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 from winkler.fields import restore
 from winkler.study.batch.checkpoint import Keep
-from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal, settled
 from winkler.study.batch.marching import ANEW, March, Watch, is_march, marched, unwatched
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
-from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
+from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import light, recalled, written
-from winkler.study.batch.stopping import INTERRUPTED, look
+from winkler.study.batch.stopping import INTERRUPTED
+from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import Task, Tasks, tasks
 from winkler.study.language.study import Expectation, Study
 
-__all__ = ["journaled", "solve_points", "solved"]
+__all__ = ["solve_points", "solved"]
 
 WHOLE = 256
 """Of sweeps with more points the solutions are not kept, only what tables and archives tell of them."""
@@ -61,13 +58,23 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
         return Failed(index, settings, problem, str(error), error.exit_code)
 
 
-def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW) -> Iterator[Point]:
-    """Yield the points of a study as they are solved, in the order of its sweep.
+def solve_points(
+    study: Study,
+    journal: Journal | None = None,
+    *,
+    workers: Workers = 1,
+    watch: Watch = unwatched,
+    keep: Keep = ANEW,
+) -> Iterator[Point]:
+    """Yield the points of a study as they are solved.
 
     Parameters
     ----------
     study
         What to solve.
+    journal
+        Where points are kept: those that it has come first, then the others in any order.  Without one they come in the
+        order of the sweep.
     workers
         Number of processes, a cluster, or the `Machine`; 1 solves in this one.
     watch
@@ -79,93 +86,51 @@ def solve_points(study: Study, *, workers: Workers = 1, watch: Watch = unwatched
     Raises
     ------
     InvalidInput
-        Before the first point, if one of them cannot be asked.
+        Before the first point, if one of them cannot be asked, or the journal is of another study.
+    NotConverged
+        If workers died: how many points are kept.
     """
-    checked_workers(workers)
+    points, expect, shape = tasks(study), study.expect, study.shape
+    alone = study.size == 1  # its error ends the run, and shows where it came from
+    whole = study.size <= WHOLE
+    stream = results(
+        points,
+        functools.partial(_slimmed, expect=expect, shape=shape, keep=keep, whole=whole, alone=alone),
+        known=() if journal is None else _known(study, points, journal),
+        left=points.without,
+        result=functools.partial(_kept, journal, expect, shape),
+        useful=lambda point: not isinstance(point, Failed),
+        journal=journal,
+        names=("points", "solved"),
+        workers=workers,
+        watch=watch,
+    )
     early: dict[int, Point] = {}
     due = 0
-    for place, point in _answered(study, tasks(study), workers, watch, keep):
-        look()
+    for place, point in stream:
+        if journal is not None:
+            yield point
+            continue
         early[place] = point
         while due in early:
             yield early.pop(due)
             due += 1
 
 
-def journaled(
-    study: Study, journal: Journal, *, workers: Workers = 1, watch: Watch = unwatched, keep: Keep = ANEW
-) -> Iterator[Point]:
-    """Yield the points of a study, first those in its journal, then others as soon as they are solved and written.
-
-    Parameters
-    ----------
-    study, workers, watch, keep
-        As for `solve_points`.
-    journal
-        Where points are kept.
-
-    Raises
-    ------
-    InvalidInput
-        Before the first point, if one of them cannot be asked, or the journal is of another study.
-    NotConverged
-        If workers died: how many points are kept.
-    """
-    checked_workers(workers)
-    todo = tasks(study)
-    done, useful = np.zeros(len(todo), dtype=bool), False
+def _known(study: Study, points: Tasks, journal: Journal) -> Iterator[tuple[int, Point]]:
     for content in journal.recalled():
-        if not settled(content):
-            continue
-        place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
-        done[place] = True
-        known = recalled(content, todo[place], study.expect)
-        useful = useful or not isinstance(known, Failed)
-        yield known
-    for point in _counted(_answered(study, todo.without(done), workers, watch, keep), journal, len(todo)):
-        look()  # a library may have made the point a failed one of it
-        if point.code == INTERRUPTED and journal.count:  # the points before it are kept, and the run goes on from there
-            raise KeyboardInterrupt
-        if isinstance(point, Failed) or point.code != INTERRUPTED:
-            slim = _slim(point, study.expect, study.shape)
-            final = not (isinstance(slim, Failed) and slim.traceback)
-            journal.write(written(slim), final=final)
-            point = slim if isinstance(slim, Failed) else point
-        useful = useful or not isinstance(point, Failed)
-        yield point
-    if not useful:  # the study has to be changed
-        journal.remove()
+        if settled(content):
+            place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
+            yield place, recalled(content, points[place], study.expect)
 
 
-def _counted(points: Iterator[tuple[int, Point]], journal: Journal, many: int) -> Iterator[Point]:
-    """Yield points; if nobody is left to solve them, tell how many are kept."""
-    try:
-        for _, point in points:
-            yield point
-    except NotConverged as error:
-        kept = f"{journal.count} of {many} points are kept in '{journal.path}', and the same run goes on from there."
-        raise NotConverged(f"{error} {kept}" if journal.count else f"{error} No point was solved.") from None
-
-
-def _answered(study: Study, todo: Tasks, workers: Workers, watch: Watch, keep: Keep) -> Iterator[tuple[int, Point]]:
-    """Yield the places and the points of tasks, as they are ready."""
-    whole = study.size <= WHOLE
-    alone = study.size == 1  # its error ends the run, and shows where it came from
-    answer = functools.partial(_slimmed, expect=study.expect, shape=study.shape, keep=keep, whole=whole, alone=alone)
-    if isinstance(workers, Cluster) or (isinstance(workers, int) and workers > 1 < len(todo)):
-        yield from completed(answer, todo, workers)
-        return
-    others, patience = (workers.processors, workers.patience) if isinstance(workers, Machine) else (1, 0.0)
-    started = time.monotonic()
-    for place, task in enumerate(todo):
-        point = answer(task, watch=watch)
-        yield place, point
-        if point.code == INTERRUPTED:
-            return
-        rest = place + 1
-        if others > 1 < len(todo) - rest and time.monotonic() - started > patience:
-            yield from ((rest + later, other) for later, other in completed(answer, todo[rest:], others))
-            return
+def _kept(journal: Journal | None, expect: tuple[Expectation, ...], shape: tuple[int, ...], point: Point) -> Point:
+    """Return a point that was computed, and write it into the journal if it was not interrupted."""
+    if journal is None or (not isinstance(point, Failed) and point.code == INTERRUPTED):
+        return point
+    slim = _slim(point, expect, shape)
+    journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
+    return slim if isinstance(slim, Failed) else point
 
 
 def _slimmed(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import inspect
 import re
 import typing
@@ -179,6 +180,7 @@ def table_at(table: Any, place: str) -> Any:
     return table
 
 
+@functools.cache
 def _holder(name: str) -> tuple[str, str]:
     """Return a kind of another slot that holds `name`, and the key.
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
 
-from winkler.errors import InvalidInput, suggest
+from winkler.errors import InvalidInput, nearest, suggest
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.grammar import SECTIONS, section_keys
 from winkler.study.language.kind_of_table import shown
@@ -47,8 +46,7 @@ def sentences(error: ValidationError, raw: Any, root: str = "") -> list[str]:
             found.setdefault(key, "")
             continue
         if mistake["type"] == "extra_forbidden":
-            near = difflib.get_close_matches(str(path[-1]), _allowed(key, table), n=1, cutoff=0.6)
-            misspelt.update(f"{_parent(key)}.{name}" for name in near)
+            misspelt.add(f"{_parent(key)}.{nearest(str(path[-1]), _allowed(key, table))}")
         if mistake["type"] != "missing" or f"{_parent(key)}.{path[-1]}" not in misspelt:
             found.setdefault(key, _sentence(mistake, key, path, table))
     return list(found.values())

@@ -112,7 +112,13 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
     if typing.get_origin(hint) in (Union, types.UnionType):
         parts = [allowed_kinds(part) for part in typing.get_args(hint) if part not in UNWRITTEN]
         return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
-    return tuple(name for name, line in kinds().items() if isinstance(hint, type) and issubclass(line.cls, hint))
+    return _kinds_of(hint) if isinstance(hint, type) else ()
+
+
+@functools.cache  # of one class only: unions of the same classes in another order are equal
+def _kinds_of(cls: type) -> tuple[str, ...]:
+    """Return the kinds of a class and of those derived from it."""
+    return tuple(name for name, line in kinds().items() if issubclass(line.cls, cls))
 
 
 def allowed_in_list(hint: Any) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import csv
 import dataclasses
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +27,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study.batch.events import EVENTS
-from winkler.study.batch.outcome import Answered, Outcome
+from winkler.study.batch.outcome import Answered, Column, Outcome
 from winkler.study.batch.sensitivity import SENSITIVITY
 from winkler.study.batch.sensitivity import variables as index_variables
 from winkler.study.batch.sensitivity import write as write_indices
@@ -40,7 +41,7 @@ from winkler.vocabulary import Word, word
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write", "write_netcdf", "write_table"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
@@ -64,15 +65,8 @@ def write(outcome: Outcome, folder: Path) -> None:
     folder
         Must exist; files of the same names are replaced.
     """
-    data = dataset(outcome)
-    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
-    data.to_netcdf(folder / NETCDF, engine="h5netcdf", encoding=large)
-    columns = outcome.table()
-    _write_rows(
-        folder / CSV,
-        [heading(column.name, column.word) for column in columns],
-        zip(*(column.content.tolist() for column in columns), strict=True),
-    )
+    write_netcdf(dataset(outcome), folder / NETCDF)
+    write_table(outcome.table(), folder / CSV)
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)
     if outcome.indices:
@@ -93,11 +87,27 @@ def heading(name: str, told: Word) -> str:
     return name if told.unit is None else f"{name} [{told.unit or '-'}]"
 
 
-def _write_rows(path: Path, headings: list[str], rows: Any) -> None:
+def write_netcdf(data: xarray.Dataset, path: Path) -> None:
+    """Write a dataset; long rows of numbers are compressed, without loss."""
+    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
+    data.to_netcdf(path, engine="h5netcdf", encoding=large)
+
+
+def write_table(columns: Iterable[Column], path: Path, *, nothing: str = "nan") -> None:
+    """Write columns as CSV, with units in the heading and all digits; `nothing` stands where there is no number."""
+    columns = tuple(columns)
+    headings = [heading(column.name, column.word) for column in columns]
+    _write_rows(path, headings, zip(*(column.content.tolist() for column in columns), strict=True), nothing)
+
+
+def _write_rows(path: Path, headings: list[str], rows: Any, nothing: str = "nan") -> None:
+    def written(item: Any) -> Any:
+        return (repr(item) if item == item else nothing) if isinstance(item, float) else item
+
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(headings)
-        writer.writerows([repr(item) if isinstance(item, float) else item for item in row] for row in rows)
+        writer.writerows([written(item) for item in row] for row in rows)
 
 
 def _write_surface(outcome: Outcome, path: Path) -> None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from winkler.study.chapters.captions import CAPTIONS
 
 if TYPE_CHECKING:
+    from winkler.plot.panel import Sheet
     from winkler.plot.picture import Picture
 
 __all__ = ["Shown", "capital", "drawn"]
@@ -43,8 +44,11 @@ class Shown(NamedTuple):
         return self.name in CAPTIONS
 
 
-def drawn(name: str, title: str, sentence: str, picture: Picture) -> Shown:
+def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> Shown:
     """Return a figure with its text, laid out once for all formats."""
+    from winkler.plot.render import render  # matplotlib is loaded by the first figure
+
+    picture = render(sheet)
     store = io.BytesIO()
     picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
     picture.set_layout_engine("none")  # it is laid out now: what is saved afterwards need not do it again

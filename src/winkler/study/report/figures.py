@@ -12,10 +12,10 @@ import numpy as np
 from winkler.errors import WinklerError
 from winkler.loading import Depth
 from winkler.numerics.types import Array
-from winkler.plot import draw
+from winkler.plot import sheet_of
 from winkler.plot.adhesion.cycles import contact_of
-from winkler.plot.families import bar_picture, family_picture
-from winkler.plot.method import PICTURES, Contact, pictures_of
+from winkler.plot.families import bar_sheet, family_sheet
+from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, spoken
 from winkler.plot.sheets import SHEETS
 from winkler.problems.adhesion.cycle import AdhesiveCycleSolution
@@ -79,13 +79,15 @@ def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
     """Return every figure of a study, the answers over what was varied first."""
     found = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
-    wanted = pictures_of(contact) if contact is not None else ()
+    if contact is None:
+        return tuple(found)
+    wanted = pictures_of(contact)
     if shown_point(outcome).answer_type in SHEETS:  # its own picture has F(d), as the edge came here
         wanted = tuple(name for name in wanted if name != "force")
     captions = CAPTIONS | (STUCK if isinstance(contact, AdhesiveSolution) else {})
-    for name, make in ((name, make) for name, make in PICTURES.items() if name in wanted):
+    for name in wanted:
         try:
-            found.append(drawn(name, *captions[name], make(contact)))
+            found.append(drawn(name, *captions[name], method_sheet(name, contact)))
         except WinklerError as error:
             found.append(Shown(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
     return tuple(found)
@@ -138,7 +140,7 @@ def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     sentence = f"One curve for each of the other settings.{cut}" if len(curves) > 1 else "Everything else was kept."
     for name, content in answers.items():
         of = [Series(name, outcome.word(name), content[where]) for _, where in curves]
-        picture = family_picture([x for _ in curves], of, [label for label, _ in curves])
+        picture = family_sheet([x for _ in curves], of, [label for label, _ in curves])
         yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(x.name)}"), sentence, picture)
 
 
@@ -175,7 +177,7 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     for name, content in answers.items():
         of = Series(name, outcome.word(name), content.ravel()[:MOST_BARS])
         sentence = f"One bar for each that was varied.{cut}"
-        yield drawn(f"answer_{name}", capital(spoken(name)), sentence, bar_picture(labels, of))
+        yield drawn(f"answer_{name}", capital(spoken(name)), sentence, bar_sheet(labels, of))
 
 
 def _sheets(outcome: Outcome) -> Iterator[Shown]:
@@ -188,7 +190,7 @@ def _sheets(outcome: Outcome) -> Iterator[Shown]:
     for name, title, told_by, item in wanted:
         sentence = f"{told_by} Shown is {where}." if where else told_by
         try:
-            yield drawn(f"answer_{name}", title, sentence, draw(item))
+            yield drawn(f"answer_{name}", title, sentence, sheet_of(item))
         except WinklerError as error:
             yield Shown(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
@@ -209,7 +211,7 @@ def _side_by_side(outcome: Outcome) -> Iterator[Shown]:
     along = [Series(name, outcome.word(name), answers[name]) for answers in answered]
     for what in ("force", "radius"):
         of = [Series(what, outcome.word(what), answers[what]) for answers in answered]
-        picture = family_picture(along, of, labels, ordered=False)
+        picture = family_sheet(along, of, labels, ordered=False)
         title = capital(f"{spoken(what)} over {spoken(name)}")
         yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
@@ -228,7 +230,7 @@ def _loops(outcome: Outcome, loops: tuple[tuple[str, str], ...]) -> Iterator[Sho
             )
             if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
                 continue  # given, not answered
-            picture = family_picture(along, of, labels, ordered=False)
+            picture = family_sheet(along, of, labels, ordered=False)
             title = capital(f"{spoken(what)} over {spoken(over)}")
             name = f"answer_{what}_over_{over}" if what in known else f"answer_{what}"
             known.add(what)
@@ -256,7 +258,7 @@ def _over(outcome: Outcome, over: str) -> Iterator[Shown]:
         if name != over and all(name in answers for answers in answered):
             of = [Series(name, outcome.word(name), answers[name]) for answers in answered]
             sentence = f"All loads that were asked at once.{cut}"
-            picture = family_picture(along, of, labels)
+            picture = family_sheet(along, of, labels)
             yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
 
 

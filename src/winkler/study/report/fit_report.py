@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from winkler.fitting.outcome import Fit
-from winkler.plot import draw
-from winkler.plot.fitting.fits import Grid, map_picture, numbers_picture
+from winkler.plot import sheet_of
+from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
 from winkler.plot.series import Series, spoken, told
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -18,16 +18,16 @@ from winkler.study.batch.fit_recording import seen_from
 from winkler.study.chapters.formulas import formulas_of
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
-from winkler.study.report import figures
+from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
 from winkler.study.report.figures import Shown, drawn
 from winkler.study.report.fit_tables import ROWS, answers, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, FEW, MAPS, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
-from winkler.study.report.mathml import formula, symbol
-from winkler.study.report.report import REPORT, figure_element, framed, papers, trust
+from winkler.study.report.mathml import formula
+from winkler.study.report.tables import given_rows
 
-__all__ = ["figures_of_curves", "figures_of_fits", "figures_of_many", "page", "steps", "write"]
+__all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps", "write"]
 
 DRAWN = 12
 """So many curves are drawn, spread evenly over all."""
@@ -39,20 +39,16 @@ MANY = 3
 
 def write(outcome: FitOutcome, folder: Path) -> None:
     """Write the figures of fits into ``folder/figures``, and the report into ``report.html``, as the study asks."""
-    shown = tuple(figures_of_fits(outcome))
-    figures.save(shown, folder, outcome.study.output.figures)
-    if outcome.study.output.report:
-        (folder / REPORT).write_text(page(outcome, shown), encoding="utf-8")
+    parts.write_page(outcome, folder, figures_of(outcome), page)
 
 
 def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
     return Series(free.label, study.word(free.key), content)
 
 
-def figures_of_fits(outcome: FitOutcome) -> Iterator[Shown]:
-    """Yield the figures: maps, the numbers of many curves, then single curves with their models."""
-    yield from figures_of_many(outcome)
-    yield from figures_of_curves(outcome)
+def figures_of(outcome: FitOutcome) -> tuple[Shown, ...]:
+    """Return the figures: maps, the numbers of many curves, then single curves with their models."""
+    return (*figures_of_many(outcome), *figures_of_curves(outcome))
 
 
 def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
@@ -65,11 +61,9 @@ def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
         stem = _stem(free)
         if isinstance(grid, Grid):
             sentence = "Over the sample; grey where a curve has no answer."
-            yield drawn(f"map_{stem}", f"Map: {spoken(of.name)}", sentence, map_picture(grid, of))
+            yield drawn(f"map_{stem}", f"Map: {spoken(of.name)}", sentence, map_sheet(grid, of))
         sentence = "Every curve with its standard error, and how often each value occurs."
-        yield drawn(
-            f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_picture(of, outcome.errors(free))
-        )
+        yield drawn(f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_sheet(of, outcome.errors(free)))
 
 
 def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
@@ -83,31 +77,32 @@ def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
                 "Left the curve and the fitted model over time, below what is left over; right the force over the "
                 "depth, and the relaxation with its 95 % interval, grey where the curve cannot tell it."
             )
-        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, draw(result.fit))
+        yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, sheet_of(result.fit))
 
 
 def _stem(free: Free) -> str:
     return free.key.removeprefix("problem.").replace(".", "_")
 
 
-def page(outcome: FitOutcome, shown: tuple[Shown, ...]) -> str:
-    """Return the report as one HTML page with its figures."""
+def page(outcome: FitOutcome, shown: tuple[Shown, ...] | None = None) -> str:
+    """Return the report as one HTML page with its figures, drawn if left out."""
     study = outcome.study
+    shown = figures_of(outcome) if shown is None else shown
     title = safe(study.title or outcome.provenance.source or "Fits")
     body = [
         f"<header><h1>{title}</h1>{counts(outcome)}</header>",
         answers(outcome),
         doubts(outcome),
         failures(outcome),
-        section("Figures", f'<div class="figures">{"".join(map(figure_element, shown))}</div>') if shown else "",
+        section("Figures", parts.figure_elements(shown)) if shown else "",
         _asked(outcome),
         steps(outcome),
         _formulas(study),
-        trust(outcome.validity),
-        papers(study.problem),
+        parts.trust(outcome.validity),
+        parts.papers(study.problem),
         _made(outcome),
     ]
-    return framed(title, outcome.provenance.version, body)
+    return parts.framed(title, outcome.provenance.version, body)
 
 
 def _asked(outcome: FitOutcome) -> str:
@@ -123,20 +118,15 @@ def _asked(outcome: FitOutcome) -> str:
             case _:
                 limits = "without bounds"
         rows.append(f"<tr><td>{safe(free.key)}</td><td>free</td><td>{safe(limits)}</td><td></td></tr>")
-    group, free_ones = None, {free.key for free in study.free}
     relaxing = isinstance(study.problem, ViscoelasticIndentation)
-    for given in inputs(Study("", study.problem)):
-        if given.group.startswith(PLACEHOLDERS) or (relaxing and given.group == "viscoelastic indentation"):  # springs
-            continue
-        if given.group != group:
-            group = given.group
-            rows.append(f'<tr class="group"><td colspan="4">{safe(group)}</td></tr>')
-        rows.append(
-            f"<tr><td>{safe(given.name)}</td><td>{symbol(given.symbol) if given.name else ''}</td>"
-            f'<td class="wrap">{safe(given.told)}</td><td class="text small">{safe(given.meaning)}</td></tr>'
-        )
+    rows += given_rows(
+        given
+        for given in inputs(Study("", study.problem))
+        if not given.group.startswith(PLACEHOLDERS)
+        and not (relaxing and given.group == "viscoelastic indentation")  # springs
+    )
     lead = (
-        f"<p>{safe(_in_words(study))} The table holds the model as it was given; of the {len(free_ones)} free numbers "
+        f"<p>{safe(_in_words(study))} The table holds the model as it was given; of the {len(study.free)} free numbers "
         "these are the values before the fit.</p>"
     )
     return section("What was asked", lead, table(["what", "", "given", "meaning"], rows))
@@ -144,14 +134,14 @@ def _asked(outcome: FitOutcome) -> str:
 
 def _in_words(study: FitStudy) -> str:
     relaxing = isinstance(study.problem, ViscoelasticIndentation)
-    parts = {
+    motions = {
         "approach": "the way in",
         "hold": "the way in with the hold",
         "retract": "the way out",
         "both": "the way in, the hold and the way out" if relaxing else "both ways, held points left out,",
     }
     many = f"{len(study.sources)} files" if len(study.sources) != 1 else Path(study.sources[0]).name
-    facts = [f"Of {many}, {parts[study.part]} was fitted."]
+    facts = [f"Of {many}, {motions[study.part]} was fitted."]
     if study.fitted == "position":
         facts.append("The measured forces drive the contact, and the positions were fitted.")
     if study.spring_constant:
@@ -198,35 +188,23 @@ def _formulas(study: FitStudy) -> str:
         tail = "Least squares make the residuals e small, and their own memory tells how sure the numbers are."
         return section("The formulas", f"<p>{words} {tail}</p>", formula(latex))
     found = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
-    items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in found)
     lead = formula(r"d = D - D_0 - \frac{F}{k_m}, \quad F_i = F(d_i) + F_0 + t\,(D_i-D_0) + e_i")
     text = (
         "<p>The machine of the stiffness k<sub>m</sub> gives way; least squares make the residuals e small, and their "
         "own memory tells how sure the numbers are.</p>"
     )
-    return section("The formulas", text, lead, f'<ol class="formulas">{items}</ol>' if items else "")
+    return section("The formulas", text, lead, parts.formula_list(found))
 
 
 def _made(outcome: FitOutcome) -> str:
-    made = outcome.provenance
-    rows = [
-        ("winkler", made.version),
-        ("study file", made.source or "made in Python"),
-        ("hash of the question with its curves (SHA-256)", made.hash),
-        ("created (UTC)", made.created),
-        ("time taken", f"{made.seconds:.2f} s"),
-        *((name, number_) for name, number_ in made.packages if name != "winkler"),
-    ]
-    lines = [f'<tr><td>{safe(name)}</td><td class="wrap"><code>{safe(text)}</code></td></tr>' for name, text in rows]
-    sources = ", ".join(seen_from(outcome.study, path) for path in outcome.study.sources[:ROWS])
-    parts = [table([], lines), f"<p class='small'>Curves: {safe(sources)}</p>"]
-    if outcome.study.text:
-        parts.append(
-            f"<details><summary>The study file, word for word</summary><pre>{safe(outcome.study.text)}</pre></details>"
-        )
+    study = outcome.study
+    sources = ", ".join(seen_from(study, path) for path in study.sources[:ROWS])
     grid = f", {MAPS} (maps)" if isinstance(map_grid(outcome), Grid) else ""
-    parts.append(
+    return parts.origin(
+        outcome.provenance,
+        "the question with its curves",
+        f"<p class='small'>Curves: {safe(sources)}</p>",
+        parts.folded("The study file, word for word", study.text) if study.text else "",
         f"<p class='small'>All numbers with all digits: {CSV}, {NETCDF} (with every curve, model and residual){grid}, "
-        f"and as text the first {FEW} curves in the folder curves, beside this page.</p>"
+        f"and as text the first {FEW} curves in the folder curves, beside this page.</p>",
     )
-    return section("What made these numbers", *parts)

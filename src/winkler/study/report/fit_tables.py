@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from winkler.fitting.compare import AnyFit
 from winkler.plot.series import middle_scale, told
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
+from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_writing import CSV
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.mathml import symbol
+from winkler.study.report.tables import reason_list
+from winkler.vocabulary import Word
 
-__all__ = ["ROWS", "answers", "counts", "doubts", "failures"]
+__all__ = ["ROWS", "answers", "counts", "curve_texts", "doubts", "failures", "number_texts"]
 
 ROWS = 40
 """Longer tables are cut; the CSV file holds all rows."""
@@ -37,18 +43,12 @@ def answers(outcome: FitOutcome) -> str:
 
 
 def _single(outcome: FitOutcome, result: Fitted) -> str:
-    rows = []
     fit = result.fit
-    for free in outcome.study.free:
-        word = outcome.study.word(free.key)
-        low, high = fit.interval(free.path)
-        rows.append(
-            f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>"
-            f"{number(safe(told(fit.value(free.path), word.unit, 5)))}"
-            f"{number(safe(told(fit.error(free.path), word.unit, 3)))}"
-            f"{number(safe(f'{told(low, word.unit, 5)} … {told(high, word.unit, 5)}'))}"
-            f'<td class="text small">{safe(word.meaning)}</td></tr>'
-        )
+    rows = [
+        f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>{number(safe(fitted))}{number(safe(error))}"
+        f'{number(safe(f"{low} … {high}"))}<td class="text small">{safe(word.meaning)}</td></tr>'
+        for free, word, fitted, error, low, high in number_texts(outcome, fit)
+    ]
     heads = ["what", "", "#fitted", "#standard error", "#95 % interval", "meaning"]
     correlations = [
         f"{outcome.study.free[i].key} and {outcome.study.free[j].key}: {fit.correlation[i, j]:.3f}"
@@ -86,28 +86,37 @@ def _together(outcome: FitOutcome) -> str:
     return table(heads, rows)
 
 
+def number_texts(outcome: FitOutcome, fit: AnyFit) -> Iterator[tuple[Free, Word, str, str, str, str]]:
+    """Yield every free number of a fit in words: itself, its standard error, and the ends of its interval."""
+    for free in outcome.study.free:
+        word = outcome.study.word(free.key)
+        low, high = (told(end, word.unit, 5) for end in fit.interval(free.path))
+        yield free, word, told(fit.value(free.path), word.unit, 5), told(fit.error(free.path), word.unit, 3), low, high
+
+
+def curve_texts(outcome: FitOutcome, free: Free, nothing: str) -> tuple[str, list[str]]:
+    """Return a unit, and a free number of every curve with its error in it; `nothing` where there is no fit."""
+    numbers, errors = outcome.numbers(free), outcome.errors(free)
+    scale = middle_scale(outcome.study.word(free.key).unit, np.fmax(np.abs(numbers), errors))
+    texts = [
+        f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else nothing
+        for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
+    ]
+    return scale.unit, texts
+
+
 def _many(outcome: FitOutcome) -> str:
     heads, bodies = ["curve"], [[f"<td>{safe(result.name)}</td>" for result in outcome.results]]
     for free in outcome.study.free:
-        word = outcome.study.word(free.key)
-        numbers, errors = outcome.numbers(free), outcome.errors(free)
-        scale = middle_scale(word.unit, np.fmax(np.abs(numbers), errors))
-        heads.append(f"#{safe(free.label)} {symbol(word.symbol)}" + (f"<br>[{safe(scale.unit)}]" if scale.unit else ""))
-        bodies.append(
-            [
-                number(f"{one / scale.factor:.5g} ± {error / scale.factor:.2g}" if np.isfinite(one) else "—")
-                for one, error in zip(numbers.tolist(), errors.tolist(), strict=True)
-            ]
-        )
+        unit, texts = curve_texts(outcome, free, "—")
+        named = f"#{safe(free.label)} {symbol(outcome.study.word(free.key).symbol)}"
+        heads.append(named + (f"<br>[{safe(unit)}]" if unit else ""))
+        bodies.append([number(text) for text in texts])
     heads += ["#χ²", "#χ² in contact", "flags"]
     for name in ("chi_square", "chi_square_in_contact"):
-        texts = (f"{getattr(one.fit, name):.3g}" if isinstance(one, Fitted) else "—" for one in outcome.results)
+        texts = [f"{getattr(one.fit, name):.3g}" if isinstance(one, Fitted) else "—" for one in outcome.results]
         bodies.append([number(text) for text in texts])
-    flags = [
-        ", ".join(flag.name for flag in one.fit.flags) if isinstance(one, Fitted) else "no answer"
-        for one in outcome.results
-    ]
-    bodies.append([f"<td>{safe(one)}</td>" for one in flags])
+    bodies.append([f"<td>{safe(one)}</td>" for one in outcome.flags(", ", "no answer")])
     rows = ["<tr>" + "".join(cells) + "</tr>" for cells in zip(*bodies, strict=True)]
     return table(heads, rows[:ROWS])
 
@@ -136,7 +145,5 @@ def failures(outcome: FitOutcome) -> str:
     """Return the curves without an answer, each with its reason; nothing if there are none."""
     if not outcome.refused:
         return ""
-    items = "".join(f"<li>{safe(one.name)}: {safe(one.reason)}</li>" for one in outcome.refused[:ROWS])
-    more = len(outcome.refused) - ROWS
-    rest = f"<p class='small'>… and {more} more; {CSV} holds all.</p>" if more > 0 else ""
-    return section("Curves without an answer", f"<ul>{items}</ul>", rest)
+    reasons = [(one.name, one.reason) for one in outcome.refused]
+    return section("Curves without an answer", *reason_list(reasons, ROWS, CSV))

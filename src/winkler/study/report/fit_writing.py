@@ -12,7 +12,6 @@ All numbers are SI and have all their digits.
 
 from __future__ import annotations
 
-import csv
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,18 +19,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.fitting.outcome import CreepFit, Fit
-from winkler.numerics.types import Array
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
-from winkler.study.report.archive import heading
+from winkler.study.batch.outcome import Column
+from winkler.study.report.archive import write_netcdf, write_table
 from winkler.study.report.netcdf import netcdf_attributes
-from winkler.study.report.writing import write_provenance
 from winkler.vocabulary import Word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_fits", "write_numbers"]
+__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_numbers"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 FEW = 24
@@ -51,32 +49,13 @@ POINTS = {
 }
 
 
-def write_fits(outcome: FitOutcome, folder: Path) -> None:
-    """Write everything that fits came to into an existing, empty `folder`."""
-    from winkler.study.report.fit_report import write as write_report
-
-    write_numbers(outcome, folder)
-    if outcome.study.output.report or outcome.study.output.figures:
-        write_report(outcome, folder)
-    if outcome.study.text:
-        (folder / "study.toml").write_text(outcome.study.text, encoding="utf-8")
-    write_provenance(outcome.provenance, folder, missing=outcome.left)
-
-
 def write_numbers(outcome: FitOutcome, folder: Path) -> None:
     """Write the numbers of fits, as tables and as NetCDF, into an existing, empty `folder`."""
-    columns = outcome.table()
-    _write_rows(
-        folder / CSV,
-        [heading(column.name, column.word) for column in columns],
-        zip(*(column.content.tolist() for column in columns), strict=True),
-    )
-    data = dataset(outcome)
-    packed = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > 1000 and item.dtype == float}
-    data.to_netcdf(folder / NETCDF, engine="h5netcdf", encoding=packed)
+    write_table(outcome.table(), folder / CSV, nothing="")
+    write_netcdf(dataset(outcome), folder / NETCDF)
     grid = map_grid(outcome)
     if isinstance(grid, Grid):
-        maps(outcome, grid).to_netcdf(folder / MAPS, engine="h5netcdf")
+        write_netcdf(maps(outcome, grid), folder / MAPS)
     _write_curves(outcome, folder / "curves")
 
 
@@ -85,50 +64,32 @@ def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:
     return grid_of(*(np.array([getattr(result, axis) for result in outcome.results]) for axis in "xy"))
 
 
-def _write_rows(path: Path, headings: list[str], rows: Any) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(headings)
-        writer.writerows([_written(item) for item in row] for row in rows)
-
-
-def _written(item: Any) -> Any:
-    return ("" if item != item else repr(item)) if isinstance(item, float) else item
-
-
-def _points(result: Fitted) -> dict[str, Array]:
+def _points(result: Fitted) -> list[Column]:
+    """Return what was fitted, the model and the residuals, point by point."""
     fit = result.fit
+    creeps = isinstance(fit, CreepFit)
     relaxing = {} if isinstance(fit, Fit) else {"time": fit.curve.time, "weight": fit.weights}
-    return {
+    content = {
         **relaxing,
         "position": fit.curve.position,
         "force": fit.curve.force,
-        "fitted_position" if isinstance(fit, CreepFit) else "fitted_force": fit.predicted,
+        "fitted_position" if creeps else "fitted_force": fit.predicted,
         "residual": fit.residuals,
         "fitted_depth": fit.depth,
         "fitted_radius": fit.radius,
     }
-
-
-def _point_words(result: Fitted) -> dict[str, Word]:
-    """Return symbol, unit and meaning of what `_points` gives."""
-    words = {name: (RELAXING | POINTS)[name] for name in _points(result)}
-    if isinstance(result.fit, CreepFit):
-        words["residual"] = Word("", "m", "measured less fitted position")
-    return words
+    words = RELAXING | POINTS | ({"residual": Word("", "m", "measured less fitted position")} if creeps else {})
+    return [Column(name, words[name], numbers) for name, numbers in content.items()]
 
 
 def _write_curves(outcome: FitOutcome, folder: Path) -> None:
     folder.mkdir()
-    headings = [heading(name, word) for name, word in _point_words(outcome.fitted[0]).items()]
     taken: set[str] = set()
     for result in outcome.fitted[:FEW]:
         stem = re.sub(r"[^\w.+-]+", "_", result.name.replace(".csv", "")).strip("._") or "curve"
         name = next(name for name in (stem, *(f"{stem}_{count}" for count in range(2, FEW + 2))) if name not in taken)
         taken.add(name)
-        _write_rows(
-            folder / f"{name}.csv", headings, zip(*(part.tolist() for part in _points(result).values()), strict=True)
-        )
+        write_table(_points(result), folder / f"{name}.csv", nothing="")
 
 
 def dataset(outcome: FitOutcome) -> xarray.Dataset:
@@ -152,14 +113,14 @@ def dataset(outcome: FitOutcome) -> xarray.Dataset:
     order = [free.path for free in outcome.study.free]
     correlation = np.full((len(outcome.results), len(keys), len(keys)), np.nan)
     longest = max(result.fit.curve.count for result in outcome.fitted)
-    words = _point_words(outcome.fitted[0])
+    words = {column.name: column.word for column in _points(outcome.fitted[0])}
     points = {name: np.full((len(outcome.results), longest), np.nan) for name in words}
     for place, result in enumerate(outcome.results):
         if isinstance(result, Fitted):
             at = [result.fit.index(name) for name in order]
             correlation[place] = result.fit.correlation[np.ix_(at, at)]
-            for name, content in _points(result).items():
-                points[name][place, : content.size] = content
+            for column in _points(result):
+                points[column.name][place, : column.content.size] = column.content
     variables["correlation"] = (
         ("curve", "free", "other_free"),
         correlation,

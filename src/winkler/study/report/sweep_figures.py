@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.series import Series, spoken
-from winkler.plot.sweeps import Part, cloud_picture, map_picture, part_picture
+from winkler.plot.sweeps import Part, cloud_sheet, map_sheet, part_sheet
 from winkler.study.batch.outcome import Outcome
 from winkler.study.language import keys
 from winkler.study.language.designs import Crossed
@@ -44,7 +44,7 @@ def maps(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     along, up = (varied_series(outcome.study, axis) for axis in outcome.study.axes)
     for name, content in answers.items():
         title = capital(f"{spoken(name)} over {spoken(along.name)} and {spoken(up.name)}")
-        picture = map_picture(along, up, Series(name, outcome.word(name), content))
+        picture = map_sheet(along, up, Series(name, outcome.word(name), content))
         yield drawn(f"answer_{name}", title, "Lines join points of equal answers.", picture)
 
 
@@ -52,7 +52,7 @@ def clouds(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
     """Yield every one of the answers over each varied number: one dot for each point of the design."""
     along = [varied_series(outcome.study, axis) for axis in outcome.study.axes if axis.numeric]
     for name, content in answers.items():
-        picture = cloud_picture(along, Series(name, outcome.word(name), content))
+        picture = cloud_sheet(along, Series(name, outcome.word(name), content))
         title = capital(f"{spoken(name)} over what was varied")
         yield drawn(f"answer_{name}", title, "One dot for each point; everything else varies as well.", picture)
 
@@ -69,4 +69,4 @@ def parts(outcome: Outcome) -> Iterator[Shown]:
         sentence = (
             f"Indices of Sobol of first and total order, from {one.pairs} pairs of points, with intervals of 95 %."
         )
-        yield drawn(f"sensitivity_{one.answer}", title, sentence, part_picture(names, bars))
+        yield drawn(f"sensitivity_{one.answer}", title, sentence, part_sheet(names, bars))

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from winkler.plot.series import middle_scale, spoken, told
 from winkler.study.batch.events import EVENTS
-from winkler.study.batch.outcome import Answered, Column, Failed, Outcome, Verdict
+from winkler.study.batch.outcome import Column, Outcome, Verdict
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV
-from winkler.study.report.describe import content_label, in_words, inputs, setting_told
+from winkler.study.report.describe import Input, content_label, in_words, inputs, setting_told
 from winkler.study.report.event_rows import found_in
 from winkler.study.report.markup import kept, number, safe, section, table
 from winkler.study.report.mathml import symbol
 
-__all__ = ["answered", "asked", "expected", "failures", "settings_told"]
+__all__ = ["answered", "asked", "expected", "failures", "given_rows", "reason_list", "settings_told"]
 
 ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
@@ -27,8 +27,14 @@ CARDS = ("force", "depth", "radius", "stiffness", "shift", "shear_force")
 
 def asked(outcome: Outcome) -> str:
     """Return the study in words, and the table of what was given."""
+    given_table = table(["what", "", "given", "meaning"], given_rows(inputs(outcome.study)))
+    return section("What was asked", f'<p class="lead">{kept(in_words(outcome.study))}</p>', given_table)
+
+
+def given_rows(given_inputs: Iterable[Input]) -> list[str]:
+    """Return the rows of a table of what was given, under the names of its groups."""
     rows, group = [], None
-    for given in inputs(outcome.study):
+    for given in given_inputs:
         if given.group != group:
             group = given.group
             rows.append(f'<tr class="group"><td colspan="4">{safe(group)}</td></tr>')
@@ -37,8 +43,7 @@ def asked(outcome: Outcome) -> str:
             f'<td class="{"value" if len(given.told) < 30 else "wrap"}">{safe(given.told)}</td>'
             f'<td class="text small">{safe(given.meaning if given.meaning != given.name else "")}</td></tr>'
         )
-    given_table = table(["what", "", "given", "meaning"], rows)
-    return section("What was asked", f'<p class="lead">{kept(in_words(outcome.study))}</p>', given_table)
+    return rows
 
 
 def answered(outcome: Outcome) -> str:
@@ -187,28 +192,23 @@ def failures(outcome: Outcome) -> str:
     stopped = [point for point in outcome.solved if point.stopped]
     if not stopped:
         return _without(outcome)
-    items = "".join(_stopped(outcome, point) for point in stopped[:ROWS])
-    return section("Where a march ended early", f"<ul>{items}</ul>") + _without(outcome)
-
-
-def _stopped(outcome: Outcome, point: Answered) -> str:
-    where = settings_told(outcome, point.settings)
-    return f"<li>{safe(where)}: {safe(point.stopped)}</li>" if where else f"<li>{safe(point.stopped)}</li>"
+    reasons = [(settings_told(outcome, point.settings), point.stopped) for point in stopped[:ROWS]]
+    return section("Where a march ended early", reason_list(reasons, ROWS, CSV)[0]) + _without(outcome)
 
 
 def _without(outcome: Outcome) -> str:
     if not outcome.failed:
         return ""
-    items = [_failure(outcome, point) for point in outcome.failed[:ROWS]]
-    more = len(outcome.failed) - ROWS
-    rest = f"<p class='small'>… and {more} more; {CSV} holds all.</p>" if more > 0 else ""
     lead = f"<p>{len(outcome.failed)} of {len(outcome.points)} points have no answer:</p>"
-    return section("Points without an answer", lead, f"<ul>{''.join(items)}</ul>", rest)
+    reasons = [(settings_told(outcome, point.settings), point.reason) for point in outcome.failed]
+    return section("Points without an answer", lead, *reason_list(reasons, ROWS, CSV))
 
 
-def _failure(outcome: Outcome, point: Failed) -> str:
-    where = settings_told(outcome, point.settings)
-    return f"<li>{safe(where)}: {safe(point.reason)}</li>" if where else f"<li>{safe(point.reason)}</li>"
+def reason_list(reasons: Sequence[tuple[str, str]], most: int, file: str) -> tuple[str, str]:
+    """Return a list of places and reasons, cut after `most`, and a line that tells which `file` holds all."""
+    items = "".join(f"<li>{safe(f'{where}: ' if where else '')}{safe(reason)}</li>" for where, reason in reasons[:most])
+    more = len(reasons) - most
+    return f"<ul>{items}</ul>", f"<p class='small'>… and {more} more; {file} holds all.</p>" if more > 0 else ""
 
 
 def expected(outcome: Outcome) -> str:

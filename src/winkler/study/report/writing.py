@@ -14,13 +14,16 @@ import shutil
 import uuid
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import shown
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.batch.stopping import held, keeping, look
 from winkler.study.language.reading import study_text
+
+if TYPE_CHECKING:
+    from winkler.study.batch.fit_outcome import FitOutcome
 
 __all__ = [
     "OLD",
@@ -42,20 +45,34 @@ PARTIAL, OLD = ".partial", ".old"
 """How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
 
 
-def write_outcome(outcome: Outcome, folder: Path) -> None:
+def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
     """Write everything that a study came to into an existing, empty `folder`.
 
     Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
     numbers), and provenance.json.
     """
-    from winkler.study.report.archive import write as write_numbers
-    from winkler.study.report.report import write as write_report
+    shown = outcome.study.output.report or outcome.study.output.figures
+    if isinstance(outcome, Outcome):
+        from winkler.study.report import archive
 
-    write_numbers(outcome, folder)
-    if outcome.study.output.report or outcome.study.output.figures:
-        write_report(outcome, folder)
-    (folder / "study.toml").write_text(study_text(outcome.study), encoding="utf-8")
-    write_provenance(outcome.provenance, folder)
+        archive.write(outcome, folder)
+        if shown:
+            from winkler.study.report import report
+
+            report.write(outcome, folder)
+        text, left = study_text(outcome.study), 0
+    else:
+        from winkler.study.report import fit_writing
+
+        fit_writing.write_numbers(outcome, folder)
+        if shown:
+            from winkler.study.report import fit_report
+
+            fit_report.write(outcome, folder)
+        text, left = outcome.study.text, outcome.left
+    if text:
+        (folder / "study.toml").write_text(text, encoding="utf-8")
+    write_provenance(outcome.provenance, folder, missing=left)
 
 
 def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> None:

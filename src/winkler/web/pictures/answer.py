@@ -10,22 +10,24 @@ import numpy as np
 import orjson
 
 from winkler.errors import WinklerError
+from winkler.plot import method
+from winkler.plot.wear.wear import moment_panels
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.wear.states import WearState
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.captions import CAPTIONS, STUCK
 from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.report.markup import safe
-from winkler.study.report.report import OF_MANY, papers, trust
+from winkler.study.report.page_parts import papers, trust
+from winkler.study.report.report import OF_MANY
 from winkler.study.report.tables import answered, expected, failures
 from winkler.validity import worst
-from winkler.web.pictures import histories, method
-from winkler.web.pictures.chart import Chart
+from winkler.web.pictures import histories
+from winkler.web.pictures.chart import Chart, chart
 from winkler.web.pictures.moments import Moments, contact_at
 from winkler.web.pictures.solid import draw_solid
-from winkler.web.pictures.springs import draw_row, row_of
+from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NOTHING, View, fitting
-from winkler.web.pictures.worn import draw_worn_depth, draw_worn_pressure, draw_worn_profile
 
 __all__ = [
     "AnswerText",
@@ -193,8 +195,7 @@ def pictures(seen: Scene) -> Iterator[Picture]:
     """Yield the interactive pictures one by one, so that the first are drawn while the next are made."""
     contact, view = seen.contact, seen.view
     if contact is not None and hasattr(contact, "recess"):
-        row = row_of(contact, view.extent)
-        yield _made("springs", lambda: draw_row(seen.point.problem.bed, row, float(contact.depth), view))
+        yield _made("springs", lambda: chart(moment_springs(contact, seen.point.problem.bed, view)))
     elif contact is not None:
         yield from method_pictures(contact, view)
     if seen.states and isinstance(seen.states[seen.moment], WearState):
@@ -205,12 +206,14 @@ def pictures(seen: Scene) -> Iterator[Picture]:
 
 
 def _worn(states: tuple[Any, ...], moment: int) -> Iterator[Picture]:
-    told = "The profile at this moment, before wear and in the end; filled is what has been worn off."
-    yield Picture("worn_profile", "Worn profile", told, packed(draw_worn_profile(states, moment)))
-    told = "What both bodies have lost by this moment, and in the end."
-    yield Picture("worn_depth", "Worn depth", told, packed(draw_worn_depth(states, moment)))
-    told = "p(r) at this moment, at first and in the end."
-    yield Picture("worn_pressure", "Pressure", told, packed(draw_worn_pressure(states, moment)))
+    words = (
+        ("worn_profile", "Worn profile", "The profile at this moment, before wear and in the end; filled is what has "
+         "been worn off."),
+        ("worn_depth", "Worn depth", "What both bodies have lost by this moment, and in the end."),
+        ("worn_pressure", "Pressure", "p(r) at this moment, at first and in the end."),
+    )  # fmt: skip
+    for name, panel in zip(words, moment_panels(states, moment), strict=True):
+        yield Picture(*name, packed(chart(panel)))
 
 
 def _recovering(state: Any) -> View:
@@ -220,15 +223,14 @@ def _recovering(state: Any) -> View:
 
 def method_pictures(contact: Any, view: View) -> Iterator[Picture]:
     """Yield the pictures of the method for one contact."""
-    pressed = contact.pressed
     sticks = isinstance(contact, AdhesiveSolution)
     makers: dict[str, Callable[[], Chart]] = {
         "shape": lambda: draw_solid(contact, view),
-        "springs": lambda: draw_row(pressed.bed, row_of(contact, view.extent), float(pressed.depth), view),
-        "line_load": lambda: method.draw_line_load(contact, view),
-        "pressure": lambda: method.draw_pressure(contact, view),
-        "force": lambda: method.draw_force(contact),
-        "stress": lambda: method.draw_stress(contact, view),
+        "springs": lambda: chart(moment_springs(contact, contact.pressed.bed, view)),
+        "line_load": lambda: chart(method.line_load(contact, view.extent)),
+        "pressure": lambda: chart(method.pressure(contact, view.extent)),
+        "force": lambda: chart(method.force(contact)),
+        "stress": lambda: chart(method.stress(contact, view.extent, coarse=True)),
     }
     for name, make in makers.items():
         yield _made(name, make, STUCK if sticks else {})

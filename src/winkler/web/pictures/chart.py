@@ -1,15 +1,19 @@
-"""What all interactive figures have in common: plain dictionaries as plotly.js reads them, in the look of the house."""
+"""Panels as figures of plotly.js: plain dictionaries of traces, axes and notes, in the look of the other pictures."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
+from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.series import Scale, Series, spoken
+from winkler.plot.panel import Area, Arrow, Axis, Band, Dots, Line, Map, Panel, Polygon, Rule, Strokes, Text
 from winkler.study.language.explain import plain_symbol
 
-__all__ = ["CONFIG", "LEGENDED", "Chart", "axis", "chart", "label", "line", "marked", "remark"]
+__all__ = ["CONFIG", "Chart", "chart", "marked", "spoken_html"]
 
 Chart = dict[str, Any]
 """``data`` and ``layout`` of a figure."""
@@ -38,6 +42,9 @@ LEGENDED = {
     "margin": {"l": 62, "r": 14, "t": 40, "b": 46},
 }
 """What a figure adds that names its lines above."""
+SYMBOLS = {"o": "circle", ".": "circle", "+": "cross-thin-open", "P": "cross"}
+DOMAINS = ((0.34, 1.0), (0.0, 0.24))
+"""Heights of two panels above each other."""
 
 
 def marked(symbol: str) -> str:
@@ -61,17 +68,57 @@ def marked(symbol: str) -> str:
     return text + (f"<sup>{plain_symbol(above)}</sup>" if above else "")
 
 
-def label(of: Series, scale: Scale | None = None) -> str:
-    """Return the label of an axis: name, symbol, unit."""
-    unit = (scale or of.scale).unit
-    return f"{spoken(of.name)} {marked(of.word.symbol)}".rstrip() + (f" [{unit}]" if unit else "")
+def spoken_html(text: str) -> str:
+    r"""Return words with LaTeX symbols between dollars as plotly sets them.
+
+    Examples
+    --------
+    >>> spoken_html("area = $F_N$\\n= 10 N")
+    'area = <i>F</i><sub>N</sub><br>= 10 N'
+    """
+    parts = text.split("$")
+    return "".join(marked(part) if place % 2 else part for place, part in enumerate(parts)).replace("\n", "<br>")
 
 
-def axis(title: str, **more: Any) -> dict[str, Any]:
+def chart(*panels: Panel) -> Chart:
+    """Return the figure of one panel, or of two above each other that share the axis across."""
+    data: list[dict[str, Any]] = []
+    layout: dict[str, Any] = {
+        "margin": {"l": 62, "r": 14, "t": 12, "b": 46},
+        "font": {"family": FONT, "color": style.INK, "size": 12},
+        "paper_bgcolor": "white",
+        "plot_bgcolor": "white",
+        "showlegend": False,
+        "hovermode": "closest",
+        "dragmode": False,
+        "xaxis": _axis(panels[-1].across, panels[-1].grid != "", anchor="y2" if len(panels) > 1 else "y"),
+        "shapes": [],
+        "annotations": [],
+    }
+    for number, panel in enumerate(panels):
+        name = f"y{number + 1}" if number else "y"
+        place: dict[str, Any] = {"domain": list(DOMAINS[number])} if len(panels) > 1 else {"automargin": True}
+        place |= {"scaleanchor": "x"} if panel.equal else {}
+        layout[f"yaxis{number + 1 if number else ''}"] = _axis(panel.upright, panel.grid == "both", **place)
+        across, upright = panel.across.scale.factor, panel.upright.scale.factor
+        for mark in sorted(panel.marks, key=lambda one: getattr(one, "order", 2.0)):
+            for kind, one in MARKS[type(mark)](mark, across, upright, name):
+                (data if kind == "data" else layout[kind]).append(one)
+        layout |= LEGENDED if panel.legend and any(_is_named(mark) for mark in panel.marks) else {}
+    return {"data": data, "layout": layout, "config": CONFIG}
+
+
+def _is_named(mark: Any) -> bool:
+    name = getattr(mark, "name", "")
+    return bool(name) and not name.startswith("_")
+
+
+def _axis(one: Axis, gridded: bool, **more: Any) -> dict[str, Any]:
     """Return an axis with a title."""
-    return {
-        "title": {"text": title, "font": {"size": 12}, "standoff": 6},
-        "gridcolor": "#d9dee4",
+    low, high = (None if end is None else end / one.scale.factor for end in (one.low, one.high))
+    found: dict[str, Any] = {
+        "title": {"text": spoken_html(one.title), "font": {"size": 12}, "standoff": 6},
+        "gridcolor": style.PALE,
         "zeroline": False,
         "fixedrange": True,  # a finger that moves over a picture scrolls the page
         "linecolor": style.MUTED,
@@ -80,43 +127,181 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
         "tickcolor": style.MUTED,
         "tickfont": {"size": 11},
         "exponentformat": "power",
-        **more,
+        "showgrid": gridded,
     }
+    if one.log:
+        found["type"] = "log"
+    if low is not None and high is not None:
+        found["range"] = [float(np.log10(end)) if one.log else end for end in (low, high)]
+    elif low == 0.0:
+        found["rangemode"] = "tozero"
+    if one.falling:
+        found["autorange"] = "reversed"
+    return found | more
 
 
-def chart(data: list[dict[str, Any]], across: dict[str, Any], upright: dict[str, Any], **more: Any) -> Chart:
-    """Return a figure of lines over each other."""
-    layout = {
-        "xaxis": across,
-        "yaxis": upright,
-        "margin": {"l": 62, "r": 14, "t": 12, "b": 46},
-        "font": {"family": FONT, "color": style.INK, "size": 12},
-        "paper_bgcolor": "white",
-        "plot_bgcolor": "white",
-        "showlegend": False,
-        "hovermode": "closest",
-        "dragmode": False,
-        **more,
-    }
-    return {"data": data, "layout": layout, "config": CONFIG}
+Parts = list[tuple[str, dict[str, Any]]]
 
 
-def line(x: Any, y: Any, colour: str, **more: Any) -> dict[str, Any]:
-    """Return a line."""
-    look = {"color": colour, "width": more.pop("width", 2), "dash": more.pop("dash", "solid")}
-    return {"type": "scatter", "mode": "lines", "x": x, "y": y, "line": look, "hoverinfo": "x+y", **more}
+def _rgba(colour: str | tuple[str, float], alpha: float) -> str:
+    red, green, blue = (round(255.0 * part) for part in style.channels(colour))
+    return f"rgba({red},{green},{blue},{alpha:g})"
 
 
-def remark(text: str, *, x: float = 0.5, y: float = 0.97, **more: Any) -> dict[str, Any]:
-    """Return a short remark, placed in parts of the frame."""
+def _line(mark: Line, across: float, upright: float, axis: str) -> Parts:
+    look: dict[str, Any] = {"type": "scatter", "yaxis": axis, "hoverinfo": "x+y", "cliponaxis": mark.clipped}
+    hidden = not (mark.x.size or mark.name)
+    look |= {"name": spoken_html(mark.name), "showlegend": True} if _is_named(mark) else {"showlegend": False}
+    x, y = (part if part.size else np.full(1, np.nan) for part in (mark.x / across, mark.y / upright))
+    modes = [name for name, wanted in (("lines", mark.width > 0.0), ("markers", mark.marker)) if wanted]
+    colour = "white" if mark.colour == "white" else _rgba(mark.colour, mark.alpha)
+    look |= {"x": x, "y": y, "mode": "+".join(modes)}
+    if mark.width:
+        dash = ",".join(f"{mark.width * part:g}px" for part in mark.dash) or "solid"
+        look["line"] = {"color": colour, "width": mark.width, "dash": dash}
+    if mark.marker:
+        fill = {"color": "white", "line": {"color": colour, "width": 1.5}} if mark.hollow else {"color": colour}
+        look["marker"] = {"size": 1.6 * mark.size, "symbol": SYMBOLS.get(mark.marker, "circle"), **fill}
+    return [] if hidden else [("data", look)]
+
+
+def _dots(mark: Dots, across: float, upright: float, axis: str) -> Parts:
+    marker = {"color": _rgba(mark.colour, 0.5), "size": 4}
+    look: dict[str, Any] = {"type": "scatter", "mode": "markers", "marker": marker, "yaxis": axis, "hoverinfo": "x+y"}
+    look |= {"name": mark.name, "showlegend": bool(mark.name)}
+    return [("data", {**look, "x": mark.x / across, "y": mark.y / upright})]
+
+
+def _strokes(mark: Strokes, across: float, upright: float, axis: str) -> Parts:
+    """Return all strokes of one colour as one line with gaps."""
+    found: Parts = []
+    for colour in dict.fromkeys(mark.colours):
+        mine = np.array([one == colour for one in mark.colours])
+        gap = np.full((int(mine.sum()), 1), np.nan)
+        x, y = (np.append(part[mine], gap, axis=1).ravel() for part in (mark.x / across, mark.y / upright))
+        look = {"color": colour, "width": 1.0 if colour == style.MUTED else 1.6}
+        found.append(("data", _bare(x, y, axis, line=look)))
+    return found
+
+
+def _bare(x: Array, y: Array, axis: str, **look: Any) -> dict[str, Any]:
+    """Return lines that say nothing of their own."""
     return {
-        "text": text,
-        "xref": "paper",
-        "yref": "paper",
+        "type": "scatter",
+        "mode": "lines",
         "x": x,
         "y": y,
-        "showarrow": False,
-        "bgcolor": "rgba(255,255,255,0.8)",
-        "font": {"size": 11.5},
-        **more,
+        "yaxis": axis,
+        "hoverinfo": "skip",
+        "showlegend": False,
+        **look,
     }
+
+
+def _area(mark: Area, across: float, upright: float, axis: str) -> Parts:
+    known = np.isfinite(mark.x) & np.isfinite(mark.low) & np.isfinite(mark.high)
+    along = mark.x[known]
+    low, high = (np.broadcast_to(np.asarray(end, dtype=float), mark.x.shape)[known] for end in (mark.low, mark.high))
+    x, y = np.concatenate([along, along[::-1]]), np.concatenate([low, high[::-1]])
+    x, y = (y, x) if mark.across else (x, y)
+    return _filled(x / across, y / upright, _rgba(mark.colour, mark.alpha), axis)
+
+
+def _polygon(mark: Polygon, across: float, upright: float, axis: str) -> Parts:
+    return _filled(mark.x / across, mark.y / upright, _rgba(mark.colour, mark.alpha), axis)
+
+
+def _filled(x: Array, y: Array, colour: str, axis: str) -> Parts:
+    return [("data", _bare(x, y, axis, fill="toself", fillcolor=colour, line={"width": 0}))] if x.size else []
+
+
+def _rule(mark: Rule, across: float, upright: float, axis: str) -> Parts:
+    dash = ",".join(f"{mark.width * part:g}px" for part in mark.dash) or "solid"
+    line = {"color": mark.colour, "width": mark.width, "dash": dash}
+    at = mark.at / (across if mark.upright else upright)
+    along, through = ("x", "y") if mark.upright else ("y", "x")
+    refs = {"x": "x", "y": axis}
+    ends: dict[str, Any] = {f"{along}0": at, f"{along}1": at, f"{through}0": 0.0, f"{through}1": 1.0}
+    ends |= {f"{along}ref": refs[along], f"{through}ref": f"{refs[through]} domain"}
+    return [("shapes", {"type": "line", "line": line, "layer": "below" if mark.order < 2.0 else "above", **ends})]
+
+
+def _band(mark: Band, across: float, _: float, axis: str) -> Parts:
+    ends = {"x0": mark.low / across, "x1": mark.high / across, "y0": 0.0, "y1": 1.0, "yref": f"{axis} domain"}
+    look = {"fillcolor": _rgba(mark.colour, mark.alpha), "line": {"width": 0}, "layer": "below"}
+    return [("shapes", {"type": "rect", **ends, **look})]
+
+
+def _text(mark: Text, across: float, upright: float, axis: str) -> Parts:
+    look = {
+        "text": spoken_html(mark.text),
+        "x": mark.x if mark.framed[0] else mark.x / across,
+        "y": mark.y if mark.framed[1] else mark.y / upright,
+        "xref": "x domain" if mark.framed[0] else "x",
+        "yref": f"{axis} domain" if mark.framed[1] else axis,
+        "xanchor": mark.across,
+        "yanchor": {"center": "middle", "baseline": "bottom"}.get(mark.upright, mark.upright),
+        "align": mark.across,
+        "showarrow": False,
+        "font": {"size": 11.5, "color": mark.colour},
+    }
+    return [("annotations", look | ({"bgcolor": "rgba(255,255,255,0.8)"} if mark.boxed else {}))]
+
+
+def _arrow(mark: Arrow, across: float, upright: float, axis: str) -> Parts:
+    look = {
+        "text": "",
+        "x": mark.stop[0] / across,
+        "y": mark.stop[1] / upright,
+        "ax": mark.start[0] / across,
+        "ay": mark.start[1] / upright,
+        "xref": "x",
+        "axref": "x",
+        "yref": axis,
+        "ayref": axis,
+        "showarrow": True,
+        "arrowside": "end+start" if mark.both else "end",
+        "arrowhead": 2,
+        "arrowwidth": mark.width,
+        "arrowcolor": mark.colour,
+    }
+    return [("annotations", look)]
+
+
+def _map(mark: Map, across: float, upright: float, axis: str) -> Parts:
+    """Return contours; what lies above the last level has its colour."""
+    factor, levels = mark.bar.scale.factor, np.asarray(mark.levels, dtype=float)
+    x, y = (part[:, 0] if part.ndim == 2 and turn else np.ravel(part[:1]) if part.ndim == 2 else part
+            for part, turn in ((mark.x, True), (mark.y, False)))  # fmt: skip
+    unit = mark.bar.scale.unit
+    contours = {"start": 0.0, "end": levels[-1] / factor, "size": 2.0 * (levels[1] - levels[0]) / factor}
+    look = {
+        "type": "contour",
+        "x": x / across,
+        "y": y / upright,
+        "z": np.minimum(mark.z.T if mark.x.ndim == 2 else mark.z, levels[-1]) / factor,
+        "yaxis": axis,
+        "colorscale": "Viridis",
+        "reversescale": True,
+        "contours": contours,
+        "autocontour": False,
+        "line": {"width": 0.4, "color": "white"},
+        "colorbar": {"title": {"text": f"[{unit}]", "side": "top"}, "thickness": 12, "outlinewidth": 0, "len": 1.0},
+        "hovertemplate": "%{z:.4g} " + unit + "<extra></extra>",
+    }
+    return [("data", look)]
+
+
+MARKS: dict[type, Callable[[Any, float, float, str], Parts]] = {
+    Line: _line,
+    Dots: _dots,
+    Strokes: _strokes,
+    Area: _area,
+    Polygon: _polygon,
+    Rule: _rule,
+    Band: _band,
+    Text: _text,
+    Arrow: _arrow,
+    Map: _map,
+}
+"""What interactive pictures are made of; bodies in three dimensions have `winkler.web.pictures.solid`."""

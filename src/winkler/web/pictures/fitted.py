@@ -14,7 +14,7 @@ from winkler.study.report.figures import svg_element
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
 from winkler.study.report.markup import kept, safe
 from winkler.study.report.mathml import symbol
-from winkler.study.report.report import papers, trust
+from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
 from winkler.web.form.fit_form import spoken_key
 from winkler.web.pictures.answer import AnswerText, Picture, Shown, method_pictures, packed

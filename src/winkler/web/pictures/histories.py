@@ -7,11 +7,13 @@ from typing import Any
 import numpy as np
 
 from winkler.plot import style
-from winkler.plot.series import Series, scale_of, spoken
+from winkler.plot.normal.curves import curve_panel
+from winkler.plot.panel import Line
+from winkler.plot.series import Curve, Series, spoken
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import Answered
 from winkler.study.chapters.answer_curves import ALONG, LOOPS
-from winkler.web.pictures.chart import Chart, axis, chart, label, line
+from winkler.web.pictures.chart import Chart, chart
 
 __all__ = ["curves_of", "draw_curves", "title_of"]
 
@@ -47,24 +49,10 @@ def draw_curves(outcome: Outcome, point: Answered, pair: tuple[str, str], moment
     moment
         Place of the point that is marked; negative for none.
     """
-    along, of = (Series(name, outcome.word(name), point.answers[name]) for name in pair)
-    across, scale = scale_of(along.word.unit, along.content), scale_of(of.word.unit, of.content)
-    x, y = along.shown(across), of.shown(scale)
-    few = x.size <= 24
-    data = [line(x, y, style.BLUE, mode="lines+markers" if few else "lines")]
-    if 0 <= moment < x.size:
-        here = {"color": style.RED, "size": 11}
-        data.append(
-            {
-                "type": "scatter",
-                "mode": "markers",
-                "x": x[[moment]],
-                "y": y[[moment]],
-                "marker": here,
-                "hoverinfo": "x+y",
-            }
-        )
-    return chart(data, axis(label(along, across)), axis(label(of, scale), automargin=True))
+    curve = Curve(*(Series(name, outcome.word(name), point.answers[name]) for name in pair))
+    x, y = (one.content for one in curve)
+    here = [moment] if 0 <= moment < x.size else []
+    return chart(curve_panel(curve).plus(*(Line(x[[k]], y[[k]], style.RED, width=0.0, marker="o") for k in here)))
 
 
 def title_of(pair: tuple[str, str]) -> str:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from winkler.study.batch.fit_outcome import FitOutcome
 from winkler.study.batch.outcome import Outcome
 from winkler.study.report import archive, figures, fit_report, fit_writing, report
+from winkler.study.report.page_parts import REPORT
 
 __all__ = ["File", "exported"]
 
@@ -35,7 +36,7 @@ def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
         The folder of the page: files are written there first, and go with it if the worker is killed.
     """
     if what == "report":
-        return File(report.REPORT, _page(outcome).encode("utf-8"))
+        return File(REPORT, _page(outcome).encode("utf-8"))
     with tempfile.TemporaryDirectory(dir=page) as place:
         folder = Path(place)
         if what == "png":
@@ -46,15 +47,11 @@ def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
 
 
 def _figures(outcome: Outcome | FitOutcome) -> tuple[figures.Shown, ...]:
-    if isinstance(outcome, FitOutcome):
-        return tuple(fit_report.figures_of_fits(outcome))
-    return figures.figures_of(outcome)
+    return fit_report.figures_of(outcome) if isinstance(outcome, FitOutcome) else figures.figures_of(outcome)
 
 
 def _page(outcome: Outcome | FitOutcome) -> str:
-    if isinstance(outcome, FitOutcome):
-        return fit_report.page(outcome, tuple(fit_report.figures_of_fits(outcome)))
-    return report.page(outcome)
+    return fit_report.page(outcome) if isinstance(outcome, FitOutcome) else report.page(outcome)
 
 
 def _numbers(outcome: Outcome | FitOutcome, folder: Path) -> tuple[str, str]:

@@ -1,0 +1,111 @@
+"""Numbers as they are read: with the prefix that fits them, so that 0.000187 m is 187 µm.
+
+Contents are SI, units those of the glossary.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any, NamedTuple
+
+import numpy as np
+
+__all__ = ["Scale", "middle_scale", "pretty_unit", "scale_of", "with_unit"]
+
+PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+
+PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S")
+"""Units that take a prefix when they stand first and without a power: µm, kN, MN/m; but not m^2."""
+
+SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+class Scale(NamedTuple):
+    """How numbers of one unit are shown: SI value = `factor` times the shown number, in `unit`."""
+
+    factor: float
+    unit: str
+
+
+def pretty_unit(unit: str) -> str:
+    """Return a unit with its whole powers set as superscripts.
+
+    Examples
+    --------
+    >>> pretty_unit("N/m^2"), pretty_unit("m^-3"), pretty_unit("m^1.5")
+    ('N/m²', 'm⁻³', 'm^1.5')
+    """
+    unit = unit.replace("ohm", "Ω")
+    return re.sub(r"\^(-?\d+)(?![\d.])", lambda found: found[1].translate(SUPERSCRIPT), unit)
+
+
+def scale_of(unit: str | None, *contents: Any) -> Scale:
+    """Return the prefix that fits the greatest of the finite numbers; degrees for radians.
+
+    Parameters
+    ----------
+    unit
+        Of the glossary; None counts as none.
+    contents : array_like
+        What is to be shown together, SI.
+
+    Examples
+    --------
+    >>> scale_of("m", [0.0, 187e-6])
+    Scale(factor=1e-06, unit='µm')
+    """
+    if not unit:
+        return Scale(1.0, "")
+    if unit == "rad":
+        return Scale(math.pi / 180.0, "°")
+    unit = re.sub(r"\^1(?![\d.])", "", unit)
+    if unit == "1/Pa":  # compliances of rubber are numbers per megapascal
+        least = scale_of("Pa", *(1.0 / part[part > 0.0] for part in map(_finite, contents)))
+        return Scale(1.0 / least.factor, f"1/{least.unit}")
+    head, slash, tail = unit.partition("/")
+    if head not in PREFIXED:
+        return Scale(1.0, pretty_unit(unit))
+    greatest = max((float(np.max(part)) for part in map(_finite, contents) if part.size), default=0.0)
+    power = 3 * math.floor(math.log10(greatest * (1.0 + 1e-9)) / 3.0) if greatest > 0.0 else 0
+    power = max(min(PREFIXES), min(max(PREFIXES) if head not in ("m", "s", "K") else 0, power))
+    return Scale(float(f"1e{power}"), pretty_unit(f"{PREFIXES[power]}{head}{slash}{tail}"))
+
+
+def middle_scale(unit: str | None, content: Any) -> Scale:
+    """Return the prefix that fits the median of the numbers: for tables and logarithmic axes.
+
+    Examples
+    --------
+    >>> middle_scale("N", [1.0, 10.0, 100.0, 1e3])
+    Scale(factor=1.0, unit='N')
+    """
+    sizes = _finite(content)
+    sizes = sizes[sizes > 0.0]
+    return scale_of(unit, float(np.median(sizes)) if sizes.size else 0.0)
+
+
+def _finite(content: Any) -> np.ndarray:
+    numbers: np.ndarray = np.abs(np.asarray(content, dtype=float)).ravel()
+    return np.asarray(numbers[np.isfinite(numbers)])
+
+
+def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
+    """Return a number with its unit for reading.
+
+    Examples
+    --------
+    >>> with_unit(1.8662e-4, "m"), with_unit(0.3, ""), with_unit(2.1e11, "Pa")
+    ('186.6 µm', '0.3', '210 GPa')
+    >>> with_unit(math.inf, "ohm"), with_unit(math.nan, "")
+    ('infinite', 'undefined')
+    """
+    if not math.isfinite(number):
+        return "undefined" if math.isnan(number) else f"{'−' * (number < 0.0)}infinite"
+    scale = scale_of(unit, number)
+    text = f"{number / scale.factor:.{digits}g}".replace("-", "−")
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        power = str(int(exponent.replace("−", "-"))).translate(SUPERSCRIPT)
+        text = f"{mantissa}·10{power}"
+    return f"{text}{'' if scale.unit == '°' else ' '}{scale.unit}".rstrip()

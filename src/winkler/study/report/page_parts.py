@@ -1,0 +1,144 @@
+"""What the pages of reports share: their frame, figures, formulas, papers, what can be trusted, and what made them.
+
+A page carries its pictures, formulas and styles inside; it opens without a network, on narrow screens and on paper.
+Everything that a reader wrote is escaped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+from winkler.study.batch.outcome import Provenance
+from winkler.study.chapters.formula import Formula
+from winkler.study.report import figures
+from winkler.study.report.citing import cite
+from winkler.study.report.figure import Shown
+from winkler.study.report.markup import safe, section, table
+from winkler.study.report.mathml import formula
+from winkler.validity import Note, Standing
+
+__all__ = [
+    "MEANINGS",
+    "REPORT",
+    "badge",
+    "figure_elements",
+    "folded",
+    "formula_list",
+    "framed",
+    "origin",
+    "papers",
+    "trust",
+    "write_page",
+]
+
+WIDE = 7.0
+"""Figures wider than this [inch], panels side by side, take both columns of the page."""
+REPORT = "report.html"
+
+MEANINGS = {
+    Standing.EXACT: "holds without error within the stated theory",
+    Standing.ASYMPTOTIC: "right in a limit; the deviation is stated",
+    Standing.APPROXIMATE: "the error is stated",
+    Standing.OUTSIDE: "not to be trusted",
+}
+
+
+def write_page(
+    outcome: Any, folder: Path, shown: tuple[Shown, ...], page: Callable[[Any, tuple[Shown, ...]], str]
+) -> None:
+    """Write figures, and the page that shows them, as the study of an outcome asks."""
+    figures.save(shown, folder, outcome.study.output.figures)
+    if outcome.study.output.report:
+        (folder / REPORT).write_text(page(outcome, shown), encoding="utf-8")
+
+
+def framed(title: str, version: str, body: list[str]) -> str:
+    """Return a whole page; `title` and `body` are escaped already."""
+    style = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f'<meta name="generator" content="winkler {safe(version)}">\n'
+        f"<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n"
+        + "\n".join(body)
+        + "\n</body>\n</html>\n"
+    )
+
+
+def badge(standing: Standing) -> str:
+    """Return the standing of statements as a page shows it."""
+    return f'<span class="standing {standing.value}">{standing.value}</span>'
+
+
+def figure_elements(shown: Iterable[Shown]) -> str:
+    """Return figures with their captions for a page."""
+    return f'<div class="figures">{"".join(map(_figure_element, shown))}</div>'
+
+
+def _figure_element(one: Shown) -> str:
+    caption = f"<figcaption><h3>{safe(one.title)}</h3><p>{safe(one.sentence)}</p></figcaption>"
+    if one.picture is None:
+        return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
+    drawn = figures.svg_element(one, safe(f"{one.title}. {one.sentence}"))
+    # panels side by side would be too small to read in one column of the page
+    kind = ' class="wide"' if one.picture.get_size_inches()[0] > WIDE else ""
+    return f"<figure{kind}>{caption}{drawn}</figure>"
+
+
+def formula_list(found: Iterable[Formula]) -> str:
+    """Return formulas and what they say; nothing if there are none."""
+    items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in found)
+    return f'<ol class="formulas">{items}</ol>' if items else ""
+
+
+def trust(notes: tuple[Note, ...]) -> str:
+    """Return a section with every note, the worst first."""
+    if not notes:
+        return section("How far this can be trusted", "<p>The problem states nothing about its validity.</p>")
+    order = list(Standing)
+    ranked = sorted(notes, key=lambda note: -order.index(note.standing))
+    items = "".join(
+        f"<li><div>{badge(note.standing)}</div><div>{safe(note.statement)}"
+        f'<div class="source">{safe(note.assumption.value)}; {safe(note.source)}</div></div></li>'
+        for note in ranked
+    )
+    legend = "; ".join(f"{standing.value}: {meaning}" for standing, meaning in MEANINGS.items())
+    return section(
+        "How far this can be trusted", f'<ul class="notes">{items}</ul>', f'<p class="small">{safe(legend)}.</p>'
+    )
+
+
+def papers(content: Any) -> str:
+    """Return a section with the papers that a problem or study stands on; nothing if there are none."""
+    items = []
+    for paper in cite(content):
+        text = safe(paper.text)
+        if paper.doi:
+            doi = safe(paper.doi)
+            text = text.replace(f"doi:{doi}", f'<a href="https://doi.org/{doi}">doi:{doi}</a>')
+        items.append(f"<li>{text}</li>")
+    lead = "<p>If you use these numbers, cite the papers they stand on.</p>"
+    return section("Papers", lead, f'<ol class="papers">{"".join(items)}</ol>') if items else ""
+
+
+def origin(made: Provenance, hashed: str, *parts: str) -> str:
+    """Return a section with what made the numbers; `hashed` says what the hash is of."""
+    rows = [
+        ("winkler", made.version),
+        ("study file", made.source or "made in Python"),
+        (f"hash of {hashed} (SHA-256)", made.hash),
+        ("created (UTC)", made.created),
+        ("time taken", f"{made.seconds:.2f} s"),
+        *((name, number) for name, number in made.packages if name != "winkler"),
+    ]
+    lines = [
+        f'<tr><td>{safe(name)}</td><td class="wrap"><code>{safe(content)}</code></td></tr>' for name, content in rows
+    ]
+    return section("What made these numbers", table([], lines), *parts)
+
+
+def folded(summary: str, text: str) -> str:
+    """Return a text that a page shows when its summary is clicked."""
+    return f"<details><summary>{summary}</summary><pre>{safe(text)}</pre></details>"

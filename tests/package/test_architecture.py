@@ -1,0 +1,34 @@
+"""The page on the architecture is that of the imports, and folders and files keep a size that can be read."""
+
+from __future__ import annotations
+
+import importlib.util
+
+MOST_FILES = 25
+"""In one folder of the package; the literature cases are data."""
+
+
+def drawing(root):
+    spec = importlib.util.spec_from_file_location("draw_architecture", root / "docs" / "draw_architecture.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_page_is_that_of_the_imports(root):
+    written = drawing(root)
+    hint = "run python docs/draw_architecture.py"
+    assert (root / "docs" / "architecture.md").read_text(encoding="utf-8") == written.page(), hint
+    assert (root / "docs" / "figures" / "architecture.svg").read_text(encoding="utf-8") == written.picture(), hint
+
+
+def test_no_folder_holds_too_many_files(root):
+    full = {}
+    for top in ("src/winkler", "tests", "examples", "docs"):
+        for folder in [root / top, *(path for path in (root / top).rglob("*") if path.is_dir())]:
+            if {"__pycache__", "gallery", "cases", "_build"} & set(folder.relative_to(root).parts):
+                continue
+            count = sum(path.is_file() and path.suffix != ".pyc" for path in folder.iterdir())
+            if count > MOST_FILES:
+                full[folder.relative_to(root).as_posix()] = count
+    assert full == {}
