@@ -6,7 +6,7 @@ from winkler.caches import with_fonts
 with_fonts()
 
 # imported so that draw() knows what they show
-from winkler.plot import restored  # noqa: F401
+from winkler.plot import beds, restored  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
 from winkler.plot.draw import draw, sheet_of
 from winkler.plot.heating import heating  # noqa: F401
