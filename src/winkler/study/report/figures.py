@@ -10,11 +10,14 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import WinklerError
+from winkler.loading import Depth
 from winkler.numerics.types import Array
+from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_sheet, family_sheet
-from winkler.plot.method import method_sheet, pictures_of
+from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, spoken
 from winkler.problems.adhesion.indentation import AdhesiveSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.study.batch.outcome import Answered, Outcome
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import Contact as Shows
@@ -25,7 +28,6 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.beside import Beside, beside
 from winkler.study.report.describe import content_label, setting_told
 from winkler.study.report.figure import Shown, capital, drawn
-from winkler.study.report.shown_contact import shown_contact, shown_point
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
 __all__ = [
@@ -43,6 +45,30 @@ __all__ = [
 MOST_CURVES = 24
 """More curves are not drawn into one figure; the table holds all."""
 MOST_BARS = 40
+
+
+def shown_point(outcome: Outcome) -> Answered:
+    """Return the point whose contact the pictures show: the last one that was solved."""
+    return outcome.solved[-1]
+
+
+def shown_contact(point: Answered) -> Contact | None:
+    """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
+    shows = answer_of(point.problem).contact
+    if shows is Shows.NONE:
+        return None
+    solution = point.solution if shows is Shows.PATH else point.each[-1]
+    if isinstance(solution, IndentationSolution):
+        return solution
+    if shows is Shows.EDGE:
+        return contact_of(solution)
+    inside = getattr(solution, "contact", None)
+    if isinstance(inside, IndentationSolution):
+        return inside
+    bed, depth = getattr(point.problem, "bed", None), getattr(solution, "depth", None)
+    if bed is None or not isinstance(depth, float | np.ndarray):
+        return None
+    return Indentation(bed, Depth(float(np.max(depth)))).solve()
 
 
 def figures_of(outcome: Outcome) -> tuple[Shown, ...]:

@@ -15,7 +15,7 @@ from winkler.problems.wear.states import WearState
 from winkler.study.batch.points import Answered
 from winkler.study.chapters.answer import Contact
 from winkler.study.chapters.contents import answer_of
-from winkler.study.report.shown_contact import shown_contact
+from winkler.study.report.figures import shown_contact
 
 __all__ = ["Moments", "contact_at", "moments_of", "telling"]
 
