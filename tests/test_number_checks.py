@@ -9,9 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 import pytest
 
-from winkler.errors import InvalidInput
-from winkler.materials.spring_and_dashpot import Maxwell
-from winkler.number_checks import (
+from winkler.checks.number_checks import (
     Advice,
     Count,
     Finite,
@@ -29,6 +27,8 @@ from winkler.number_checks import (
     Whole,
     between,
 )
+from winkler.errors import InvalidInput
+from winkler.materials.spring_and_dashpot import Maxwell
 from winkler.values import value
 
 NO_NUMBERS = (True, "1", None, math.nan, 1j, [1.0], np.array([1.0, 2.0]))

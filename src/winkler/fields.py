@@ -12,8 +12,10 @@ from typing import Protocol, TypeGuard, overload
 
 import numpy as np
 
+from winkler.checks.float_range import guarded_answer
+from winkler.checks.outline import refuse_unless_round
+from winkler.checks.physical_size import LARGEST
 from winkler.errors import InvalidInput
-from winkler.float_range import guarded_answer
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import (
@@ -26,8 +28,6 @@ from winkler.foundation.sheared_fields import (
 )
 from winkler.media.interior.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
-from winkler.outline import refuse_unless_round
-from winkler.physical_size import LARGEST
 from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values import value

@@ -6,7 +6,7 @@ a `winkler.path.Path`.
 
 from __future__ import annotations
 
-from winkler.number_checks import FiniteQuantity, NonNegativeQuantity
+from winkler.checks.number_checks import FiniteQuantity, NonNegativeQuantity
 from winkler.values import value
 
 __all__ = ["Angle", "Depth", "Force", "Lateral", "Load", "Normal", "Radius", "ShearForce", "Shift", "Torque"]

@@ -3,23 +3,35 @@
 Between two points everything that is prescribed changes in proportion to time.  Before the first point the bodies are
 pressed straight down as far as its normal load says, and then moved along the surface as its lateral load says.  A path
 that is told in steps (go there, wait, oscillate) is a `winkler.program.Program`.
+
+Loads of which a problem takes one number, not an array, are types of fields here (`OneLoad`, `OnePositiveNormal`, ...).
 """
 
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
+from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
-from winkler.loading import Angle, Depth, Force, Lateral, Normal, ShearForce, Shift, Torque
-from winkler.number_checks import Numbers
+from winkler.loading import Angle, Depth, Force, Lateral, Load, Normal, Radius, ShearForce, Shift, Torque
 from winkler.numerics.equations.oscillation_times import sine, swings
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Quantity
 from winkler.values import frozen_array, value
 
-__all__ = ["Path", "numbers_of"]
+__all__ = [
+    "OneLoad",
+    "OneNormal",
+    "OnePositiveNormal",
+    "OnePositiveSwing",
+    "Path",
+    "Swing",
+    "load_number",
+    "numbers_of",
+]
 
 PER_CYCLE = 40
 """Points of one oscillation."""
@@ -186,3 +198,38 @@ def _spread(word: str, load: Normal | Lateral, steps: int) -> Normal | Lateral:
             "for all."
         )
     return type(load)(frozen_array(numbers if numbers.ndim else np.full(steps, float(numbers))))
+
+
+def load_number(load: Load) -> Quantity:
+    """Return what a load prescribes."""
+    match load:
+        case Depth(number) | Force(number) | Radius(number):
+            return number
+
+
+def _one(load: Normal | Lateral | Radius) -> bool:
+    return np.ndim(load.radius if isinstance(load, Radius) else numbers_of(load)) == 0
+
+
+def _positive(load: Normal | Lateral) -> bool:
+    return _one(load) and 0.0 < float(numbers_of(load)) < math.inf
+
+
+OneLoad: TypeAlias = Annotated[Load, Such(_one, "give Force, Depth or Radius with one number, and sweep over several")]
+OneNormal: TypeAlias = Annotated[
+    Normal, Such(_one, "give Depth(d) or Force(F) with one number, and sweep over several")
+]
+OnePositiveNormal: TypeAlias = Annotated[
+    Normal, Such(_positive, "give Depth(d) or Force(F) with one positive number, and sweep over several")
+]
+Swing: TypeAlias = Annotated[
+    Shift | ShearForce,
+    Such(
+        lambda load: bool(np.all(numbers_of(load) >= 0.0)),
+        "give Shift(U) in m or ShearForce(F_x) in N, how far to each side, zero or more",
+    ),
+]
+OnePositiveSwing: TypeAlias = Annotated[
+    Shift | ShearForce,
+    Such(_positive, "give Shift(U) in m or ShearForce(F_x) in N with one positive number, how far to each side"),
+]

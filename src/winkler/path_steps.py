@@ -10,14 +10,13 @@ from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
-from winkler.field_checks import Such
+from winkler.checks.field_checks import Such
+from winkler.checks.number_checks import Count, Finite, NonNegative, Positive, Whole, affordable
 from winkler.limits import PATH_POINTS
-from winkler.load_checks import OneNormal, OnePositiveSwing
 from winkler.loading import Lateral, Normal, ShearForce, Shift
-from winkler.number_checks import Count, Finite, NonNegative, Positive, Whole, affordable
 from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
-from winkler.path import PER_CYCLE, Path, numbers_of
+from winkler.path import PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
 from winkler.values import value
 
 __all__ = ["Circle", "Follow", "Hold", "Kept", "Oscillate", "Ramp", "Rows", "Start", "Step"]

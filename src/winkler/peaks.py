@@ -6,12 +6,12 @@ from typing import overload
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.fields import Dragged, Restorable, below_surface, is_dragged, springs_of
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
 from winkler.media.interior.peak import greatest, greatest_around
 from winkler.numerics.types import Array
-from winkler.outline import refuse_unless_round
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values import value

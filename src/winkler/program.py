@@ -6,10 +6,10 @@ import dataclasses
 
 import numpy as np
 
+from winkler.checks.number_checks import affordable
 from winkler.errors import InvalidInput
 from winkler.limits import PATH_POINTS
 from winkler.loading import Depth, Lateral, Normal, Shift
-from winkler.number_checks import affordable
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
 from winkler.path_steps import Circle, Follow, Kept, Rows, Start, Step

@@ -22,12 +22,12 @@ from collections.abc import Callable
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.fields import Restorable
 from winkler.foundation.bed import Pressed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike
-from winkler.outline import refuse_unless_round
 from winkler.values import value
 
 __all__ = ["Staircase", "staircase"]

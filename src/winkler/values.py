@@ -15,11 +15,11 @@ from typing import Any, TypeVar, dataclass_transform
 
 import numpy as np
 
+from winkler.checks.field_checks import checks_of
+from winkler.checks.float_range import guarded, guarded_answer, guarded_stream
+from winkler.checks.outline import refuse_outline, refuse_relaxing
 from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
-from winkler.field_checks import checks_of
-from winkler.float_range import guarded, guarded_answer, guarded_stream
-from winkler.outline import refuse_outline, refuse_relaxing
 from winkler.wrong_names import checked_arguments, unknown_attribute
 
 __all__ = ["frozen_array", "value"]
@@ -98,8 +98,8 @@ def _setstate(self: Any, state: dict[str, Any]) -> None:
 def value(cls: type[T]) -> type[T]:
     """Make `cls` a value: a frozen dataclass with read-only arrays, compared and hashed by content.
 
-    The fields are frozen and compared with their types (`winkler.field_checks`); then a class's own ``__post_init__``
-    runs, the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
+    The fields are frozen and compared with their types (`winkler.checks`); then a class's own ``__post_init__`` runs,
+    the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
     properties of a solution, say in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
     takes a few lines (`winkler.display`), and a wrong name is answered by the right one (`winkler.wrong_names`).
     """

@@ -336,7 +336,7 @@ def test_a_bar_tells_how_far_the_fit_has_come(here, monkeypatch):
 
     def heard(self, states):
         for state in plain(self, states):
-            told.append(self.told())
+            told.append(self.progress())
             yield state
 
     monkeypatch.setattr(module._UnderWay, "watch", heard)

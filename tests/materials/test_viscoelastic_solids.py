@@ -94,7 +94,9 @@ def test_the_judge_of_the_fractional_solid():
     assert mittag_leffler(0.5, 0.7) == pytest.approx(float(mp.exp(mp.mpf("0.49")) * mp.erfc(mp.mpf("0.7"))), rel=1e-10)
 
 
-@pytest.mark.parametrize("alpha", [0.3, 0.5, 0.8])
+@pytest.mark.parametrize(
+    "alpha", [0.3, pytest.param(0.5, marks=pytest.mark.slow), pytest.param(0.8, marks=pytest.mark.slow)]
+)
 def test_fractional_zener(alpha):
     solid = FractionalZener(0.5, 2.0, 0.1, alpha, shortest=1e-4, longest=1e3, tolerance=1e-6)
     for t in (1e-4, 0.03, 1.0, 1e3):

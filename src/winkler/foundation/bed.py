@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
 from winkler.footprint import Footprint
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array

@@ -15,8 +15,8 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
 from winkler.errors import OutsideValidity
-from winkler.field_checks import Such
 from winkler.footprint import DISC, Ellipse, Round
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium

@@ -15,12 +15,12 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.footprint import DISC, Footprint, Unknown
 from winkler.foundation.force_curve import FEWEST, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
 from winkler.limits import MEASURED_PLACES
-from winkler.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
 from winkler.numerics.panels.power_splines import PowerSplines
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike

@@ -18,12 +18,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.checks.number_checks import affordable
 from winkler.errors import InvalidInput
 from winkler.fields import SubsurfaceFields
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.io.whole_file import written_whole
 from winkler.limits import MOST_NUMBERS
-from winkler.number_checks import affordable
 from winkler.numerics.types import Array
 from winkler.problems.conduction.fields import CurrentFields, HeatFields
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
 from winkler.errors import InvalidInput
-from winkler.number_checks import NON_NEGATIVE, POSITIVE, Advice, Positive, checked
 from winkler.values import value
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]

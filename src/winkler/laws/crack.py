@@ -17,8 +17,8 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import Number, Positive
 from winkler.errors import InvalidInput
-from winkler.number_checks import Number, Positive
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
 

@@ -13,8 +13,8 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, NonNegative, Positive
 from winkler.errors import InvalidInput
-from winkler.number_checks import Advice, NonNegative, Positive
 from winkler.numerics.types import Array, Quantity
 from winkler.values import value
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from winkler.number_checks import POSITIVE_OR_INFINITE, NonNegative
+from winkler.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
 from winkler.values import value
 
 __all__ = ["SurfaceFilm", "ThermalInterface"]

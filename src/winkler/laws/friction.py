@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, TypeAlias
 
+from winkler.checks.field_checks import Such
+from winkler.checks.number_checks import Number, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.field_checks import Such
-from winkler.number_checks import Number, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]

@@ -6,7 +6,7 @@ are no multiples of each other: one share of the heat for the whole contact can 
 
 from __future__ import annotations
 
-from winkler.number_checks import Fraction
+from winkler.checks.number_checks import Fraction
 from winkler.values import value
 
 __all__ = ["EqualMaximum", "EqualMean", "FixedShare", "HeatPartition"]

@@ -14,9 +14,9 @@ from typing import Annotated, Protocol, runtime_checkable
 
 import numpy as np
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
+from winkler.checks.number_checks import POSITIVE
 from winkler.errors import InvalidInput
-from winkler.number_checks import POSITIVE
 from winkler.numerics.types import Array
 from winkler.values import value
 

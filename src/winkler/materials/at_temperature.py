@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from winkler.checks.number_checks import Positive
 from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.number_checks import Positive
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values import value
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
-from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["ConductingBody", "Conductor", "Plated", "Rod", "bulk_of", "resistivity_of", "surface_of"]

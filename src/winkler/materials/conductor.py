@@ -2,7 +2,7 @@ r"""What conducts: solids with a resistivity against electric current, or a cond
 
 from __future__ import annotations
 
-from winkler.number_checks import POSITIVE, NonNegative, Positive, checked
+from winkler.checks.number_checks import POSITIVE, NonNegative, Positive, checked
 from winkler.values import value
 
 __all__ = ["ElectricalConductor", "ThermalConductor"]

@@ -11,9 +11,8 @@ from typing import Annotated, Protocol
 
 import numpy as np
 
-from winkler.contract import offered
-from winkler.errors import InvalidInput
-from winkler.number_checks import (
+from winkler.checks.contract import offered
+from winkler.checks.number_checks import (
     NON_NEGATIVE,
     POISSON,
     POSITIVE,
@@ -23,6 +22,7 @@ from winkler.number_checks import (
     Positive,
     PositiveNotTiny,
 )
+from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
 from winkler.values import value
 

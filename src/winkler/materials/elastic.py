@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from winkler.checks.number_checks import Finite, PoissonRatio, PositiveNotTiny, PositiveOrInfinite
 from winkler.errors import InvalidInput
-from winkler.number_checks import Finite, PoissonRatio, PositiveNotTiny, PositiveOrInfinite
 from winkler.values import value
 
 __all__ = ["Elastic", "Rigid", "Solid", "TransverselyIsotropic"]

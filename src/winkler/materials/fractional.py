@@ -14,10 +14,10 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
 from winkler.errors import InvalidInput, NotConverged
 from winkler.limits import SLOWEST
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.values import value

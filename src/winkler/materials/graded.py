@@ -12,8 +12,8 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
+from winkler.checks.number_checks import Number, PoissonRatio, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.number_checks import Number, PoissonRatio, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["PowerLawGraded"]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from winkler.checks.number_checks import Advice, PositiveNotTiny
 from winkler.materials.elastic import Elastic
-from winkler.number_checks import Advice, PositiveNotTiny
 from winkler.values import value
 
 __all__ = ["Layer"]

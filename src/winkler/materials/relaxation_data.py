@@ -13,10 +13,10 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
 from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_TIMES
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.number_checks import POSITIVE, Advice, Numbers, PoissonRatio
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep
 from winkler.numerics.types import Array
 from winkler.values import value

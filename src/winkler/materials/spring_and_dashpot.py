@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.checks.number_checks import PoissonRatio, Positive
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.number_checks import PoissonRatio, Positive
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values import value
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from winkler.checks.number_checks import POSITIVE, Positive, checked
 from winkler.errors import OutsideValidity
-from winkler.number_checks import POSITIVE, Positive, checked
 from winkler.values import value
 
 __all__ = ["Arrhenius", "WilliamsLandelFerry"]

@@ -12,10 +12,10 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
+from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers, PoissonRatio, checked
 from winkler.errors import InvalidInput
 from winkler.limits import MOST_NUMBERS, TERMS
-from winkler.number_checks import POSITIVE, NonNegative, Numbers, PoissonRatio, checked
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.media.interior import subsurface

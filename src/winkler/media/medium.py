@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple, Protocol
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile

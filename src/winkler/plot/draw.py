@@ -17,17 +17,9 @@ from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.outcome import Fit
 from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
-from winkler.foundation.elliptic import EllipticFoundation
-from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed
-from winkler.foundation.plane import PlaneFoundation
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.loading import Force
-from winkler.media.graded.power_law import GradedHalfSpace
-from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.depth_graded import DepthGradedHalfSpace
-from winkler.media.medium import Medium
-from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.plot import style
 from winkler.plot.extent import around, checked_extent, typical
 from winkler.plot.fitting.fits import fit_sheet
@@ -44,13 +36,9 @@ from winkler.plot.friction.sheets import (
 from winkler.plot.impact.impact import adhesive_impact_sheet, impact_sheet
 from winkler.plot.medium import (
     body_is_known,
-    makeup_panel,
-    spring_stiffness_panel,
     stiffness_panel,
-    stiffness_words,
-    typical_width,
 )
-from winkler.plot.method import Contact, bed_panels
+from winkler.plot.method import Contact
 from winkler.plot.normal.body import body_panel, contact_panel
 from winkler.plot.normal.curves import (
     curve_panel,
@@ -62,7 +50,7 @@ from winkler.plot.normal.curves import (
 )
 from winkler.plot.normal.outline import profile_panel
 from winkler.plot.normal.punches import pressures_panel, steps_panel
-from winkler.plot.normal.springs import at_first_touch, springs_panel
+from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Line, Panel, Sheet, note, titled
 from winkler.plot.particles.elastic_plastic import particle_sheet
@@ -170,52 +158,6 @@ def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
         (body_panel(item, end), profile_panel(item, end)), type(item).__name__, "shape and equivalent profile"
     )
     return Sheet(panels, height=3.3)
-
-
-@sheet_of.register(Foundation)
-@sheet_of.register(PlaneFoundation)
-def _bed(item: Any, *, extent: float | None = None) -> Sheet:
-    end = checked_extent(extent) or (1.6 if item.rim <= item.reach else 1.0) * typical(item)
-    if not body_is_known(item):
-        return _outlined(item, extent)
-    shape = item.profile if isinstance(item, Foundation) else item.plane_profile
-    name = type(shape).__name__ if isinstance(item, Foundation) else "the body that belongs to $g(x)$"
-    bed = _elastic(item)
-    return _over_springs(item, body_panel(bed, end).plus(title=name), bed, end)
-
-
-@sheet_of.register(EllipticFoundation)
-def _outlined(item: Any, extent: float | None = None) -> Sheet:
-    """Draw springs that stand for a body that is none of revolution: their load gives no pressure."""
-    bed = _elastic(item)
-    end = checked_extent(extent) or typical(bed)
-    return _over_springs(item, stiffness_panel(bed, end).plus(title="stiffness"), bed, end)
-
-
-def _elastic(item: Any) -> Any:
-    relaxes = isinstance(item.medium, RelaxingMedium)
-    return dataclasses.replace(item, medium=item.medium.elastic) if relaxes else item
-
-
-def _over_springs(item: Any, left: Panel, bed: Any, end: float) -> Sheet:
-    kind = "that relax" if isinstance(item.medium, RelaxingMedium) else stiffness_words(bed, end)
-    return Sheet((left, springs_panel(at_first_touch(bed), end).plus(title=f"springs {kind} under $g(x)$")), height=3.3)
-
-
-@sheet_of.register(MeasuredBed)
-def _measured(item: MeasuredBed, *, extent: float | None = None) -> Sheet:
-    end = checked_extent(extent) or item.reach
-    panels = (*bed_panels(item, end), springs_panel(at_first_touch(item), end))
-    return Sheet(titled(panels, "measured stiffness", "its springs", "springs under $g(x)$"), width=3.9, height=3.3)
-
-
-@sheet_of.register(CoatedHalfSpace)
-@sheet_of.register(DepthGradedHalfSpace)
-@sheet_of.register(GradedHalfSpace)
-def _medium(item: Medium, *, extent: float | None = None) -> Sheet:
-    end = checked_extent(extent) or typical_width(item)
-    panels = makeup_panel(item, end), spring_stiffness_panel(item, end)
-    return Sheet(titled(panels, "the body, from its surface down", "stiffness of the springs"), height=3.3)
 
 
 @sheet_of.register(IndentationSolution)

@@ -1,38 +1,16 @@
-"""Panels and sheets drawn by matplotlib: the one place that knows how its axes are filled."""
+"""Panels and sheets drawn by matplotlib."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection, PatchCollection, PolyCollection
-from matplotlib.colors import ListedColormap, LogNorm, Normalize
-from matplotlib.patches import Circle
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
-from winkler.plot import style
-from winkler.plot.panel import (
-    Area,
-    Arrow,
-    Axis,
-    Band,
-    Bars,
-    Dots,
-    Facets,
-    Line,
-    Map,
-    Panel,
-    Polygon,
-    Rule,
-    Sheet,
-    Strokes,
-    Text,
-    Vectors,
-)
+from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
+from winkler.plot.render_axis import set_axis
+from winkler.plot.render_marks import draw_mark
 
 __all__ = ["fill_axes", "render"]
 
@@ -80,20 +58,23 @@ def _laid(figure: Picture, divided: Callable[..., Any], sheet: Sheet) -> list[tu
 
 def fill_axes(axes: Axes, panel: Panel) -> None:
     """Draw a panel into empty axes."""
-    margins: Any = {"x": panel.across.margin, "y": panel.upright.margin}
-    axes.margins(**{way: margin for way, margin in margins.items() if margin is not None})
     beside = axes.twinx() if panel.beside else axes
+    sloped = [mark for mark in panel.marks if isinstance(mark, Rule) and mark.point is not None]
     for mark in panel.marks:
         if isinstance(mark, Line) and mark.beside:
-            _line(beside, mark, panel.across.scale.factor, panel.beside[0].scale.factor)
-        else:
-            MARKS[type(mark)](axes, mark, panel.across.scale.factor, panel.upright.scale.factor)
+            draw_mark(beside, mark, panel.across.scale.factor, panel.beside[0].scale.factor)
+        elif mark not in sloped:
+            draw_mark(axes, mark, panel.across.scale.factor, panel.upright.scale.factor)
+    margins: Any = {"x": panel.across.margin, "y": panel.upright.margin}
+    axes.margins(**{way: margin for way, margin in margins.items() if margin is not None})
+    for mark in sloped:  # it goes through the whole panel, whose limits it leaves alone
+        draw_mark(axes, mark, panel.across.scale.factor, panel.upright.scale.factor)
     if panel.equal:
         axes.set_aspect("equal")
-    _axis(axes, "x", panel.across)
-    _axis(axes, "y", panel.upright)
+    set_axis(axes, "x", panel.across)
+    set_axis(axes, "y", panel.upright)
     if panel.beside:
-        _axis(beside, "y", panel.beside[0])
+        set_axis(beside, "y", panel.beside[0])
         beside.spines["right"].set_visible(True)
         beside.grid(visible=False)
     if panel.grid != "both":
@@ -109,38 +90,6 @@ def fill_axes(axes: Axes, panel: Panel) -> None:
         _legend(axes, panel)
 
 
-def _axis(axes: Axes, way: str, one: Axis) -> None:
-    """Set label, limits, scale and ticks of one axis."""
-    axis, upright = (axes.xaxis, False) if way == "x" else (axes.yaxis, True)
-    set_limits = axes.set_ylim if upright else axes.set_xlim
-    get_limits = axes.get_ylim if upright else axes.get_xlim
-    if one.log:
-        (axes.set_yscale if upright else axes.set_xscale)("log")
-    low, high = (None if end is None else end / one.scale.factor for end in (one.low, one.high))
-    if low is not None or high is not None:
-        set_limits(low, high)
-    if one.headroom:
-        bottom, top = get_limits()
-        set_limits(bottom, top + one.headroom * (top - bottom))
-    if one.falling:
-        axis.set_inverted(True)
-    if one.log and one.plain:
-        low, high = axis.get_view_interval()
-        few = np.log10(high / low) < 2.5
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if few else (1.0,), numticks=12))
-        axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
-        axis.set_minor_formatter(NullFormatter())
-    if one.log and one.sparse:
-        axis.set_minor_formatter("")
-    if one.parts:
-        axis.set_major_locator(
-            LogLocator(numticks=one.parts) if one.log else MaxNLocator(nbins=one.parts, integer=True)
-        )
-    if one.ticks is not None:
-        axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
-    (axes.set_ylabel if upright else axes.set_xlabel)(one.title, color=one.colour)
-
-
 def _legend(axes: Axes, panel: Panel) -> None:
     options: dict[str, Any] = {"loc": panel.legend, "ncols": panel.columns, "markerscale": panel.marker_scale}
     options |= {"title": panel.legend_title, "title_fontsize": 8.5} if panel.legend_title else {}
@@ -150,235 +99,3 @@ def _legend(axes: Axes, panel: Panel) -> None:
     if not panel.unframed:
         legend.set_frame_on(True)
         legend.get_frame().set(facecolor="white", edgecolor="none", alpha=0.85)
-
-
-def _seen(colour: Any) -> Any:
-    """Return a colour as matplotlib knows it."""
-    return colormaps[colour[0]](colour[1]) if isinstance(colour, tuple) and isinstance(colour[0], str) else colour
-
-
-def _dashed(dash: tuple[float, ...]) -> Any:
-    return (0, dash) if dash else "-"
-
-
-def _line(axes: Axes, mark: Line, across: float, upright: float) -> None:
-    look: dict[str, Any] = {
-        "color": _seen(mark.colour),
-        "linewidth": mark.width,
-        "linestyle": _dashed(mark.dash) if mark.width else "none",
-        "marker": mark.marker,
-        "markersize": mark.size,
-        "label": mark.name or None,
-        "zorder": mark.order,
-        "clip_on": mark.clipped,
-        "alpha": None if mark.alpha == 1.0 else mark.alpha,
-        "rasterized": mark.coarse or None,
-    }
-    look |= {"markerfacecolor": "white"} if mark.hollow else {}
-    look |= {"markeredgecolor": mark.edge} if mark.edge else {"markeredgewidth": 0.0} if mark.alpha < 1.0 else {}
-    look |= {"markeredgewidth": 1.8} if mark.marker == "+" and mark.colour == "white" else {}
-    look |= {"solid_capstyle": "butt"} if mark.blunt else {}
-    x, y = mark.x / across, mark.y / upright
-    if mark.error_x is None and mark.error_y is None:
-        axes.plot(x, y, **look)
-        return
-    lengths: dict[str, Any] = {
-        "xerr": None if mark.error_x is None else mark.error_x / across,
-        "yerr": None if mark.error_y is None else mark.error_y / upright,
-    }
-    bars: dict[str, Any] = {"ecolor": mark.error_colour or None, "elinewidth": mark.width, "capsize": mark.cap}
-    axes.errorbar(x, y, **lengths, **(look | {"linestyle": "none"}), **bars)
-
-
-def _dots(axes: Axes, mark: Dots, across: float, upright: float) -> None:
-    axes.scatter(
-        mark.x / across,
-        mark.y / upright,
-        s=mark.size,
-        color=mark.colour,
-        alpha=None if mark.alpha == 1.0 else mark.alpha,
-        linewidths=0.0,
-        rasterized=mark.coarse or None,
-        label=mark.name or None,
-    )
-
-
-def _strokes(axes: Axes, mark: Strokes, across: float, upright: float) -> None:
-    lines = np.stack([mark.x / across, mark.y / upright], axis=-1)
-    for line, colour, width, alpha in zip(lines, mark.colours, mark.widths, mark.alphas, strict=True):
-        axes.add_collection(LineCollection([line], colors=colour, linewidths=width, alpha=alpha, zorder=mark.order))
-
-
-def _area(axes: Axes, mark: Area, across: float, upright: float) -> None:
-    look: dict[str, Any] = {"color": _seen(mark.colour), "linewidth": 0.0, "label": mark.name or None}
-    if mark.hatch:
-        look = {"facecolor": mark.colour, "edgecolor": style.MUTED, "hatch": mark.hatch, "linewidth": 0.0}
-    look |= {"zorder": mark.order, "alpha": None if mark.alpha == 1.0 else mark.alpha}
-    if mark.across:
-        axes.fill_betweenx(mark.x / upright, mark.low / across, mark.high / across, **look)
-    else:
-        axes.fill_between(mark.x / across, mark.low / upright, mark.high / upright, **look)
-
-
-def _polygon(axes: Axes, mark: Polygon, across: float, upright: float) -> None:
-    axes.fill(
-        mark.x / across,
-        mark.y / upright,
-        facecolor=_seen(mark.colour),
-        alpha=None if mark.alpha == 1.0 else mark.alpha,
-        edgecolor=_seen(mark.edge) if mark.edge else "none",
-        linewidth=mark.width,
-        zorder=mark.order,
-    )
-
-
-def _rule(axes: Axes, mark: Rule, across: float, upright: float) -> None:
-    look: dict[str, Any] = {
-        "color": mark.colour,
-        "linewidth": mark.width,
-        "linestyle": _dashed(mark.dash),
-        "label": mark.name or None,
-        "zorder": mark.order,
-    }
-    if mark.point is not None:
-        limits = axes.get_xlim(), axes.get_ylim()
-        axes.axline((mark.point[0] / across, mark.point[1] / upright), slope=mark.slope * across / upright, **look)
-        axes.set(xlim=limits[0], ylim=limits[1])
-    elif mark.upright:
-        axes.axvline(mark.at / across, **look)
-    else:
-        axes.axhline(mark.at / upright, **look)
-
-
-def _band(axes: Axes, mark: Band, across: float, _: float) -> None:
-    look: Any = {"color": mark.colour, "alpha": mark.alpha, "linewidth": 0.0, "label": mark.name or "_"}
-    axes.axvspan(mark.low / across, mark.high / across, **look)
-
-
-def _text(axes: Axes, mark: Text, across: float, upright: float) -> None:
-    x, y = (
-        number if framed else number / factor
-        for number, framed, factor in zip((mark.x, mark.y), mark.framed, (across, upright), strict=True)
-    )
-    box = {"facecolor": "white", "edgecolor": "none", "alpha": mark.boxed, "pad": mark.pad}
-    axes.annotate(
-        mark.text,
-        (x, y),
-        (mark.right, 0.0),
-        xycoords=("axes fraction" if mark.framed[0] else "data", "axes fraction" if mark.framed[1] else "data"),
-        textcoords="offset points",
-        ha=mark.across,
-        va=mark.upright,
-        color=mark.colour,
-        fontsize=mark.size,
-        zorder=mark.order,
-        rotation=90.0 if mark.turned else 0.0,
-        linespacing=mark.spacing,
-        bbox=box if mark.boxed else None,
-        annotation_clip=False,
-    )
-
-
-def _arrow(axes: Axes, mark: Arrow, across: float, upright: float) -> None:
-    look = {"color": mark.colour, "linewidth": mark.width, "arrowstyle": "<->" if mark.both else "-|>"}
-    stop, start = ((x / across, y / upright) for x, y in (mark.stop, mark.start))
-    arrow: Any = {**look, "shrinkA": 0, "shrinkB": 0}
-    clip = None if mark.clipped else False
-    axes.annotate("", stop, start, arrowprops=arrow, zorder=mark.order, annotation_clip=clip)
-
-
-def _bars(axes: Axes, mark: Bars, across: float, upright: float) -> None:
-    errors: dict[str, Any] = {} if mark.ends is None else {"xerr": mark.ends / across}
-    look: Any = {"ecolor": "black", "elinewidth": 0.8, "capsize": 2.0} if errors else {}
-    axes.barh(
-        mark.places / upright,
-        mark.lengths / across,
-        left=mark.start / across,
-        height=mark.thick / upright,
-        color=mark.colour,
-        label=mark.name or None,
-        error_kw=look,
-        **errors,
-    )
-
-
-def _map(axes: Axes, mark: Map, across: float, upright: float) -> None:
-    factor = mark.bar.scale.factor
-    x, y, z = mark.x / across, mark.y / upright, mark.z / factor
-    colours = colormaps[mark.colours] if isinstance(mark.colours, str) else None
-    low, high = (None if end is None else end / factor for end in (mark.bar.low, mark.bar.high))
-    norm = (LogNorm if mark.bar.log else Normalize)(low, high)
-    shown: Any
-    if mark.kind == "contours":
-        levels = mark.levels / factor if isinstance(mark.levels, np.ndarray) else mark.levels
-        single = {"colors": mark.colours} if colours is None else {"cmap": colours}
-        shown = axes.contourf(x, y, z, levels=levels, extend=mark.extend, alpha=mark.alpha, **single)
-    elif mark.kind == "pixels":
-        paint: Any = colours or ListedColormap(list(mark.colours))
-        ends = (x[0], x[-1], y[0], y[-1])
-        shown = axes.imshow(z.T, origin="lower", extent=ends, cmap=paint, norm=norm, interpolation="nearest")
-    elif mark.kind == "discs":
-        discs = [Circle((x[i], y[i]), radius) for i, radius in enumerate(mark.z / across)]
-        shown = PatchCollection(discs, cmap=colours, edgecolor=style.INK, linewidth=0.6)
-        shown.set_array(mark.levels)
-        axes.add_collection(shown)
-        axes.autoscale_view()
-    else:
-        shading: Any = "gouraud" if mark.kind == "smooth" else "nearest" if z.shape[-1] == x.shape[-1] else "flat"
-        content = np.ma.masked_invalid(z)
-        shown = axes.pcolormesh(x, y, content, cmap=colours, norm=norm, shading=shading, rasterized=True)
-    if mark.line_width:
-        levels = mark.lines / factor if isinstance(mark.lines, np.ndarray) else shown.levels[0 if mark.lines else 1 :]
-        look: Any = {"colors": mark.line_colour, "linewidths": mark.line_width, "alpha": mark.line_alpha}
-        x, y = (mark.centres[0] / across, mark.centres[1] / upright) if mark.centres else (x, y)
-        axes.contour(x, y, z, levels=levels, **look)
-    if mark.ground:
-        axes.set_facecolor(mark.ground)
-    if mark.place:
-        _colour_bar(axes, mark, shown)
-
-
-def _colour_bar(axes: Axes, mark: Map, shown: Any) -> None:
-    figure: Any = axes.figure
-    if mark.place == "inset":
-        bar = figure.colorbar(shown, cax=axes.inset_axes((1.025, 0.0, 0.035, 1.0)))
-        bar.set_ticks(bar.get_ticks()[:: max(1, round(len(bar.get_ticks()) / 8))])
-    else:
-        pad = {} if mark.pad is None else {"pad": mark.pad}
-        beyond = {} if mark.kind == "contours" else {"extend": mark.extend}
-        bar = figure.colorbar(shown, ax=axes, shrink=mark.shrink, **pad, **beyond)
-    if mark.place == "inset" or mark.kind == "pixels":
-        bar.outline.set_visible(False)
-    bar.set_label(mark.bar.title)
-    if mark.bar.plain:
-        _axis(bar.ax, "y", Axis(mark.bar.label, mark.bar.scale, log=mark.bar.log, plain=mark.bar.log))
-        bar.ax.minorticks_off()
-
-
-def _vectors(axes: Axes, mark: Vectors, across: float, upright: float) -> None:
-    look: Any = {"color": mark.colour, "angles": "xy", "pivot": "mid", "width": 0.005}
-    axes.quiver(mark.x / across, mark.y / upright, mark.u, mark.v, **look)
-
-
-def _facets(axes: Axes, mark: Facets, across: float, upright: float) -> None:
-    flat = list(mark.corners / np.array([across, upright]))
-    look: Any = {"facecolors": mark.colours, "edgecolors": mark.colours, "linewidths": 0.4}
-    axes.add_collection(PolyCollection(flat, **look, rasterized=True, zorder=mark.order))
-    axes.autoscale_view()
-
-
-MARKS: dict[type, Callable[[Axes, Any, float, float], None]] = {
-    Line: _line,
-    Dots: _dots,
-    Strokes: _strokes,
-    Area: _area,
-    Polygon: _polygon,
-    Rule: _rule,
-    Band: _band,
-    Text: _text,
-    Arrow: _arrow,
-    Bars: _bars,
-    Map: _map,
-    Vectors: _vectors,
-    Facets: _facets,
-}

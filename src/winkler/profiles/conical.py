@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive, PositiveNotTiny
+from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle

@@ -12,8 +12,8 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from winkler.checks.number_checks import NON_NEGATIVE, Advice, Finite, Numbers
 from winkler.errors import InvalidInput
-from winkler.number_checks import NON_NEGATIVE, Advice, Finite, Numbers
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array

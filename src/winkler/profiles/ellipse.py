@@ -14,8 +14,8 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput
-from winkler.number_checks import Positive
 from winkler.numerics.equations.bracketing import between
 from winkler.values import value
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.number_checks import Positive
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Shape
 from winkler.validity import Note

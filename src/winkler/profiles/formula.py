@@ -17,8 +17,8 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, PositiveOrInfinite
 from winkler.errors import InvalidInput
-from winkler.number_checks import Advice, PositiveOrInfinite
 from winkler.numerics.equations.expression import Expression
 from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
+from winkler.checks.number_checks import Check, Ending, Number
+from winkler.checks.physical_size import shown
 from winkler.errors import InvalidInput
-from winkler.number_checks import Check, Ending, Number
-from winkler.physical_size import shown
 
 __all__ = ["HalfAngle"]
 

@@ -19,9 +19,9 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import NON_NEGATIVE, Advice, Numbers
 from winkler.errors import InvalidInput
 from winkler.limits import MEASURED_PLACES
-from winkler.number_checks import NON_NEGATIVE, Advice, Numbers
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
+from winkler.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.values import value

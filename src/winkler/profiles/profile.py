@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import Protocol
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
 from winkler.errors import InvalidInput
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array

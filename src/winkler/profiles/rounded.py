@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.number_checks import Positive, PositiveNotTiny
+from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term

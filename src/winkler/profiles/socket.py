@@ -14,8 +14,8 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.errors import InvalidInput
-from winkler.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.sphere import shape_integral

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive, PositiveNotTiny
+from winkler.checks.number_checks import Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.profile import Shape

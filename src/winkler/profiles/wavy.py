@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from winkler.number_checks import Positive
+from winkler.checks.number_checks import Positive
 from winkler.numerics.panels.struve import struve
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape

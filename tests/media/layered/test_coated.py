@@ -154,7 +154,10 @@ def test_against_the_least_energy_of_the_closed_compliance(young, a):
 # ----------------------------------------------------------------------------------------------------- consistency
 
 
-@pytest.mark.parametrize("name", MEDIA)
+@pytest.mark.parametrize(
+    "name",
+    ["hard", "soft", pytest.param("film", marks=pytest.mark.slow), pytest.param("stack", marks=pytest.mark.slow)],
+)
 def test_stiffness_two_ways(name):
     medium = MEDIA[name]
     a = np.geomspace(0.01, 20.0, 50)

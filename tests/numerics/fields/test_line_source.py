@@ -116,7 +116,15 @@ def test_a_moving_source_is_a_sum_of_point_sources(wave, place):
     assert HERTZ.surface(wave, x, y)[0] == pytest.approx(wanted, rel=2e-8, abs=1e-10)  # upstream it is a difference
 
 
-@pytest.mark.parametrize("place", [(0.65, 0.0), (0.2, 0.5), (-0.5, -0.7), (0.9, 0.0)])
+@pytest.mark.parametrize(
+    "place",
+    [
+        (0.65, 0.0),
+        (0.2, 0.5),
+        pytest.param((-0.5, -0.7), marks=pytest.mark.slow),
+        pytest.param((0.9, 0.0), marks=pytest.mark.slow),
+    ],
+)
 def test_a_fast_source_is_a_sum_of_point_sources_too(place):
     x, y = np.array([place[0]]), np.array([place[1]])
     wanted = point_sources(hertz_flux, 200.0, *place, count=300)

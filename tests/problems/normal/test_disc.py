@@ -44,7 +44,12 @@ NOT_ALWAYS_DISCS = NEVER_DISCS | {
 }
 
 
-@pytest.mark.parametrize("name", BODIES)
+COSTLY = {"a hill that falls back to zero"}
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow if name in COSTLY else ()) for name in BODIES]
+)
 def test_against_rings(name):
     profile, widest, reach = BODIES[name]
     bed = wk.Foundation(profile, UNIT)

@@ -197,7 +197,14 @@ def resistance_in_three_dimensions(creep, profile, force, speed, half, n):
 
 @pytest.mark.parametrize(
     ("glassy", "v", "allowed"),
-    [(2.0, 0.1, 0.08), (2.0, 0.3, 0.11), (2.0, 3.0, 0.03), (10.0, 0.1, 0.26), (10.0, 1.0, 0.06), (10.0, 10.0, 0.03)],
+    [
+        (2.0, 0.1, 0.08),
+        pytest.param(2.0, 0.3, 0.11, marks=pytest.mark.slow),
+        (2.0, 3.0, 0.03),
+        pytest.param(10.0, 0.1, 0.26, marks=pytest.mark.slow),
+        (10.0, 1.0, 0.06),
+        pytest.param(10.0, 10.0, 0.03, marks=pytest.mark.slow),
+    ],
 )
 def test_three_dimensions(glassy, v, allowed):
     relaxed = 0.5 / glassy

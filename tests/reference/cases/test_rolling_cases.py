@@ -115,7 +115,9 @@ def test_every_rolling_case_is_recomputed_or_told_from_where():
 class TestCarter:
     """A cylinder rolls with a creepage: what the tractions strain the surface by is the creepage, where it sticks."""
 
-    @pytest.mark.parametrize("ratio", [0.2, 0.6, 0.95])
+    @pytest.mark.parametrize(
+        "ratio", [0.2, pytest.param(0.6, marks=pytest.mark.slow), pytest.param(0.95, marks=pytest.mark.slow)]
+    )
     def test_the_zone_of_stick_is_strained_evenly(self, ratio):
         a, radius, modulus, mu = 1.0, 100.0, 200.0, 0.3
         peak = modulus * a / (2.0 * radius)

@@ -18,10 +18,10 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.directions import found_directions
 from winkler.fitting.curves.segments import Segment, segments_of, stated_directions
-from winkler.number_checks import POSITIVE_OR_INFINITE, Advice, Numbers
 from winkler.numerics.types import Array
 from winkler.values import value
 

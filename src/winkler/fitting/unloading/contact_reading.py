@@ -13,9 +13,9 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative, PositiveOrInfinite
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.elastic import Elastic, Rigid, Solid
-from winkler.number_checks import NonNegative, PositiveOrInfinite
 from winkler.numerics.equations.roots import between
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile

@@ -26,13 +26,13 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from winkler.checks.number_checks import Finite, Fraction, Positive
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.unloading.contact_reading import Tip, contact_reading, intercept_factor
 from winkler.fitting.unloading.unloading_law import fitted_power_law
 from winkler.fitting.unloading.unloading_notes import UnloadingFacts, unloading_notes
-from winkler.number_checks import Finite, Fraction, Positive
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note
 from winkler.values import value

@@ -19,11 +19,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.checks.physical_size import LARGEST
 from winkler.errors import InvalidInput
 from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, number_in
 from winkler.io.text_file import head_of, headed, lines_of
 from winkler.numerics.types import Array
-from winkler.physical_size import LARGEST
 from winkler.units import scale
 from winkler.values import value
 

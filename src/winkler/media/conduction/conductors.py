@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.field_checks import Such
+from winkler.checks.field_checks import Such
 from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.materials.conducting_body import ConductingBody, surface_of
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor

@@ -12,6 +12,7 @@ from __future__ import annotations
 import functools
 from typing import Annotated
 
+from winkler.checks.number_checks import between
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Rigid, Solid
 from winkler.media.layered import depth_interior
@@ -19,7 +20,6 @@ from winkler.media.layered.coated import LayeredMedium
 from winkler.media.layered.coated_load import Carried
 from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
 from winkler.media.punch_field import BodyField
-from winkler.number_checks import between
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value

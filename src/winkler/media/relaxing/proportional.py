@@ -15,6 +15,7 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, Positive
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HalfSpace
@@ -24,7 +25,6 @@ from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.media.transverse import TransverselyIsotropicHalfSpace
-from winkler.number_checks import Advice, Positive
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing

@@ -20,8 +20,8 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice
 from winkler.errors import InvalidInput, suggest
-from winkler.number_checks import Advice
 from winkler.numerics.equations.taylor import (
     FUNCTIONS,
     OPERATORS,

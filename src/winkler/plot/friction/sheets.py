@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import ShearForce
-from winkler.outline import refuse_unless_round
 from winkler.plot import style
 from winkler.plot.extent import around
 from winkler.plot.friction.curves import (

@@ -18,11 +18,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE_OR_INFINITE
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.loading import Depth, Force
-from winkler.number_checks import POSITIVE_OR_INFINITE
 from winkler.numerics.equations.turning import Leap
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle_states import AdhesiveJump, AdhesiveState, EdgeState

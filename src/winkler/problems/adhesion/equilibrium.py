@@ -12,10 +12,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, Positive, Whole
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
-from winkler.number_checks import Advice, Positive, Whole
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, end_of, force_under, position

@@ -15,11 +15,11 @@ import math
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE, checked
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw, DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.loading import Force
-from winkler.number_checks import POSITIVE, checked
 from winkler.problems.adhesion import griffith
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.pull_off import PullOff

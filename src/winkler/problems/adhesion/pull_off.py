@@ -10,9 +10,9 @@ from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
 
+from winkler.checks.number_checks import Number
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import AdhesionLaw
-from winkler.number_checks import Number
 from winkler.problems.adhesion.branches_beyond import branches_beyond
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, position
 from winkler.problems.adhesion.law_states import states_of

@@ -16,13 +16,13 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative, Positive
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Force
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.media.conduction.disc_resistance import BARBER
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.number_checks import NonNegative, Positive
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.single_contact import rises

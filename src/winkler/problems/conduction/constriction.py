@@ -15,10 +15,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.media.conduction.conductors import ElectricalConductors
-from winkler.number_checks import NonNegative
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import (

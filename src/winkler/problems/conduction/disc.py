@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.footprint import Round
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
@@ -14,7 +15,6 @@ from winkler.media.conduction.conductors import ElectricalConductors, HeatConduc
 from winkler.media.conduction.disc_resistance import BARBER, HOLM, Resistances
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
-from winkler.outline import refuse_unless_round
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import size_note, slope_note

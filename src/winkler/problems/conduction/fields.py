@@ -11,13 +11,13 @@ from typing import overload
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.materials.conducting_body import Plated, Rod
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
-from winkler.outline import refuse_unless_round
 from winkler.problems.conduction.heated_contact import Cold, hot_at_voltage, profile
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution, cold_contact
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution

@@ -10,6 +10,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.current import Current, Drive, Voltage, WiedemannFranz
@@ -17,7 +18,6 @@ from winkler.loading import Load
 from winkler.materials.conducting_body import ConductingBody, Plated, surface_of
 from winkler.materials.conductor import ElectricalConductor
 from winkler.media.conduction.conductors import ElectricalConductors
-from winkler.number_checks import Advice, Positive
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.constriction import Constriction

@@ -16,10 +16,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE, Advice, FiniteRow, Numbers
 from winkler.errors import InvalidInput
 from winkler.materials.conducting_body import resistivity_of
 from winkler.materials.conductor import ElectricalConductor
-from winkler.number_checks import POSITIVE, Advice, FiniteRow, Numbers
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing

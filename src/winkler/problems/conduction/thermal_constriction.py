@@ -11,12 +11,12 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Finite
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.materials.conducting_body import surface_of
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.number_checks import Finite
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
 from winkler.problems.conduction.disc import disc_yield_notes, pressed_disc, resistances_of, scope_notes

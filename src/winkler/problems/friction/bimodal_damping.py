@@ -21,13 +21,21 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
+from winkler.checks.number_checks import (
+    Advice,
+    Count,
+    Finite,
+    FiniteQuantity,
+    NonNegative,
+    NonNegativeQuantity,
+    affordable,
+)
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.field_checks import Such
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.limits import SPRINGS
 from winkler.loading import Depth, Shift
-from winkler.number_checks import Advice, Count, Finite, FiniteQuantity, NonNegative, NonNegativeQuantity, affordable
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import Path

@@ -22,11 +22,11 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.load_checks import OneNormal, Swing
 from winkler.loading import Depth, Force, Normal, ShearForce, Shift
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import OneNormal, Swing
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.friction.damping_validity import damping_notes
 from winkler.problems.normal.indentation import Indentation, IndentationSolution

@@ -17,10 +17,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Finite, Positive
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
-from winkler.number_checks import Finite, Positive
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import SHEARED

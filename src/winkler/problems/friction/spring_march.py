@@ -16,12 +16,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading import Depth, Force, ShearForce, Shift
-from winkler.number_checks import Whole
 from winkler.numerics.springs.slip_kernels import march_line
 from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.springs.slip_pull import pull_line

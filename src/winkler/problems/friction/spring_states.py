@@ -6,7 +6,7 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
 from winkler.foundation.sheared import ShearedSprings

@@ -18,11 +18,11 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.sheared_fields import sheared_surface
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.number_checks import Positive
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import projected
 from winkler.numerics.panels.cosine_pieces import RoundFlux, round_flux

@@ -20,16 +20,16 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import FiniteQuantity
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
-from winkler.load_checks import load_number
 from winkler.loading import Load
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.number_checks import FiniteQuantity
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.heating.estimates import fast, shared, stationary, tian_kennedy

@@ -16,15 +16,15 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative, PositiveRow
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
 from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
-from winkler.load_checks import OneLoad
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.number_checks import NonNegative, PositiveRow
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.types import Array, ArrayLike
+from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note

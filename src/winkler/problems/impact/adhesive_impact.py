@@ -19,10 +19,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, Positive, PositiveNotTiny
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.loading import Depth
-from winkler.number_checks import Advice, Positive, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.adhesion.cycle_states import AdhesiveJump

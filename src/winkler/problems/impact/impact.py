@@ -17,10 +17,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
-from winkler.number_checks import Finite, NonNegative, Positive, PositiveNotTiny, PositiveOrInfinite
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED

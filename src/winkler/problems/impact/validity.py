@@ -6,7 +6,7 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.number_checks import Whole
+from winkler.checks.number_checks import Whole
 from winkler.numerics.types import Array
 from winkler.validity import Assumption, Note, Standing
 

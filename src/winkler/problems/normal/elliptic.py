@@ -17,11 +17,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.number_checks import Advice
 from winkler.numerics.types import Array, ArrayLike, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes

@@ -22,6 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.errors import OutsideValidity
 from winkler.footprint import Ellipse
 from winkler.foundation.bed import Pressed, Stretched
@@ -34,7 +35,6 @@ from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.media.layered.coated import LayeredMedium
 from winkler.numerics.types import Array
-from winkler.outline import refuse_unless_round
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid

@@ -16,8 +16,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.field_checks import Such
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium

@@ -15,10 +15,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Number, Positive
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
-from winkler.number_checks import Number, Positive
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.indentation import Indentation

@@ -14,13 +14,13 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NON_NEGATIVE, POSITIVE, Numbers, Whole, checked
+from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
-from winkler.number_checks import NON_NEGATIVE, POSITIVE, Numbers, Whole, checked
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array, ArrayLike
-from winkler.physical_size import refuse_size
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.particles.trace import PLANE, SIMILAR, SPRINGS, UNCOUPLED, ContactTrace

@@ -18,10 +18,10 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.materials.elastic import Elastic
-from winkler.number_checks import NonNegative, PositiveNotTiny
 from winkler.numerics.types import Array
 from winkler.problems.collect_states import rows
 from winkler.problems.particles.elastic_plastic_march import March, ParticleHistory

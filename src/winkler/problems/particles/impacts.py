@@ -10,9 +10,9 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NOT_TINY, Count, NonNegativeQuantity, Numbers, PositiveQuantity, Whole
 from winkler.errors import InvalidInput
 from winkler.media.halfspace import HalfSpace
-from winkler.number_checks import NOT_TINY, Count, NonNegativeQuantity, Numbers, PositiveQuantity, Whole
 from winkler.numerics.springs.contact_kernels import impact_balls
 from winkler.numerics.threads import shared_out
 from winkler.numerics.types import Array

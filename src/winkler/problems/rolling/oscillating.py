@@ -17,13 +17,13 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import NonNegative, Positive, Whole
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.load_checks import OneLoad
-from winkler.number_checks import NonNegative, Positive, Whole
 from winkler.numerics.springs.rolling_kernels import push
 from winkler.numerics.types import Array
+from winkler.path import OneLoad
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated

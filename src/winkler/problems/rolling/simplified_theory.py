@@ -16,12 +16,12 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
+from winkler.checks.number_checks import Advice, Whole
 from winkler.errors import InvalidInput
-from winkler.field_checks import Such
 from winkler.laws.friction import Sliding
 from winkler.loading import Force
 from winkler.media.halfspace import HalfSpace
-from winkler.number_checks import Advice, Whole
 from winkler.numerics.springs.fastsim import mapped, rolled
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.coupling import sticking_note

@@ -14,15 +14,15 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
+from winkler.checks.number_checks import Advice, Positive, Whole
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.field_checks import Such
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Sliding
-from winkler.load_checks import OneLoad
 from winkler.loading import ShearForce
-from winkler.number_checks import Advice, Positive, Whole
 from winkler.numerics.springs.rolling_kernels import push, roll
 from winkler.numerics.types import Array
+from winkler.path import OneLoad
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.rolling.calibration import Kalker, Uncalibrated

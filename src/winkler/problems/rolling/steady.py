@@ -20,10 +20,10 @@ import numpy as np
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb, Sliding
-from winkler.load_checks import OneLoad
 from winkler.loading import Load
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
+from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import ROLLING
 from winkler.problems.normal.indentation import Indentation, IndentationSolution

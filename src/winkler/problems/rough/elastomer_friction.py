@@ -15,8 +15,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE, Numbers
 from winkler.materials.viscoelastic import ViscoelasticSolid
-from winkler.number_checks import POSITIVE, Numbers
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 from winkler.validity import Assumption, Note, Standing

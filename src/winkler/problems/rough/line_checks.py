@@ -7,10 +7,10 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, affordable
 from winkler.errors import InvalidInput
 from winkler.limits import MOST_NUMBERS, SPRINGS
 from winkler.loading import Depth, Force
-from winkler.number_checks import Whole, affordable
 from winkler.problems.rough.spring_line import prescribed
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing

@@ -12,9 +12,9 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.number_checks import Advice, Positive, Seed
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
 from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, resolution_note

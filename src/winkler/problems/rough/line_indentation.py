@@ -13,11 +13,11 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive, Seed
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.number_checks import Positive, Seed
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED

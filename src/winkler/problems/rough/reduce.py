@@ -13,6 +13,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.measured import MeasuredBed
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
@@ -21,7 +22,6 @@ from winkler.loading import Depth
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.medium import Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.number_checks import Positive, between
 from winkler.numerics.types import Array
 from winkler.problems.normal.yield_statement import unknown_yield
 from winkler.problems.rough.contact_springs import Points, room, springs_of

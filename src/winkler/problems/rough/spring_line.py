@@ -15,8 +15,8 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from winkler.checks.number_checks import Numbers, Positive
 from winkler.loading import Depth, Force
-from winkler.number_checks import Numbers, Positive
 from winkler.numerics.types import Array
 from winkler.values import value
 

@@ -16,10 +16,10 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Seed, Whole
 from winkler.limits import SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors
-from winkler.number_checks import Seed, Whole
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness

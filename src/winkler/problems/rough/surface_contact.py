@@ -17,11 +17,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, PositiveOrInfinite, affordable, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.limits import MOST_NUMBERS
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.number_checks import Advice, PositiveOrInfinite, affordable, between
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import bytes_needed

@@ -16,6 +16,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE_OR_INFINITE, Advice
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
@@ -25,7 +26,6 @@ from winkler.loading import Depth, Shift
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.number_checks import POSITIVE_OR_INFINITE, Advice
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.adhesion.edge import Machine, adhesive_edge

@@ -14,11 +14,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive, PositiveNotTiny, Whole, between
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.limits import RELAXING_SPRINGS
-from winkler.number_checks import Positive, PositiveNotTiny, Whole, between
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, RELAXING

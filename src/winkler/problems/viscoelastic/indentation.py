@@ -17,13 +17,13 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, between
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
 from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, Force, Shift
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.number_checks import Whole, between
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.declared import BALANCED, RELAXING

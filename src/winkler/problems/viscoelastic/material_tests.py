@@ -14,13 +14,13 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Positive, PositiveQuantity, PositiveRow
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Bed
-from winkler.load_checks import OnePositiveNormal
 from winkler.loading import Depth, Force
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
-from winkler.number_checks import Positive, PositiveQuantity, PositiveRow
 from winkler.numerics.types import Array, Quantity
+from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.indentation import Indentation

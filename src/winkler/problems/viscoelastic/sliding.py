@@ -18,18 +18,18 @@ from typing import Annotated, ClassVar, NamedTuple
 
 import numpy as np
 
+from winkler.checks.number_checks import PositiveQuantity, Whole
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.limits import RELAXING_SPRINGS
-from winkler.load_checks import OnePositiveNormal
 from winkler.loading import Depth
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.number_checks import PositiveQuantity, Whole
 from winkler.numerics.equations.roots import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.spring_pass import pass_over
 from winkler.numerics.types import Array, Quantity
+from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.solve_contact import at_depth, at_end, at_force

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.checks.outline import refuse_unless_round
 from winkler.foundation.bed import Bed
 from winkler.foundation.on_medium import OnMedium
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike
-from winkler.outline import refuse_unless_round
 from winkler.problems.viscoelastic.relaxed_springs import RelaxedSprings, smooth
 from winkler.values import value
 

@@ -17,6 +17,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, between
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
@@ -24,7 +25,6 @@ from winkler.laws.friction import Coulomb
 from winkler.limits import RELAXING_SPRINGS
 from winkler.loading import Depth, ShearForce, Shift
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.number_checks import Whole, between
 from winkler.numerics.types import Array
 from winkler.path import Path
 from winkler.problems.assumptions.coupling import sticking_note

@@ -16,15 +16,14 @@ from typing import ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import FiniteQuantity
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding
 from winkler.laws.wear import WearLaw
-from winkler.load_checks import OnePositiveNormal, OnePositiveSwing
 from winkler.loading import ShearForce
-from winkler.number_checks import FiniteQuantity
 from winkler.numerics.types import Array
-from winkler.path import numbers_of
+from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
 from winkler.problems.normal.indentation import Indentation

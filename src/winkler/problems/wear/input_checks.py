@@ -6,11 +6,11 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, between
 from winkler.errors import OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.number_checks import Whole, between
 from winkler.problems.normal.indentation import IndentationSolution
 
 __all__ = ["Cells", "WearTolerance", "touching", "wearable"]

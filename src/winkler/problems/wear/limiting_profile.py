@@ -17,8 +17,8 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.field_checks import Such
 from winkler.errors import OutsideValidity
-from winkler.field_checks import Such
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.friction import Sliding

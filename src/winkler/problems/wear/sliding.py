@@ -14,11 +14,11 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Advice, FiniteQuantity
 from winkler.foundation.foundation import Foundation
 from winkler.laws.wear import Archard, OwnWear
-from winkler.load_checks import OnePositiveNormal
-from winkler.number_checks import Advice, FiniteQuantity
 from winkler.numerics.types import Array
+from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
 from winkler.problems.normal.indentation import Indentation

@@ -15,8 +15,8 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
-from winkler.number_checks import Numbers
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum

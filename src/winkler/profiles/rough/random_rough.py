@@ -18,9 +18,9 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
+from winkler.checks.number_checks import affordable
 from winkler.errors import InvalidInput
 from winkler.limits import MADE_PIXELS
-from winkler.number_checks import affordable
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spectrum import Spectrum
 from winkler.profiles.rough.topography import Topography

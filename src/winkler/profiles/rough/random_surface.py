@@ -6,8 +6,8 @@ import dataclasses
 
 import numpy as np
 
+from winkler.checks.number_checks import Seed
 from winkler.errors import InvalidInput
-from winkler.number_checks import Seed
 from winkler.numerics.types import Array
 from winkler.profiles.rough.random_rough import random_topography
 from winkler.profiles.rough.spectrum import Spectrum

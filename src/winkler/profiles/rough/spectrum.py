@@ -15,9 +15,9 @@ from typing import Annotated, Protocol
 
 import numpy as np
 
-from winkler.contract import offered
+from winkler.checks.contract import offered
+from winkler.checks.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
 from winkler.errors import InvalidInput
-from winkler.number_checks import POSITIVE, Number, Numbers, Positive, PositiveOrInfinite
 from winkler.numerics.types import Array
 from winkler.values import value
 

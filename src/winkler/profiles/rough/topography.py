@@ -7,11 +7,11 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.checks.number_checks import POSITIVE, Advice, Numbers, affordable
+from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput
 from winkler.limits import HOLES
-from winkler.number_checks import POSITIVE, Advice, Numbers, affordable
 from winkler.numerics.types import Array, ArrayLike
-from winkler.physical_size import refuse_size
 from winkler.profiles.rough.spikes import Spikes
 from winkler.values import frozen_array, value
 

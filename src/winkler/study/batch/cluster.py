@@ -16,8 +16,8 @@ from concurrent.futures import CancelledError
 from importlib.metadata import version
 from typing import Annotated, Any, NamedTuple
 
+from winkler.checks.number_checks import Advice
 from winkler.errors import InvalidInput, NotConverged
-from winkler.number_checks import Advice
 from winkler.values import value
 
 __all__ = ["Cluster", "Connection", "connected"]

@@ -18,8 +18,8 @@ from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import resource_tracker
 from typing import Annotated, Any, TypeVar
 
+from winkler.checks.number_checks import Number
 from winkler.errors import InvalidInput, NotConverged
-from winkler.number_checks import Number
 from winkler.study.batch.cluster import Cluster, connected
 from winkler.study.batch.stopping import held
 from winkler.values import value

@@ -16,9 +16,9 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import Whole, affordable
 from winkler.errors import InvalidInput
 from winkler.limits import MOST_NUMBERS, SWEPT
-from winkler.number_checks import Whole, affordable
 from winkler.numerics.types import Array
 from winkler.study.language.varied import Axis, Range
 from winkler.values import value

@@ -16,8 +16,8 @@ import numpy as np
 from pydantic import BaseModel
 from pydantic_core import PydanticCustomError
 
+from winkler.checks.field_checks import numbers_taken
 from winkler.errors import InvalidInput, WinklerError, suggest
-from winkler.field_checks import numbers_taken
 from winkler.numerics.types import Array
 from winkler.units import quantity, to_si
 from winkler.vocabulary import word

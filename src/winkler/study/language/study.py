@@ -13,9 +13,9 @@ from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
+from winkler.checks.number_checks import FiniteQuantity, NonNegative, Numbers, affordable
 from winkler.errors import InvalidInput
 from winkler.limits import FIELD_PLACES, KEY_LETTERS
-from winkler.number_checks import FiniteQuantity, NonNegative, Numbers, affordable
 from winkler.numerics.types import Array
 from winkler.study.language.designs import POINT, Crossed, Design, Zipped, axes_of
 from winkler.study.language.varied import Axis, Range

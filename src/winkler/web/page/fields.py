@@ -12,7 +12,7 @@ from winkler.study.report.markup import safe
 from winkler.web.form.form import Entry, Many, Part, Slot
 from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import SWITCH
-from winkler.web.pictures.chart import marked
+from winkler.web.pictures.words import marked
 
 __all__ = ["FieldActions", "Fields"]
 

@@ -12,7 +12,7 @@ from winkler.study.report.markup import safe
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import StudyForm
 from winkler.web.page.fields import Fields
-from winkler.web.pictures.chart import marked
+from winkler.web.pictures.words import marked
 
 __all__ = ["draw_curve", "draw_free", "draw_measurement"]
 

@@ -12,7 +12,7 @@ from winkler.web.form import sweep_form
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.sweep_form import PLANS, WAYS, Row
 from winkler.web.page.fields import Fields
-from winkler.web.pictures.chart import marked
+from winkler.web.pictures.words import marked
 from winkler.web.session.worker import POINTS
 
 __all__ = ["draw_sweep"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import Any
 
@@ -11,9 +10,9 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Area, Arrow, Axis, Band, Dots, Line, Map, Panel, Polygon, Rule, Strokes, Text
-from winkler.study.language.explain import plain_symbol
+from winkler.web.pictures.words import spoken_html
 
-__all__ = ["CONFIG", "Chart", "chart", "marked", "spoken_html"]
+__all__ = ["CONFIG", "Chart", "chart"]
 
 Chart = dict[str, Any]
 """``data`` and ``layout`` of a figure."""
@@ -47,39 +46,6 @@ DOMAINS = ((0.34, 1.0), (0.0, 0.24))
 """Heights of two panels above each other."""
 
 
-def marked(symbol: str) -> str:
-    r"""Return a LaTeX symbol as plotly sets it: italic letters, indices below.
-
-    Examples
-    --------
-    >>> marked("F_N"), marked("E^*"), marked(r"\sigma_{vM}")
-    ('<i>F</i><sub>N</sub>', '<i>E</i><sup>*</sup>', '<i>σ</i><sub>vM</sub>')
-    """
-    if not symbol:
-        return ""
-    found = re.fullmatch(
-        r"(\\?[A-Za-z]+|\\[A-Za-z]+ ?[A-Za-z])('*)(?:_(\{[^{}]*\}|\\?\w+))?(?:\^(\{[^{}]*\}|\*))?", symbol
-    )
-    if found is None:
-        return plain_symbol(symbol)
-    base, primes, below, above = found.groups()
-    text = f"<i>{plain_symbol(base)}</i>{primes}"
-    text += f"<sub>{plain_symbol(below)}</sub>" if below else ""
-    return text + (f"<sup>{plain_symbol(above)}</sup>" if above else "")
-
-
-def spoken_html(text: str) -> str:
-    r"""Return words with LaTeX symbols between dollars as plotly sets them.
-
-    Examples
-    --------
-    >>> spoken_html("area = $F_N$\\n= 10 N")
-    'area = <i>F</i><sub>N</sub><br>= 10 N'
-    """
-    parts = text.split("$")
-    return "".join(marked(part) if place % 2 else part for place, part in enumerate(parts)).replace("\n", "<br>")
-
-
 def chart(*panels: Panel) -> Chart:
     """Return the figure of one panel, or of two above each other that share the axis across."""
     data: list[dict[str, Any]] = []
@@ -98,7 +64,7 @@ def chart(*panels: Panel) -> Chart:
     for number, panel in enumerate(panels):
         name = f"y{number + 1}" if number else "y"
         place: dict[str, Any] = {"domain": list(DOMAINS[number])} if len(panels) > 1 else {"automargin": True}
-        place |= {"scaleanchor": "x"} if panel.equal else {}
+        place |= {"scaleanchor": "x", "constrain": "domain", "constraintoward": "top"} if panel.equal else {}
         layout[f"yaxis{number + 1 if number else ''}"] = _axis(panel.upright, panel.grid == "both", **place)
         across, upright = panel.across.scale.factor, panel.upright.scale.factor
         for mark in sorted(panel.marks, key=lambda one: getattr(one, "order", 2.0)):
@@ -199,12 +165,16 @@ def _bare(x: Array, y: Array, axis: str, **look: Any) -> dict[str, Any]:
 
 
 def _area(mark: Area, across: float, upright: float, axis: str) -> Parts:
+    colour = _rgba(mark.colour, mark.alpha)
+    if not mark.across and np.ndim(mark.high) == 0 and mark.high == 0.0:
+        look = {"fill": "tozeroy", "fillcolor": colour, "line": {"width": 0}}
+        return [("data", _bare(mark.x / across, mark.low / upright, axis, **look))] if np.any(mark.low) else []
     known = np.isfinite(mark.x) & np.isfinite(mark.low) & np.isfinite(mark.high)
     along = mark.x[known]
     low, high = (np.broadcast_to(np.asarray(end, dtype=float), mark.x.shape)[known] for end in (mark.low, mark.high))
     x, y = np.concatenate([along, along[::-1]]), np.concatenate([low, high[::-1]])
     x, y = (y, x) if mark.across else (x, y)
-    return _filled(x / across, y / upright, _rgba(mark.colour, mark.alpha), axis)
+    return _filled(x / across, y / upright, colour, axis)
 
 
 def _polygon(mark: Polygon, across: float, upright: float, axis: str) -> Parts:
@@ -274,7 +244,11 @@ def _map(mark: Map, across: float, upright: float, axis: str) -> Parts:
     x, y = (part[:, 0] if part.ndim == 2 and turn else np.ravel(part[:1]) if part.ndim == 2 else part
             for part, turn in ((mark.x, True), (mark.y, False)))  # fmt: skip
     unit = mark.bar.scale.unit
-    contours = {"start": 0.0, "end": levels[-1] / factor, "size": 2.0 * (levels[1] - levels[0]) / factor}
+    contours = {
+        "start": 2.0 * levels[1] / factor,
+        "end": levels[-1] / factor,
+        "size": 2.0 * (levels[1] - levels[0]) / factor,
+    }
     look = {
         "type": "contour",
         "x": x / across,

@@ -15,8 +15,8 @@ from typing import Annotated, Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from winkler.checks.physical_size import LARGEST, SMALLEST, refuse_size, shown
 from winkler.errors import InvalidInput
-from winkler.physical_size import LARGEST, SMALLEST, refuse_size, shown
 
 __all__ = [
     "COUNT_BITS",

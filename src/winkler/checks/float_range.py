@@ -11,8 +11,8 @@ from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
+from winkler.checks.physical_size import beyond_physics
 from winkler.errors import NotConverged, OutsideValidity, WinklerError
-from winkler.physical_size import beyond_physics
 
 __all__ = ["guarded", "guarded_answer", "guarded_stream"]
 

@@ -1,8 +1,8 @@
 """What the fields of a value may hold, read from their types once for each class.
 
 A float is a number, an ``Array`` an array of numbers, the name of a class a value of that class, the name of a protocol
-whatever has its members.  ``Annotated`` types say more of numbers (`winkler.number_checks`) and, by `Such`, of parts.
-A type that says nothing of this, such as ``Any``, admits anything.
+whatever has its members.  ``Annotated`` types say more of numbers (`number_checks`) and, by `Such`, of parts.  A type
+that says nothing of this, such as ``Any``, admits anything.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from typing import Annotated, Any, NamedTuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from winkler.contract import described, lacking, of_kinds
+from winkler.checks.contract import described, lacking, of_kinds
+from winkler.checks.number_checks import COUNT_BITS, Advice, Check, Ending, Number, ended
+from winkler.checks.physical_size import shown
 from winkler.errors import InvalidInput
-from winkler.number_checks import COUNT_BITS, Advice, Check, Ending, Number, ended
-from winkler.physical_size import shown
 from winkler.vocabulary import word
 
 __all__ = ["Such", "checks_of", "numbers_taken"]

@@ -1,0 +1,43 @@
+"""One axis of matplotlib with its label, limits, scale and ticks."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
+
+from winkler.plot.panel import Axis
+
+__all__ = ["set_axis"]
+
+
+def set_axis(axes: Axes, side: str, one: Axis) -> None:
+    """Set label, limits, scale and ticks of one axis."""
+    axis, upright = (axes.xaxis, False) if side == "x" else (axes.yaxis, True)
+    set_limits = axes.set_ylim if upright else axes.set_xlim
+    get_limits = axes.get_ylim if upright else axes.get_xlim
+    if one.log:
+        (axes.set_yscale if upright else axes.set_xscale)("log")
+    low, high = (None if end is None else end / one.scale.factor for end in (one.low, one.high))
+    if low is not None or high is not None:
+        set_limits(low, high)
+    if one.headroom:
+        bottom, top = get_limits()
+        set_limits(bottom, top + one.headroom * (top - bottom))
+    if one.falling:
+        axis.set_inverted(True)
+    if one.log and one.plain:
+        low, high = axis.get_view_interval()
+        few = np.log10(high / low) < 2.5
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if few else (1.0,), numticks=12))
+        axis.set_major_formatter(FuncFormatter(lambda number, _: f"{number:g}"))
+        axis.set_minor_formatter(NullFormatter())
+    if one.log and one.sparse:
+        axis.set_minor_formatter("")
+    if one.parts:
+        axis.set_major_locator(
+            LogLocator(numticks=one.parts) if one.log else MaxNLocator(nbins=one.parts, integer=True)
+        )
+    if one.ticks is not None:
+        axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
+    (axes.set_ylabel if upright else axes.set_xlabel)(one.title, color=one.colour)
