@@ -10,8 +10,8 @@ import pytest
 
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.elastic.response import response
 from winkler.fitting.fit import fit
-from winkler.fitting.response import response
 from winkler.laws.adhesion import ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.law_states import states_of

@@ -15,9 +15,12 @@ from matplotlib.patches import FancyArrowPatch
 
 import winkler as wk
 from winkler.plot import style
-from winkler.plot.normal.body import draw_contact
-from winkler.plot.normal.curves import draw_pressure
-from winkler.plot.normal.springs import draw_springs
+from winkler.plot.normal.body import contact_panel
+from winkler.plot.normal.curves import pressure_panel
+from winkler.plot.normal.springs import springs_panel
+from winkler.plot.panel import Sheet
+from winkler.plot.picture import styled
+from winkler.plot.render import render
 
 HERE = Path(__file__).resolve().parent
 TIP = HERE.parent / "examples" / "data" / "measured_tip.csv"
@@ -31,13 +34,15 @@ def main() -> None:
     """Solve the contact and draw it."""
     silica = wk.HalfSpace.between(wk.Elastic(young=72e9, poisson=0.17))
     contact = wk.Indentation(wk.Foundation(wk.read_profile(TIP), silica), wk.Depth(5e-9)).solve()
-    with style.styled():
-        figure = style.figure(width=11.4, height=3.4)
-        body, springs, pressure = figure.subplots(1, 3)
-        draw_contact(body, contact, EXTENT)
-        draw_springs(springs, contact.pressed, EXTENT)
-        draw_pressure(pressure, contact, EXTENT)
-        for axes, title in zip((body, springs, pressure), TITLES, strict=True):
+    panels = (
+        contact_panel(contact, EXTENT),
+        springs_panel(contact.pressed, EXTENT),
+        pressure_panel(contact, EXTENT),
+    )
+    with styled():
+        figure = render(Sheet(panels, width=3.8, height=3.4))
+        for axes, title in zip(figure.axes, TITLES, strict=True):
+            axes.set_title("", loc="left")
             axes.set_title(title, loc="center", fontsize=11)
         figure.get_layout_engine().set(w_pad=0.28, rect=(0.0, 0.0, 1.0, 0.94))
         figure.draw_without_rendering()

@@ -11,6 +11,7 @@ import contextlib
 import doctest
 import io
 import re
+import runpy
 import shutil
 from pathlib import Path
 
@@ -133,3 +134,10 @@ def test_the_front_page_is_short_and_its_numbers_are_those_of_the_benchmarks():
     times = re.findall(r"[\d.]+ (?:ms|s)\b", numbers.partition("boundary elements")[2])
     assert len(times) == 4
     assert [time for time in times if f"| {time} |" not in measured] == []
+
+
+def test_the_picture_of_the_front_page_can_be_drawn_again():
+    """What its script takes from the package is there; the picture itself is looked at by people."""
+    page = ROOT / "docs" / "front_picture.py"
+    assert callable(runpy.run_path(str(page), run_name="front_picture")["main"])
+    assert (ROOT / "docs" / "figures" / "front.png").stat().st_size < 150_000

@@ -15,8 +15,8 @@ import numpy as np
 import winkler as wk
 from winkler.fitting.compare import compare
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.elastic.response import response
 from winkler.fitting.intervals import profile_interval
-from winkler.fitting.response import response
 from winkler.laws.adhesion import DerjaguinMullerToporov, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.law_states import states_of

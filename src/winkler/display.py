@@ -67,7 +67,7 @@ def block(content: Any) -> str:
 def html_table(content: Any) -> str:
     """Return a table of the fields of a value, with the prefixes that fit the numbers, and its notes on validity.
 
-    It becomes the ``_repr_html_`` of values, which notebooks ask for.
+    It becomes the ``_repr_html_`` of values, which notebooks show.
     """
     cells = "".join(
         f'<tr><th style="text-align:left" title="{html.escape(row.meaning)}">{html.escape(row.name)}</th>'

@@ -36,7 +36,8 @@ class Program(Path):
     --------
     Pressed on in one second, then rubbed to and fro.
 
-    >>> from winkler.loading import Force
+    >>> from winkler.loading import Force, Shift
+    >>> from winkler.path_steps import Oscillate, Ramp, Start
     >>> path = Program([Start(Force(0.0)), Ramp(Force(10.0)), Oscillate(lateral=Shift(1e-6), count=4)])
     >>> path.time, path.across
     (array([0.  , 1.  , 1.25, 1.5 , 1.75, 2.  ]), array([ 0., 10., 10., 10., 10., 10.]))

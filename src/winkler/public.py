@@ -16,6 +16,7 @@ from winkler.fitting.compare import Comparison, compare
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.fitting.fit import Fit, fit, fit_steps
+from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.search import FitState
 from winkler.fitting.unloading.contact_reading import (
@@ -27,7 +28,6 @@ from winkler.fitting.unloading.contact_reading import (
 )
 from winkler.fitting.unloading.oliver_pharr import OliverPharr, OliverPharrSolution
 from winkler.fitting.viscoelastic.band import relaxation_band
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.foundation.elliptic import EllipticFoundation
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.measured import MeasuredBed

@@ -13,7 +13,7 @@ from synthetic import hertz, jkr, noise, there_and_back
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
-from winkler.fitting.trust import fit_notes
+from winkler.fitting.validity import fit_notes
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.validity import Note, Standing

@@ -9,7 +9,7 @@ from synthetic import hertz_on_spring, jkr_states
 
 import winkler as wk
 from winkler.errors import OutsideValidity
-from winkler.fitting.response import response
+from winkler.fitting.elastic.response import response
 from winkler.laws.adhesion import DerjaguinMullerToporov, Dugdale, ShortRange
 from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.indentation import AdhesiveIndentation

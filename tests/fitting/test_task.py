@@ -9,8 +9,8 @@ from synthetic import hertz_on_spring, jkr_states
 
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.prediction import attached, held_contact, runs_of
-from winkler.fitting.task import task
+from winkler.fitting.elastic.contact import attached, held_contact, runs_of
+from winkler.fitting.elastic.task import elastic_task
 from winkler.laws.adhesion import ShortRange
 from winkler.problems.adhesion.indentation import AdhesiveIndentation
 
@@ -21,7 +21,7 @@ BED = wk.Foundation(wk.Paraboloid(R), wk.HalfSpace.between(wk.Elastic(YOUNG, 0.5
 
 
 def derivatives(curve: ForceCurve, model, free: list[str]):
-    question = task(curve, model, dict.fromkeys(free, ()), np.ones(()))
+    question = elastic_task(curve, model, dict.fromkeys(free, ()), np.ones(()))
     best = np.array([p.inward(p.start) for p in question.parameters])
     prediction = question.prediction(best)
     return question, prediction, question.jacobian(best, prediction)
@@ -48,7 +48,7 @@ def test_jkr_on_a_spring(stiffness):
     curve = ForceCurve(position, force, stiffness)
     model = AdhesiveIndentation(BED, ShortRange(WORK), wk.Depth(0.0))
     _, prediction, columns = derivatives(curve, model, [PATH, "law.work"])
-    assert prediction.attached.all()
+    assert prediction.touched.all()
     for index in range(0, position.size, 5):
 
         def missed(a, target=position[index]):
@@ -56,7 +56,7 @@ def test_jkr_on_a_spring(stiffness):
             f = 4.0 * MODULUS * a**3 / (3.0 * R) - np.sqrt(8.0 * np.pi * a**3 * WORK * MODULUS)
             return d + f / stiffness - target
 
-        a = brentq(missed, 0.9 * prediction.held.radius[index], 1.1 * prediction.held.radius[index], xtol=1e-22)
+        a = brentq(missed, 0.9 * prediction.contact.radius[index], 1.1 * prediction.contact.radius[index], xtol=1e-22)
         stretch, pull = np.sqrt(2.0 * np.pi * a * WORK / MODULUS), np.sqrt(8.0 * np.pi * a**3 * WORK * MODULUS)
         press = 4.0 * MODULUS * a**3 / (3.0 * R)
         along = 2.0 * a / R - 0.5 * stretch / a, (3.0 * press - 1.5 * pull) / a

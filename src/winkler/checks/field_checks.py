@@ -56,6 +56,8 @@ def _hints(cls: Any) -> dict[str, Any]:
             return typing.get_type_hints(cls, localns=unknown or None, include_extras=True)
         except NameError as error:
             unknown[str(error.name)] = Any
+        except AttributeError:  # a name in a module that only type checkers know
+            return {field.name: Any for field in dataclasses.fields(cls)}
 
 
 @functools.cache

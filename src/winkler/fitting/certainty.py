@@ -11,7 +11,7 @@ from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.noise import memory, memory_of_fit, spread
 from winkler.fitting.estimate import Estimate
-from winkler.fitting.task import Parameter
+from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
 __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
@@ -86,14 +86,20 @@ def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest:
     names = [p.name for p in parameters]
     blind = [name for name, own in zip(names, size, strict=True) if own <= SINGULAR * largest * 1e-3]
     if blind:
-        raise OutsideValidity(f"fit: the curve says nothing about {', '.join(blind)}; leave it fixed.")
+        raise OutsideValidity(
+            f"fit: the curve says nothing about {', '.join(blind)}; leave it fixed.{_fewer_terms(blind)}"
+        )
     _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
     if values[-1] <= SINGULAR * values[0]:
         mixed = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
         raise OutsideValidity(
             f"fit: not identifiable: the curve cannot tell {' from '.join(mixed)}, only a combination of them; fix all "
-            "but one."
+            f"but one.{_fewer_terms(mixed)}"
         )
+
+
+def _fewer_terms(names: list[str]) -> str:
+    return " One term less may do." if any("shears[" in name or "relaxation_times[" in name for name in names) else ""
 
 
 def doubts(parameters: tuple[Parameter, ...], coordinates: Array, found: Estimate, sure: Certainty) -> list[Flag]:

@@ -19,17 +19,13 @@ import numpy as np
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
-from winkler.fitting.outcome import Fit
-from winkler.fitting.prediction import Model
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.outcome import AnyFit
+from winkler.fitting.validity import Model
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values import value
 
 __all__ = ["AnyFit", "Comparison", "compare"]
-
-AnyFit = Fit | ViscoelasticFit | CreepFit
-"""What a fit may have found."""
 
 
 @value

@@ -1,4 +1,4 @@
-"""What every fit can be asked about its numbers: values, errors, intervals, and what they are worth against others."""
+"""What all fits have: numbers, their errors and intervals, and the criteria that weigh a fit against others."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["Estimate"]
 
 LARGEST = math.log(np.finfo(float).max)
 OF_THE_LINE = ("baseline", "tilt", "drag")
-"""Numbers that the free points tell."""
+"""Numbers that follow from the free points."""
 
 
 class Estimate:
@@ -65,7 +65,7 @@ class Estimate:
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
 
-        It ends at zero and infinity where the error is so much greater than the number that no float tells it.
+        It ends at zero and infinity where the error is so much greater than the number that no float holds it.
 
         Parameters
         ----------
@@ -111,7 +111,7 @@ class Estimate:
 
     @property
     def contact_freedom(self) -> int:
-        """How many of them are left over when the numbers of the contact are told."""
+        """How many of them are left over when the numbers of the contact are known."""
         return max(self.contact_count - sum(name not in OF_THE_LINE for name in self.names), 1)
 
     @property

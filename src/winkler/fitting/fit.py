@@ -4,6 +4,10 @@ r"""A model fitted to a measured force curve: numbers, how sure they are, and wh
 
 with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
 Least squares give the numbers; the noise's own memory (`winkler.fitting.curves.noise`) gives their covariance.
+
+The engine here is the same for all models.  A response model (`winkler.fitting.task.Task`) says what is predicted.  Of
+a body that relaxes the placeholder path of the model says what drives: `Depth`, and the measured motion drives while
+forces are fitted; `Force`, and the measured forces drive while positions are.
 """
 
 from __future__ import annotations
@@ -17,15 +21,16 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
-from winkler.fitting.curves.checks import Flag, refuse
+from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.outcome import Fit
-from winkler.fitting.prediction import Model, states_for
+from winkler.fitting.elastic.task import elastic_task
+from winkler.fitting.least_squares import solved
+from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
-from winkler.fitting.start import best_start, solved
-from winkler.fitting.task import Prediction, Task, task
-from winkler.fitting.viscoelastic.fit import viscoelastic_fit
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
+from winkler.fitting.start import best_start
+from winkler.fitting.task import Prediction, Task
+from winkler.fitting.validity import Model
+from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
 from winkler.numerics.equations.streaming import streamed
 from winkler.numerics.types import Array, Quantity
@@ -33,9 +38,10 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
 
-MOST_PREDICTIONS = 200
 QUIET = 20
 """Fewest free points from which the noise is read."""
+REWEIGHED = 2
+"""How often the points are weighed anew, by the noise that the last fit suggests."""
 
 
 @overload
@@ -67,7 +73,7 @@ def fit(
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
-) -> Fit | ViscoelasticFit | CreepFit:
+) -> AnyFit:
     """Fit numbers of a model to a curve.
 
     Parameters
@@ -125,7 +131,7 @@ def fit_steps(
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
-) -> Iterator[FitState | Fit | ViscoelasticFit | CreepFit]:
+) -> Iterator[FitState | AnyFit]:
     """Yield how far a fit has come after each of its evaluations, and last what it has found.
 
     Parameters and errors are those of `fit`, and so are the numbers.  A stream that is left early ends the fit.
@@ -146,7 +152,7 @@ def fit_steps(
     array([ True])
     """
 
-    def searched(hand_over: Callable[[FitState], None]) -> Fit | ViscoelasticFit | CreepFit:
+    def searched(hand_over: Callable[[FitState], None]) -> AnyFit:
         return _searched(curve, model, free, noise, Search(time_limit, hand_over))
 
     yield from streamed(searched)
@@ -158,84 +164,91 @@ def _searched(
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity,
     search: Search,
-) -> Fit | ViscoelasticFit | CreepFit:
-    if isinstance(model, ViscoelasticIndentation):
-        return viscoelastic_fit(curve, model, free=free, noise=noise, search=search)
-    moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
-    flags = refuse(moving)
+) -> AnyFit:
     given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
-    if moving.count < 3 * len(given):
-        raise InvalidInput(f"fit: {moving.count} points cannot tell {len(given)} numbers; give more, or free fewer.")
-    question = task(moving, model, given, _spread(curve, noise))
+    task: Task
+    if isinstance(model, ViscoelasticIndentation):
+        strokes, flags = examined_stroke(curve)
+        deviation = _deviation(curve, noise, "N" if isinstance(model.path.normal, Depth) else "m")
+        task = driven_task(curve, model, given, deviation, strokes)
+    else:
+        moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
+        flags, strokes = refuse(moving), outline(moving)
+        deviation = _deviation(curve, noise, "N")
+        deviation = deviation[curve.direction != 0.0] if deviation.ndim else deviation
+        task = elastic_task(moving, model, given, deviation)
+    count, many = np.count_nonzero(task.weights), len(task.parameters)
+    if count < 3 * many:
+        raise InvalidInput(f"fit: {count} points cannot tell {many} numbers; give more, or free fewer.")
     try:
-        coordinates, _ = solved(question, best_start(question, search), MOST_PREDICTIONS, search)
+        return _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
-    return _told(question, coordinates, float(np.mean(noise)), flags)
 
 
-def _spread(curve: ForceCurve, noise: Quantity) -> Array:
+def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
+    """Return the standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known."""
     given = np.asarray(noise, dtype=float)
     if given.ndim and given.shape != curve.position.shape:
         raise InvalidInput(
             f"fit: noise has the shape {given.shape}, the curve {curve.position.shape}; give one number."
         )
     if not np.all(np.isfinite(given)) or np.any(given < 0.0) or (given.ndim and np.any(given == 0.0)):
-        raise InvalidInput("fit: noise must be positive, in N (or zero for all, to be read from the curve).")
-    if not given.any():
-        return np.ones(())
-    return given[curve.direction != 0.0] if given.ndim else given
+        raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be read from the curve).")
+    return given if given.any() else np.zeros(())
 
 
-def _told(question: Task, coordinates: Array, noise: float, flags: tuple[Flag, ...]) -> Fit:
-    """Return the answer at the coordinates of least squares."""
-    prediction = question.prediction(coordinates)
-    numbers = question.numbers(coordinates)
-    model = _at_largest_depth(question, numbers, prediction)
-    jacobian = question.jacobian(coordinates, prediction)
-    refuse_singular(question.parameters, jacobian, float(np.linalg.norm(question.curve.force * question.weights)))
-    residuals = (question.curve.force - prediction.force) * question.weights
+def _best(
+    task: Task, strokes: Outline | None, deviation: Array, noise: float, flags: tuple[Flag, ...], search: Search
+) -> AnyFit:
+    """Return the fit with the least squares."""
+    coordinates, _ = solved(task, best_start(task, strokes, search), search)
+    for _ in range(REWEIGHED):
+        again = task.reweighed(coordinates, strokes, deviation)
+        if again is None:
+            break
+        task = again
+        coordinates, _ = solved(task, coordinates, search)
+    prediction = task.prediction(coordinates)
+    if not prediction.touched.any():
+        raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
+    jacobian = task.jacobian(coordinates, prediction)
+    refuse_singular(task.parameters, jacobian, task.size)
+    final = task.final(coordinates)
+    if final is not coordinates:
+        prediction = task.prediction(final)
+        jacobian = task.jacobian(final, prediction)
+    return _with_errors(task, final, prediction, jacobian, noise, flags)
+
+
+def _with_errors(
+    task: Task, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
+) -> AnyFit:
+    """Return the fit at its final coordinates, with errors and doubts."""
+    numbers = task.numbers(coordinates)
+    residuals = (task.measured - prediction.fitted) * task.weights
     sure = certainty(residuals, jacobian)
     values = np.array(list(numbers.values()))
-    change = [p.change(n) for p, n in zip(question.parameters, values.tolist(), strict=True)]
-    quiet = residuals[~prediction.attached]
+    errors = sure.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
+    quiet = residuals[task.quiet(prediction)]
     if noise == 0.0:
         noise = float(np.std(quiet)) if quiet.size >= QUIET else sure.scatter
-    result = Fit(
-        question.curve,
-        model,
-        tuple(numbers),
-        values,
-        sure.errors * np.abs(change),
-        sure.correlation,
-        np.array([p.low for p in question.parameters]),
-        np.array([p.high for p in question.parameters]),
-        noise or sure.scatter,
-        question.weights,
-        sure.scatter,
-        sure.effective_count,
-        prediction.force,
-        prediction.attached,
-        np.where(prediction.attached, prediction.held.radius, 0.0),
-        flags,
-    )
-    against = doubts(question.parameters, coordinates, result, sure)
-    return dataclasses.replace(result, flags=(*flags, *against))
-
-
-def _at_largest_depth(question: Task, numbers: dict[str, float], prediction: Prediction) -> Model:
-    """Return the model with its numbers, at the largest depth of the curve."""
-    if not prediction.attached.any():
-        raise OutsideValidity("fit: the best fit has no point in contact; the model does not describe this curve.")
-    model = question.with_numbers(numbers)
-    bed = model.bed
-    widest = float(np.max(prediction.held.radius[prediction.attached]))
-    along = question.curve.position - numbers.get("contact_point", 0.0)
-    depth = float(np.max((along - question.curve.compliance * prediction.held.force)[prediction.attached]))
-    beyond = widest >= bed.reach and bed.reach < bed.rim
-    if beyond and depth > float(states_for(model).depth(np.array([bed.reach]))[0]):
-        raise OutsideValidity(
-            f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where nothing is known of the profile; "
-            "cut the curve off before, or give a profile that is known farther out."
-        )
-    return dataclasses.replace(model, load=Depth(depth))
+    shared = {
+        "curve": task.curve,
+        "model": task.model_of(numbers, prediction),
+        "names": tuple(numbers),
+        "values": values,
+        "standard_errors": errors,
+        "correlation": sure.correlation,
+        "lows": np.array([p.low for p in task.parameters]),
+        "highs": np.array([p.high for p in task.parameters]),
+        "noise": noise or sure.scatter or np.finfo(float).tiny,
+        "weights": task.weights,
+        "scatter": sure.scatter,
+        "effective_count": sure.effective_count,
+        "predicted": prediction.fitted,
+        "flags": (*flags, *task.doubts(numbers, errors)),
+    }
+    result = task.outcome(numbers, prediction, shared)
+    against = doubts(task.parameters, coordinates, result, sure)
+    return dataclasses.replace(result, flags=(*result.flags, *against))

@@ -14,17 +14,16 @@ import math
 
 import numpy as np
 
-from winkler.fitting.outcome import Fit, task_of
+from winkler.fitting.elastic.task import ElasticTask, elastic_task
+from winkler.fitting.least_squares import bounds, solved
+from winkler.fitting.outcome import Fit
 from winkler.fitting.search import Search
-from winkler.fitting.start import bounds, solved
-from winkler.fitting.task import Task
 from winkler.numerics.types import Array
 
 __all__ = ["profile_interval"]
 
 SWEEPS = 40
 CLOSE = 2e-3
-MOST_PREDICTIONS = 200
 ALREADY = 1e-10
 
 
@@ -56,26 +55,27 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     D. M. Bates, D. G. Watts, Nonlinear Regression Analysis and Its Applications, Wiley 1988, ch. 6
     """
     index = found.index(name)
-    question = task_of(found)
-    parameter = question.parameters[index]
-    best = np.array([p.inward(n) for p, n in zip(question.parameters, found.values.tolist(), strict=True)])
-    jacobian = question.jacobian(best, question.prediction(best))
+    free = {one: (low, high) for one, low, high in zip(found.names, found.lows, found.highs, strict=True)}
+    task = elastic_task(found.curve, found.model, free, np.mean(found.weights) / found.weights)
+    parameter = task.parameters[index]
+    best = np.array([p.inward(n) for p, n in zip(task.parameters, found.values.tolist(), strict=True)])
+    jacobian = task.jacobian(best, task.prediction(best))
     plain = float(np.linalg.inv(jacobian.T @ jacobian)[index, index])
     error = found.error(name) / abs(parameter.change(found.value(name)))
     width = found.quantile(confidence)
     allowed = error**2 / plain * width**2  # scatter^2 (var / var_0) t^2
-    low, high = bounds(question.parameters, best)
+    low, high = bounds(task.parameters, best)
     ends = []
     for side, wall in ((-1.0, float(low[index])), (1.0, float(high[index]))):
-        end = _end(question, best, index, side * width * error, wall, found.misfit, allowed)
+        end = _end(task, best, index, side * width * error, wall, found.misfit, allowed)
         ends.append(parameter.outward(end))
     return ends[0], ends[1]
 
 
-def _end(question: Task, best: Array, index: int, step: float, wall: float, least: float, allowed: float) -> float:
+def _end(task: ElasticTask, best: Array, index: int, step: float, wall: float, least: float, allowed: float) -> float:
     """Return the coordinate at which the sum of squares has grown by what is allowed, or the wall before."""
-    parameter = question.parameters[index]
-    rest = question._replace(parameters=question.parameters[:index] + question.parameters[index + 1 :])
+    parameter = task.parameters[index]
+    rest = task._replace(parameters=task.parameters[:index] + task.parameters[index + 1 :])
     others = np.delete(best, index)
     limit = abs(wall - best[index])
 
@@ -84,7 +84,7 @@ def _end(question: Task, best: Array, index: int, step: float, wall: float, leas
         number = parameter.outward(float(best[index]) + math.copysign(distance, step))
         fixed = rest._replace(fixed=((parameter.name, number),))
         if begin.size:
-            begin, misfit = solved(fixed, begin, MOST_PREDICTIONS, Search())
+            begin, misfit = solved(fixed, begin, Search())
         else:
             misfit = float(np.sum(fixed.residuals(begin) ** 2))
         return math.sqrt(max(misfit - least, 0.0) / allowed) - 1.0, begin

@@ -1,260 +1,223 @@
-"""A fit as a question for least squares: parameters in, residuals and their derivatives out.
+r"""A fit as a problem of least squares: numbers in, residuals and their derivatives out.
 
-Positive quantities are varied by their logarithm.  The derivatives with respect to contact point, baseline and tilt
-follow from the slope of the predicted force; those of the model's own numbers are differences of two models at the same
-contact radii, good to five digits because both are smooth to ten.
+Positive quantities are varied by their logarithm.  What a model predicts at given numbers, and where its fit begins, a
+response model says, a subclass of `Task`: `winkler.fitting.elastic.task` for contacts with or without adhesion,
+`winkler.fitting.viscoelastic.motion` and `winkler.fitting.viscoelastic.creep` for bodies that relax.  In all of them
+
+.. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i
+
+with the contact point :math:`D_0`, the baseline :math:`F_0`, its tilt t and the drag of a liquid on the cantilever.
 """
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+import functools
+from collections.abc import Iterable
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from winkler.errors import InvalidInput, suggest
+from winkler.fitting.curves.checks import Flag, Outline
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.parameters import changed, found, unit_of
-from winkler.fitting.prediction import (
-    Held,
-    Model,
-    Run,
-    attached,
-    comparable,
-    held_contact,
-    moved_force,
-    runs_of,
-)
+from winkler.fitting.outcome import AnyFit
+from winkler.fitting.parameters import changed
+from winkler.fitting.varied import OF_THE_CURVE, Parameter
 from winkler.numerics.types import Array
 
-__all__ = ["FREELY", "OF_THE_CURVE", "Parameter", "Prediction", "Task", "asked", "task"]
+__all__ = ["STEP", "Prediction", "Task", "even_weights", "moved"]
 
-OF_THE_CURVE = ("contact_point", "baseline", "tilt")
-"""Names of what a curve itself leaves open."""
 STEP = 1e-5
-FREELY = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
-"""Bounds of numbers that are no positive quantities without end."""
-
-
-class Parameter(NamedTuple):
-    """One number that is varied.
-
-    Parameters
-    ----------
-    name : str
-        Its path, or contact_point, baseline or tilt.
-    low, high : float
-        Bounds.
-    start : float
-        Where to begin.
-    told : bool
-        Whether the start was given.
-    logarithmic : bool
-        Whether its logarithm is varied.
-    scale : float
-        What it is measured in, if not by its logarithm.
-    """
-
-    name: str
-    low: float
-    high: float
-    start: float
-    told: bool
-    logarithmic: bool
-    scale: float
-
-    def inward(self, number: float) -> float:
-        """Return the coordinate that is varied."""
-        if self.logarithmic:
-            return float(np.log(number)) if number > 0.0 else -np.inf
-        return number / self.scale
-
-    def outward(self, coordinate: float) -> float:
-        """Return the number at a coordinate."""
-        return float(np.exp(coordinate)) if self.logarithmic else coordinate * self.scale
-
-    def change(self, number: float) -> float:
-        """Return by how much the number changes with the coordinate."""
-        return number if self.logarithmic else self.scale
 
 
 class Prediction(NamedTuple):
-    """A model's forces ``(n,)`` with the baseline [N], where it is in contact, and the contact behind them."""
+    """The fitted quantity at all points ``(n,)``, where the tip is in contact ``(n,)``, and the contact behind them."""
 
-    force: Array
-    attached: Array
-    held: Held
+    fitted: Array
+    touched: Array
+    contact: Any
 
 
-class Task(NamedTuple):
-    """Everything that a fit needs to know.
+class _Fields(NamedTuple):
+    """What a fit is about.
 
     Parameters
     ----------
     curve : ForceCurve
-    model : Indentation or AdhesiveIndentation
-    parameters : tuple of Parameter
+        The points that are fitted, in the order in which they were measured.
+    model : value
+        With a placeholder for its load.
+    parameters : tuple of Parameter, (p,)
     weights : ndarray, (n,)
         What residuals are multiplied with.
-    runs : tuple of Run
+    velocity : ndarray, (n,)
+        Of the machine [m/s]; zero where no liquid drags.
+    per_force : ndarray, (n,)
+        Where positions are fitted: the position [m/N] that counts as much as a misfit of force, at points whose force
+        is fitted instead; zero at all others.
     fixed : tuple of (str, float)
         Numbers that are not varied, other than the model's own.
     """
 
     curve: ForceCurve
-    model: Model
+    model: Any
     parameters: tuple[Parameter, ...]
     weights: Array
-    runs: tuple[Run, ...]
+    velocity: Array
+    per_force: Array
     fixed: tuple[tuple[str, float], ...] = ()
+
+
+class Task(_Fields):
+    """Everything that a fit needs to know; the subclasses say how a model responds."""
+
+    settled: ClassVar[float]
+    """Relative change of sum and coordinates at which least squares stop."""
+    must_settle: ClassVar[bool]
+    """Whether numbers that have not settled are refused."""
+    coarse_count: ClassVar[int]
+    """How many points choose between the starts."""
+    starts_improved: ClassVar[int]
+    """How many starts a coarse fit improves."""
+    starts_are_trials: ClassVar[bool]
+    """Whether starts are guesses, of which some may lead out of the model's reach and a single one is improved too."""
+
+    @property
+    def measured(self) -> Array:
+        """The quantity that is fitted ``(n,)``: the forces [N], unless a subclass says otherwise."""
+        return self.curve.force
+
+    @property
+    def size(self) -> float:
+        """Norm of what was measured, weighted."""
+        raise NotImplementedError
+
+    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+        """Return coordinates from which a fit may begin."""
+        raise NotImplementedError
+
+    def some_of(self, stretch: Array) -> Array:
+        """Return a part of the points of one direction, as indices."""
+        raise NotImplementedError
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return what the model says at coordinates."""
+        raise NotImplementedError
+
+    def quiet(self, prediction: Prediction) -> Array:
+        """Return at which points the residuals are noise alone ``(n,)``: out of contact."""
+        return ~prediction.touched
+
+    def reweighed(self, coordinates: Array, strokes: Outline | None, noise: Array) -> Self | None:
+        """Return the task with the weights that coordinates near the answer suggest; none if they stay."""
+        return None
+
+    def final(self, coordinates: Array) -> Array:
+        """Return the coordinates that are reported, from those of least squares."""
+        return coordinates
+
+    def model_of(self, numbers: dict[str, float], prediction: Prediction) -> Any:
+        """Return the model with its numbers and the load of the curve."""
+        raise NotImplementedError
+
+    def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
+        """Return what this kind of model says against its own numbers."""
+        return []
+
+    def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> AnyFit:
+        """Return the fit; `shared` are the fields that all fits have."""
+        raise NotImplementedError
+
+    @property
+    def turn(self) -> int:
+        """The first point on the way out; n if there is none."""
+        out = np.flatnonzero(self.curve.direction < 0.0)
+        return int(out[0]) if out.size else self.curve.count
 
     def numbers(self, coordinates: Array) -> dict[str, float]:
         """Return the numbers at coordinates, by name."""
         varied = {p.name: p.outward(float(c)) for p, c in zip(self.parameters, coordinates, strict=True)}
         return varied | dict(self.fixed)
 
-    def with_numbers(self, numbers: dict[str, float]) -> Model:
+    def with_numbers(self, numbers: dict[str, float]) -> Any:
         """Return the model with its numbers."""
         own = {name: number for name, number in numbers.items() if name not in OF_THE_CURVE}
         return changed(self.model, own) if own else self.model
 
-    def held(self, numbers: dict[str, float]) -> Held:
-        """Return the contact as if it held everywhere."""
-        origin = numbers.get("contact_point", 0.0)
-        model = self.with_numbers(numbers)
-        return held_contact(model, self.curve.compliance, self.curve.position - origin, self.runs, origin)
+    def along(self, numbers: dict[str, float]) -> Array:
+        """Return the measured positions from the contact point on [m]."""
+        return np.asarray(self.curve.position - numbers.get("contact_point", 0.0))
+
+    def place(self, numbers: dict[str, float]) -> Array:
+        """Return D from first touch, without drift [m]."""
+        since = self.curve.time - self.curve.time[0]
+        return np.asarray(self.along(numbers) - numbers.get("drift", 0.0) * since)
 
     def line(self, numbers: dict[str, float]) -> Array:
-        """Return the baseline at all positions [N]."""
-        along = self.curve.position - numbers.get("contact_point", 0.0)
-        return numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * along
-
-    def prediction(self, coordinates: Array) -> Prediction:
-        """Return the forces at coordinates."""
-        numbers = self.numbers(coordinates)
-        held, line = self.held(numbers), self.line(numbers)
-        holds = attached(held, (self.curve.force - line) * self.weights, self.runs, self.weights)
-        return Prediction(np.where(holds, held.force, 0.0) + line, holds, held)
+        """Return the part of the force that the contact does not bear [N]."""
+        drag = numbers.get("drag", 0.0) * self.velocity
+        return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * self.along(numbers) + drag)
 
     def residuals(self, coordinates: Array) -> Array:
         """Return the weighted misfit, measured less predicted."""
-        return np.asarray((self.curve.force - self.prediction(coordinates).force) * self.weights)
+        return np.asarray((self.measured - self.prediction(coordinates).fitted) * self.weights)
 
     def jacobian(self, coordinates: Array, prediction: Prediction) -> Array:
-        """Return the derivatives ``(n, p)`` of the predicted forces, weighted."""
+        """Return the derivatives ``(n, p)`` of what is predicted at coordinates, weighted."""
         numbers = self.numbers(coordinates)
-        holds = prediction.attached
         columns = []
         for index, parameter in enumerate(self.parameters):
-            match parameter.name:
-                case "contact_point":
-                    column = -np.where(holds, prediction.held.slope, 0.0) - numbers.get("tilt", 0.0)
-                case "baseline":
-                    column = np.ones(self.curve.count)
-                case "tilt":
-                    column = self.curve.position - numbers.get("contact_point", 0.0)
-                case _:
-                    columns.append(self._difference(coordinates, index, prediction))
-                    continue
-            columns.append(column * parameter.scale)
+            column = self.slope(parameter.name, numbers, prediction)
+            known = column is not None
+            columns.append(column * parameter.scale if known else self.difference(coordinates, index, prediction))
         return np.stack(columns, axis=1) * self.weights[:, None]
 
-    def _difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
+    def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
+        """Return the derivative with respect to a number if it is known in closed form, ``(n,)``, else None."""
+        match name:
+            case "baseline":
+                return np.ones(self.curve.count)
+            case "tilt":
+                return self.along(numbers)
+            case "drag":
+                return self.velocity
+            case _:
+                return None
+
+    def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
+        """Return the derivative with respect to a coordinate as a quotient of differences ``(n,)``."""
+        raise NotImplementedError
+
+    def step(self, coordinates: Array, index: int, size: float = STEP) -> float:
+        """Return a step of a coordinate that stays within its bounds."""
         parameter = self.parameters[index]
-        step = STEP
-        if coordinates[index] + step > parameter.inward(parameter.high):
-            step = -STEP
-        moved = coordinates.copy()
-        moved[index] += step
-        numbers, holds, held = self.numbers(moved), prediction.attached, prediction.held
-        other = self.with_numbers(numbers)
-        column = np.zeros(self.curve.count)
-        if np.all(held.balanced[holds]) and comparable(self.with_numbers(self.numbers(coordinates)), other):
-            column[holds] = moved_force(held, other, self.curve.compliance, holds) / step
-        else:
-            column[holds] = (self.held(numbers).force - held.force)[holds] / step
-        return column
+        return -size if coordinates[index] + size > parameter.inward(parameter.high) else size
+
+    def chosen(self, kept: Array) -> Self:
+        """Return the task of some of the points, given as indices."""
+        return self._replace(
+            curve=self.curve.chosen(kept),
+            weights=self.weights[kept],
+            velocity=self.velocity[kept],
+            per_force=self.per_force[kept],
+        )
+
+    @functools.cached_property
+    def coarse(self) -> Self:
+        """The task on a part of the points, if there are many."""
+        if self.curve.count <= self.coarse_count:
+            return self
+        turns = np.flatnonzero(np.diff(self.curve.direction)) + 1
+        stretches = np.split(np.arange(self.curve.count), turns)
+        return self.chosen(np.unique(np.concatenate([self.some_of(stretch) for stretch in stretches])))
 
 
-def task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) -> Task:
-    """Return a fit as a task.
-
-    Parameters
-    ----------
-    curve : ForceCurve
-        Without held points.
-    model : Indentation or AdhesiveIndentation
-    free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
-    noise : ndarray
-        Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here.
-
-    Raises
-    ------
-    InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
-    """
-    if not free:
-        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
-    span, strength = float(np.ptp(curve.position)), float(np.ptp(curve.force))
-    if span == 0.0 or strength == 0.0:
-        raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
-    scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
-    weights = np.broadcast_to(np.mean(noise) / noise, curve.position.shape)
-    return Task(curve, model, asked(model, free, scales, FREELY), weights, runs_of(curve))
+def moved(coordinates: Array, index: int, step: float) -> Array:
+    """Return coordinates of which one is changed by a step."""
+    changed_ = coordinates.copy()
+    changed_[index] += step
+    return changed_
 
 
-def asked(
-    model: Any, free: dict[str, Any], scales: dict[str, float], freely: dict[str, tuple[float, float]]
-) -> tuple[Parameter, ...]:
-    """Return the numbers that are varied.
-
-    Parameters
-    ----------
-    model : value
-        The paths lead into it.
-    free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
-    scales : dict of str to float
-        Names of what the curve itself leaves open, and what they are measured in.
-    freely : dict of str to (float, float)
-        Paths, or last names, of numbers that are no positive quantities without end, and their bounds.
-
-    Raises
-    ------
-    InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
-    """
-    parameters = []
-    for name, given in free.items():
-        if name in scales:
-            scale, low, high, start, logarithmic = scales[name], -np.inf, np.inf, 0.0, False
-        else:
-            if "." not in name:
-                raise InvalidInput(
-                    f"free: '{name}' is neither a path into the model nor one of {', '.join(scales)}"
-                    f"{suggest(name, scales)}."
-                )
-            start = found(model, name)
-            usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
-            low, high = freely.get(name, freely.get(name.rpartition(".")[2], usual))
-            logarithmic = low == 0.0
-            scale = 1.0 if unit_of(model, name) == "" else max(abs(start), 1e-300)
-        told = False
-        if isinstance(given, tuple | list) and len(given) == 2:
-            asked = float(given[0]), float(given[1])
-            low, high = max(low, asked[0]), min(high, asked[1])
-            start = start if low < start < high else _between(low, high, logarithmic)
-        elif isinstance(given, int | float) and not isinstance(given, bool):
-            start, told = float(given), True
-        elif not (isinstance(given, tuple | list) and len(given) == 0):
-            raise InvalidInput(f"free: '{name}' is {given!r}; give (low, high), a start value, or () for neither.")
-        if not (low < high and low <= start <= high):
-            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
-        parameters.append(Parameter(name, low, high, start, told, logarithmic, scale))
-    return tuple(parameters)
-
-
-def _between(low: float, high: float, logarithmic: bool) -> float:
-    if logarithmic and low > 0.0:
-        return float(np.sqrt(low * high))
-    return 0.5 * (low + high) if np.isfinite(low) and np.isfinite(high) else (low if np.isfinite(low) else high)
+def even_weights(curve: ForceCurve, noise: Array) -> Array:
+    """Return the weights ``(n,)`` of points by their noise, of which only the course matters; zero: all alike."""
+    return np.array(np.broadcast_to(np.mean(noise) / noise if noise.any() else 1.0, curve.position.shape))

@@ -13,9 +13,9 @@ from synthetic import noise
 import winkler as wk
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
+from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
 from winkler.fitting.viscoelastic.band import relaxation_band, watched
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony

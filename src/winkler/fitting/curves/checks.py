@@ -213,15 +213,15 @@ def examined(curve: ForceCurve) -> tuple[Flag, ...]:
     return tuple(flags)
 
 
-def refuse(curve: ForceCurve) -> tuple[Flag, ...]:
-    """Return the flags of a curve that can be fitted.
+def refuse(curve: ForceCurve, but: tuple[str, ...] = ()) -> tuple[Flag, ...]:
+    """Return the flags of a curve that can be fitted; those named in `but` do not count.
 
     Raises
     ------
     InvalidInput
         If it cannot, by the name of the flag.
     """
-    flags = examined(curve)
+    flags = tuple(flag for flag in examined(curve) if flag.name not in but)
     for flag in flags:
         if flag.name != "no_baseline":
             raise InvalidInput(f"curve '{curve.name}': {flag}")

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.parameters import changed
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
-from winkler.fitting.viscoelastic.task import OF_A_TIMED_CURVE
+from winkler.fitting.varied import OF_THE_CURVE
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.march import relaxation_of
 
@@ -52,7 +52,7 @@ def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confiden
     """
     t = np.asarray(time, dtype=float)
     here = relaxation_of("relaxation_band", found.model.bed).at(t)
-    own = [index for index, name in enumerate(found.names) if name not in OF_A_TIMED_CURVE]
+    own = [index for index, name in enumerate(found.names) if name not in OF_THE_CURVE]
     slopes = np.zeros((t.size, len(found.names)))
     for index in own:
         number = float(found.values[index])

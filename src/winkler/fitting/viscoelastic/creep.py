@@ -12,18 +12,25 @@ with the stiffness :math:`k_i` of contact and machine in a row: a point weighs t
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.fitting.viscoelastic.response import Answered, ElasticTable, elastic_table, forces, positions
-from winkler.fitting.viscoelastic.task import Driven, Told
+from winkler.fitting.curves.checks import Outline
+from winkler.fitting.outcome import CreepFit
+from winkler.fitting.task import Prediction
+from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
+from winkler.fitting.viscoelastic.task import RelaxingTask
+from winkler.loading import Force
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["LEAST_NOISE", "SHARE", "Under"]
+__all__ = ["LEAST_NOISE", "SHARE", "UnderForce"]
 
 SHARE = 0.1
 """Part of the greatest force from which on positions are fitted."""
@@ -37,7 +44,7 @@ REST = 0.1
 """Part of the scatter of positions that is theirs at least, whatever the noise of the force explains."""
 
 
-class Under(Driven):
+class UnderForce(RelaxingTask):
     """The forces drive, positions are fitted; forces on the way to the contact."""
 
     @property
@@ -50,19 +57,28 @@ class Under(Driven):
         """At which points the force is fitted ``(n,)``."""
         return np.asarray(self.per_force > 0.0)
 
-    def told(self, numbers: dict[str, float]) -> Told:
-        """Return the positions with drift and the way the machine gives.
+    def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
+        """Return None: no derivative of a position is known in closed form."""
+        return None
+
+    def quiet(self, prediction: Prediction) -> Array:
+        """Return at which points positions are fitted ``(n,)``."""
+        return ~self.by_force
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return the positions [m] with drift and the deflection of the machine.
 
         Where the force is fitted, the position is the measured one, less the misfit of the force times `per_force`.
         """
+        numbers = self.numbers(coordinates)
         borne, place = self.curve.force - self.line(numbers), self.place(numbers)
         table, creep = self._table(numbers), self._creep(numbers)
-        contact, early = Answered(borne, borne, borne), self.by_force
+        contact, early = ContactHistory(borne, borne, borne), self.by_force
         if early.any():  # the motion drives so far
             last = int(np.flatnonzero(early)[-1]) + 1
             series = relaxation_of("fit", self.with_numbers(numbers).bed)
             contact = forces(table, series, self.curve.time[:last], place[:last], last, self.curve.compliance)
-            contact = Answered(*(np.concatenate([part, borne[last:]]) for part in contact))
+            contact = ContactHistory(*(np.concatenate([part, borne[last:]]) for part in contact))
         most = float(np.max(borne, where=early, initial=0.0))  # no trial presses harder than what was measured there
         driving = np.where(early, np.minimum(contact.force, most), borne)
         depth = positions(table, creep, self.curve.time, driving)
@@ -77,33 +93,34 @@ class Under(Driven):
             self.curve.position - self.per_force * (borne - contact.force),
             beyond + depth + self.curve.compliance * borne,
         )
-        answered = Answered(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, depth))
-        return Told(fitted, answered)
+        contact = ContactHistory(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, depth))
+        return Prediction(fitted, driving > 0.0, contact)
 
-    def weighed(self, coordinates: Array, force_noise: float, noise: Array) -> Under:
-        """Return the question with weights by the noise of positions and forces, at coordinates near the answer.
+    def reweighed(self, coordinates: Array, strokes: Outline | None, noise: Array) -> UnderForce | None:
+        """Return the task with weights by the noise of positions and forces, at coordinates near the answer.
 
         Parameters
         ----------
         coordinates : ndarray, (p,)
-        force_noise : float
-            Standard deviation of the force out of contact [N].
+        strokes : Outline or None
+            What the approach looks like; its noise is that of the force out of contact [N].
         noise : ndarray
             Standard deviation of the positions [m], ``()`` or ``(n,)``; zero: read from the residuals.
         """
-        early = self.by_force
+        if strokes is None:
+            return None
+        force_noise, early = strokes.noise, self.by_force
         if not early.any():
             return self
         numbers = self.numbers(coordinates)
-        told = self.told(numbers)
-        depth = _smooth(
-            np.maximum(told.contact.depth, 0.0)
-        )  # weights that follow the noise would favour one side of it
+        prediction = self.prediction(coordinates)
+        # weights that follow the noise would favour one side of it
+        depth = _smooth(np.maximum(prediction.contact.depth, 0.0))
         give = self.curve.compliance + self._creep(numbers).glassy * _give(self._table(numbers), depth)
         own = np.asarray(noise, dtype=float)
         if not own.any():
             counted = ~early & (self.weights > 0.0)
-            whole = np.mean((self.curve.position - told.predicted)[counted] ** 2)
+            whole = np.mean((self.curve.position - prediction.fitted)[counted] ** 2)
             of_forces = np.mean((force_noise * give[counted]) ** 2)
             own = np.sqrt(np.maximum(whole - of_forces, REST**2 * whole))
             own = np.maximum(own, LEAST_NOISE * np.ptp(self.curve.position))
@@ -118,7 +135,11 @@ class Under(Driven):
             per_force=np.where(early, per_force, 0.0),
         )
 
-    def unbiased(self, coordinates: Array) -> Array:
+    def final(self, coordinates: Array) -> Array:
+        """Return coordinates that are not biased, their terms sorted by their times."""
+        return super().final(self._unbiased(coordinates))
+
+    def _unbiased(self, coordinates: Array) -> Array:
         """Return coordinates that do not follow the noise of what drives, from those of least squares.
 
         The noise of a force is in the position that it predicts and in its derivatives alike; their product does not
@@ -131,12 +152,24 @@ class Under(Driven):
         low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
         high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
         for _ in range(UNBIASED):
-            instrument = steady.jacobian(coordinates)
-            inner, goal = instrument.T @ self.jacobian(coordinates), instrument.T @ self.residuals(coordinates)
+            instrument = steady.jacobian(coordinates, steady.prediction(coordinates))
+            here = self.prediction(coordinates)
+            inner = instrument.T @ self.jacobian(coordinates, here)
+            goal = instrument.T @ ((self.measured - here.fitted) * self.weights)
             size = np.sqrt(np.maximum(np.abs(np.diag(inner)), np.finfo(float).tiny))
             step = np.linalg.lstsq(inner / np.outer(size, size), goal / size, rcond=None)[0] / size
             coordinates = np.clip(coordinates + step, low, high)
         return coordinates
+
+    def model_of(self, numbers: dict[str, float], prediction: Prediction) -> ViscoelasticIndentation:
+        """Return the model with its numbers, under the forces of the contact."""
+        path = Path(self.curve.time, Force(np.maximum(prediction.contact.force, 0.0)))
+        model: ViscoelasticIndentation = self.with_numbers(numbers)
+        return dataclasses.replace(model, path=path)
+
+    def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> CreepFit:
+        """Return the fit."""
+        return CreepFit(**shared, **self.relaxing_fields(numbers, prediction))
 
     def _table(self, numbers: dict[str, float]) -> ElasticTable:
         travel = float(np.ptp(self.curve.position)) + float(np.max(np.abs(self.curve.depth(0.0))) * 1e-12)

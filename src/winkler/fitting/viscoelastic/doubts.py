@@ -21,8 +21,8 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.corrections import drag_force, free_line
+from winkler.fitting.task import Task
 from winkler.fitting.viscoelastic.start import TIMES, window
-from winkler.fitting.viscoelastic.task import Driven
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["unidentified"]
@@ -37,12 +37,12 @@ SLIGHT = 1e-3
 """Part of the range of forces below which a drag changes nothing."""
 
 
-def unidentified(task: Driven, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
+def unidentified(task: Task, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
     """Return what a curve cannot tell about the fitted solid.
 
     Parameters
     ----------
-    task : Driven
+    task : Task
     numbers, errors : dict of str to float
         The fitted numbers, and their standard errors.
     """
@@ -54,7 +54,7 @@ def _times(numbers: dict[str, float]) -> dict[str, float]:
     return {name: n for name, n in numbers.items() if name.rpartition(".")[2].partition("[")[0] in TIMES}
 
 
-def _outside(task: Driven, numbers: dict[str, float]) -> list[Flag]:
+def _outside(task: Task, numbers: dict[str, float]) -> list[Flag]:
     sampling, watched = window(task)
     flags = []
     for name, time in _times(numbers).items():
@@ -103,7 +103,7 @@ def _vanished(numbers: dict[str, float]) -> list[Flag]:
     ]
 
 
-def _span(task: Driven, numbers: dict[str, float]) -> list[Flag]:
+def _span(task: Task, numbers: dict[str, float]) -> list[Flag]:
     medium = task.with_numbers(numbers).bed.medium
     assert isinstance(medium, RelaxingMedium)
     shortest, longest = medium.span
@@ -119,7 +119,7 @@ def _span(task: Driven, numbers: dict[str, float]) -> list[Flag]:
     ]
 
 
-def _drag(task: Driven, numbers: dict[str, float]) -> list[Flag]:
+def _drag(task: Task, numbers: dict[str, float]) -> list[Flag]:
     curve = task.curve
     ways = [np.count_nonzero(curve.direction == way) >= FEW for way in (1.0, -1.0)]
     if "drag" in numbers or not all(ways):

@@ -1,4 +1,4 @@
-"""What a viscoelastic contact answers along a measured motion, or under measured forces, fast enough for a fit.
+"""How a viscoelastic contact responds along a measured motion, or under measured forces, fast enough for a fit.
 
 The elastic answer of the bed at E* = 1 is laid into a table once; `winkler.numerics.springs.hereditary` does the rest.
 """
@@ -19,7 +19,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_end
 
-__all__ = ["Answered", "ElasticTable", "elastic_table", "forces", "positions"]
+__all__ = ["ContactHistory", "ElasticTable", "elastic_table", "forces", "positions"]
 
 PIECES = 800
 STEPS = 1.25
@@ -49,7 +49,7 @@ class ElasticTable(NamedTuple):
         return np.where(depth > 0.0, wide, 0.0)
 
 
-class Answered(NamedTuple):
+class ContactHistory(NamedTuple):
     """Force [N], depth [m], and the depth at which an elastic contact is as wide [m], each ``(n,)``."""
 
     force: Array
@@ -98,7 +98,7 @@ def _table(bed: Bed, deepest: float) -> ElasticTable:
 
 def forces(
     table: ElasticTable, series: RelaxationSeries, time: Array, place: Array, turn: int, compliance: float
-) -> Answered:
+) -> ContactHistory:
     """Return the answers of a contact along a motion.
 
     Parameters
@@ -123,7 +123,7 @@ def forces(
         begun, driven, turn + 1, compliance, series.relaxed, series.viscosity, series.moduli, series.times,
         table.deepest, table.force, table.slope, force, depth, edge, drift, load, phi,
     )  # fmt: skip
-    return Answered(force[1:], depth[1:], edge[1:])
+    return ContactHistory(force[1:], depth[1:], edge[1:])
 
 
 def positions(table: ElasticTable, series: CreepSeries, time: Array, force: Array) -> Array:

@@ -7,25 +7,21 @@ one linear problem for every trial; a few points suffice to choose between the t
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 
 import numpy as np
 
-from winkler.errors import OutsideValidity
 from winkler.fitting.curves.checks import Outline
 from winkler.fitting.parameters import unit_of
-from winkler.fitting.search import Search
-from winkler.fitting.start import SHARES, bounds, least
-from winkler.fitting.task import Parameter
+from winkler.fitting.start import contact_points
+from winkler.fitting.task import Task
+from winkler.fitting.varied import Parameter
 from winkler.fitting.viscoelastic.response import elastic_table, forces
-from winkler.fitting.viscoelastic.task import Driven
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["TIMES", "best_driven_start", "improve", "window"]
+__all__ = ["TIMES", "starts", "window"]
 
-COARSE = 250
-TRIED = 3
-"""How many starts a coarse fit improves."""
 EXPONENTS = (0.1, 0.3, 0.6)
 ONE_TIME = (0.003, 0.03, 0.3)
 """Trials of a single time, over the time in contact."""
@@ -35,10 +31,9 @@ TIMES = ("relaxation_time", "relaxation_times", "retardation_times")
 NEGLIGIBLE = 1e-6
 SMALL = 1e-3
 """A modulus that linear least squares do not want begins with this part of the greatest."""
-EVALUATIONS, SETTLED = 25, 1e-3
 
 
-def window(task: Driven) -> tuple[float, float]:
+def window(task: Task) -> tuple[float, float]:
     """Return the sampling interval and how long the contact was watched [s], held or on the way in.
 
     Times much shorter or longer cannot be told from such a curve.
@@ -56,92 +51,50 @@ def window(task: Driven) -> tuple[float, float]:
     return float(np.median(steps[steps > 0.0])), float(curve.time[watched[-1]] - curve.time[watched[0]])
 
 
-def best_driven_start(task: Driven, strokes: Outline | None, search: Search) -> Array:
-    """Return the coordinates from which a fit should begin.
+def starts(task: Task, strokes: Outline | None) -> Iterator[Array]:
+    """Yield the coordinates from which a fit may begin.
 
     Parameters
     ----------
-    task : Driven
+    task : Task
     strokes : Outline or None
-        What the way in looks like; none where there is no way in.
-    search : Search
-        Counts the evaluations.
+        What the approach looks like; none where there is no approach.
     """
-    coarse = _coarse(task)
-    trials = []
     for numbers in _trials(task, strokes):
-        begin = _sized(coarse, numbers)
-        try:
-            trials.append((begin, float(np.sum(coarse.residuals(begin) ** 2))))
-        except OutsideValidity:
-            search.check()
-            continue
-        search.seen(coarse.numbers(begin), trials[-1][1], int(np.count_nonzero(coarse.weights)))
-    if not trials:
-        raise OutsideValidity("fit: none of the starts is within the reach of the model; give starts or bounds.")
-    trials.sort(key=lambda trial: trial[1])
-    improved = [improve(coarse, begin, EVALUATIONS, search, SETTLED) for begin, _ in trials[:TRIED]]
-    return min(improved, key=lambda found: found[1])[0]
+        yield _sized(task.coarse, numbers)
 
 
-def improve(task: Driven, begin: Array, evaluations: int, search: Search, settled: float) -> tuple[Array, float]:
-    """Return the coordinates of least squares from a start, and the sum there."""
-    ends = bounds(task.parameters, begin)
-    return least(
-        task.numbers, task.predicted, task.jacobian, task.measured, task.weights, begin, ends, evaluations, search,
-        settled,
-    )  # fmt: skip
-
-
-def _coarse(task: Driven) -> Driven:
-    curve = task.curve
-    if curve.count <= COARSE:
-        return task
-    turns = np.flatnonzero(np.diff(curve.direction)) + 1
-    stretches = np.split(np.arange(curve.count), turns)
-    share = max(COARSE // (2 * len(stretches)), 10)
-    kept = []
-    for stretch in stretches:
-        last = stretch.size - 1
-        near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # what is fast happens at once
-        way = last - near if curve.direction[stretch[0]] > 0.0 else near
-        even = np.linspace(0, last, min(share, stretch.size))
-        kept.append(stretch[np.concatenate([even, way]).astype(int)])
-    return task.chosen(np.unique(np.concatenate(kept)))
-
-
-def _trials(task: Driven, strokes: Outline | None) -> list[dict[str, float]]:
+def _trials(task: Task, strokes: Outline | None) -> list[dict[str, float]]:
     """Return the numbers of all trials, moduli as the model has them."""
-    told = {p.name: p.start for p in task.parameters}
+    begin = {p.name: p.start for p in task.parameters}
     choices: list[list[dict[str, float]]] = []
     by_name = {p.name: p for p in task.parameters}
     point = by_name.get("contact_point")
     if strokes is not None:
-        if "baseline" in by_name and not by_name["baseline"].told:
-            told["baseline"] = strokes.baseline
-        if point is not None and not point.told:
-            rest = max(float(task.curve.position.max()) - strokes.contact_point, 1e-3 * point.scale)
-            places = [strokes.contact_point - share * rest for share in SHARES]
-            choices.append([{"contact_point": _inside(point, place)} for place in dict.fromkeys(places)])
-    elif point is not None and not point.told:
+        if "baseline" in by_name and not by_name["baseline"].given:
+            begin["baseline"] = strokes.baseline
+        if point is not None and not point.given:
+            places = dict.fromkeys(contact_points(task, point, strokes))
+            choices.append([{"contact_point": point.inside(place)} for place in places])
+    elif point is not None and not point.given:
         low = float(task.curve.depth(0.0).min())
-        choices.append([{"contact_point": _inside(point, low - share * point.scale)} for share in (0.1, 1.0, 5.0)])
-    times = [p for p in task.parameters if not p.told and _last(p.name) in TIMES]
+        choices.append([{"contact_point": point.inside(low - share * point.scale)} for share in (0.1, 1.0, 5.0)])
+    times = [p for p in task.parameters if not p.given and _last(p.name) in TIMES]
     if times:
         _, lasting = window(task)
         spans = [(one, one) for one in ONE_TIME] if len(times) == 1 else list(SPREADS)
         rows = [np.geomspace(low, high, len(times)) * lasting for low, high in spans]
         own = {p.name: p.start for p in times}
-        trials = [{p.name: _inside(p, number) for p, number in zip(times, row.tolist(), strict=True)} for row in rows]
+        trials = [{p.name: p.inside(number) for p, number in zip(times, row.tolist(), strict=True)} for row in rows]
         choices.append([own, *trials])
     shapes = [
-        p for p in task.parameters if not p.told and p.name.startswith("bed.medium.") and _last(p.name) == "exponent"
+        p for p in task.parameters if not p.given and p.name.startswith("bed.medium.") and _last(p.name) == "exponent"
     ]
     if shapes:
-        choices.append([{p.name: _inside(p, number) for p in shapes} for number in EXPONENTS])
+        choices.append([{p.name: p.inside(number) for p in shapes} for number in EXPONENTS])
     mixed = []
     for many in itertools.product(*reversed(choices)):  # contact points last: the series stays known
-        numbers = dict(told)
+        numbers = dict(begin)
         for one in many:
             numbers |= one
         mixed.append(numbers)
@@ -152,15 +105,11 @@ def _last(name: str) -> str:
     return name.rpartition(".")[2].partition("[")[0]
 
 
-def _inside(parameter: Parameter, number: float) -> float:
-    return float(np.clip(number, parameter.low, parameter.high))
-
-
-def _sized(task: Driven, numbers: dict[str, float]) -> Array:
+def _sized(task: Task, numbers: dict[str, float]) -> Array:
     """Return the coordinates of numbers whose moduli are of the right size."""
     from scipy.optimize import nnls
 
-    moduli = [p for p in task.parameters if not p.told and _is_modulus(task, p)]
+    moduli = [p for p in task.parameters if not p.given and _is_modulus(task, p)]
     if moduli:
         own = {p.name: numbers[p.name] for p in moduli}
         depth = task.place(numbers) - task.curve.compliance * (task.curve.force - task.line(numbers))
@@ -181,21 +130,21 @@ def _sized(task: Driven, numbers: dict[str, float]) -> Array:
             amounts = amounts[:-2]
         most = float(amounts.max()) or 1.0
         found = {name: float(a) * unit for name, a in zip(own, np.maximum(amounts, SMALL * most), strict=True)}
-        numbers = numbers | {p.name: _inside(p, found[p.name]) for p in moduli}
-    return np.array([p.inward(_inside(p, numbers[p.name])) for p in task.parameters])
+        numbers = numbers | {p.name: p.inside(found[p.name]) for p in moduli}
+    return np.array([p.inward(p.inside(numbers[p.name])) for p in task.parameters])
 
 
-def _has_free_part(task: Driven, depth: Array) -> bool:
+def _has_free_part(task: Task, depth: Array) -> bool:
     return bool(np.count_nonzero(depth[: task.turn] < 0.0) >= 10)
 
 
-def _is_modulus(task: Driven, parameter: Parameter) -> bool:
+def _is_modulus(task: Task, parameter: Parameter) -> bool:
     """Return whether the force at a given depth is proportional to it, or nearly, where the other body yields too."""
     own = parameter.name.startswith("bed.medium.") and _last(parameter.name) not in ("young", "tolerance")
     return own and unit_of(task.model, parameter.name) in ("Pa", "Pa s")
 
 
-def _at_depth(task: Driven, numbers: dict[str, float], depth: Array) -> Array:
+def _at_depth(task: Task, numbers: dict[str, float], depth: Array) -> Array:
     """Return the forces at measured depths; everything that is measured counts as a motion in."""
     model = task.with_numbers(numbers)
     highest = max(float(depth.max()), 1e-30)

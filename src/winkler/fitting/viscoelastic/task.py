@@ -1,183 +1,103 @@
-r"""A fit of a relaxing contact as a question for least squares: what drives it, what it answers, and the derivatives.
+r"""The fit of a relaxing contact: what its machine does, and the derivatives of what is predicted.
 
-The motion drives, :math:`D_i-D_0-u\,t_i`, and forces are fitted; or the forces drive, and the positions are fitted.  In
-both the contact bears what is left of the measured force,
-
-.. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i ,
-
-without baseline, tilt, and the drag of a liquid on the cantilever.  Positions are the matter of
-`winkler.fitting.viscoelastic.creep`.
+The motion drives, :math:`D_i-D_0-u\,t_i`, and forces are fitted (`winkler.fitting.viscoelastic.motion`); or the forces
+drive, and the positions are fitted (`winkler.fitting.viscoelastic.creep`).
 """
 
 from __future__ import annotations
 
-from typing import ClassVar, NamedTuple, Self
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
-from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.parameters import changed
-from winkler.fitting.task import Parameter
-from winkler.fitting.viscoelastic.response import Answered, elastic_table, forces
+from winkler.fitting.curves.checks import Flag, Outline
+from winkler.fitting.parameters import each
+from winkler.fitting.task import STEP, Prediction, Task, moved
+from winkler.fitting.viscoelastic.doubts import unidentified
+from winkler.fitting.viscoelastic.response import elastic_table
+from winkler.fitting.viscoelastic.start import starts
 from winkler.numerics.types import Array
-from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+from winkler.problems.viscoelastic.march import elastic_like
 
-__all__ = ["OF_A_TIMED_CURVE", "Driven", "Pressed", "Told"]
+__all__ = ["RelaxingTask"]
 
-OF_A_TIMED_CURVE = ("contact_point", "baseline", "tilt", "drift", "drag")
-"""Names of what a curve with times itself leaves open."""
-STEP = 1e-5
 COARSE_STEP = 1e-3
 """Step of numbers that change the number of terms of a series, whose error jumps there."""
 SHAPES = ("exponent", "relaxation_time")
 
 
-class Told(NamedTuple):
-    """What a model says: the fitted quantity at all points ``(n,)``, and the contact behind it."""
+class RelaxingTask(Task):
+    """A contact that relaxes, held points included; its subclasses say what drives, and what is fitted."""
 
-    predicted: Array
-    contact: Answered
-
-
-class _Question(NamedTuple):
-    """What a fit of a relaxing contact is about.
-
-    Parameters
-    ----------
-    curve : ForceCurve
-        In the order in which it was measured, held points included.
-    model : ViscoelasticIndentation
-    parameters : tuple of Parameter
-    weights : ndarray, (n,)
-        What residuals are multiplied with.
-    velocity : ndarray, (n,)
-        Of the machine [m/s].
-    per_force : ndarray, (n,)
-        Where positions are fitted: the position [m/N] that counts as much as a misfit of force, at points whose force
-        is fitted instead; zero at all others.
-    """
-
-    curve: ForceCurve
-    model: ViscoelasticIndentation
-    parameters: tuple[Parameter, ...]
-    weights: Array
-    velocity: Array
-    per_force: Array
-
-
-class Driven(_Question):
-    """Everything that a fit of a relaxing contact needs to know; its subclasses say what drives, and what is fitted."""
-
-    straight: ClassVar[tuple[str, ...]] = ()
-    """Names of what changes the fitted quantity in proportion."""
+    settled = 1e-9
+    must_settle = False
+    coarse_count = 250
+    starts_improved = 3
+    starts_are_trials = True
 
     @property
-    def measured(self) -> Array:
-        """The quantity that is fitted ``(n,)``."""
-        raise NotImplementedError
+    def size(self) -> float:
+        """Norm of what was measured about its mean, weighted."""
+        measured = self.measured * self.weights
+        return float(np.linalg.norm(measured - measured.mean()))
 
-    def told(self, numbers: dict[str, float]) -> Told:
-        """Return what the model says."""
-        raise NotImplementedError
+    def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
+        """Return the derivative with respect to a coordinate, central where the number of terms may change."""
+        parameter = self.parameters[index]
+        rough = parameter.name.startswith("bed.medium.") and parameter.name.rpartition(".")[2] in SHAPES
+        step = self.step(coordinates, index, COARSE_STEP if rough else STEP)
+        ahead = self.prediction(moved(coordinates, index, step)).fitted
+        if rough and coordinates[index] - step > parameter.inward(parameter.low):
+            behind = self.prediction(moved(coordinates, index, -step)).fitted
+            return np.asarray((ahead - behind) / (2.0 * step))
+        return np.asarray((ahead - prediction.fitted) / step)
+
+    def some_of(self, stretch: Array) -> Array:
+        """Return points evenly spaced, and more of them where the contact has just begun to rest or is deepest."""
+        share = max(self.coarse_count // (2 * self._stretches), 10)
+        last = stretch.size - 1
+        near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # what is fast happens at once
+        turned = last - near if self.curve.direction[stretch[0]] > 0.0 else near
+        even = np.linspace(0, last, min(share, stretch.size))
+        return np.asarray(stretch[np.concatenate([even, turned]).astype(int)])
 
     @property
-    def turn(self) -> int:
-        """The first point on the way out; n if there is none."""
-        out = np.flatnonzero(self.curve.direction < 0.0)
-        return int(out[0]) if out.size else self.curve.count
+    def _stretches(self) -> int:
+        return 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
 
-    def numbers(self, coordinates: Array) -> dict[str, float]:
-        """Return the numbers at coordinates, by name."""
-        return {p.name: p.outward(float(c)) for p, c in zip(self.parameters, coordinates, strict=True)}
+    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+        """Yield coordinates for some contact points, times and exponents, moduli by linear least squares."""
+        return starts(self, strokes)
 
-    def with_numbers(self, numbers: dict[str, float]) -> ViscoelasticIndentation:
-        """Return the model with its numbers."""
-        own = {name: number for name, number in numbers.items() if name not in OF_A_TIMED_CURVE}
-        return changed(self.model, own) if own else self.model
+    def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
+        """Return what the curve cannot tell about the solid."""
+        return unidentified(self, numbers, dict(zip(numbers, errors.tolist(), strict=True)))
 
-    def place(self, numbers: dict[str, float]) -> Array:
-        """Return D from first touch, without drift [m]."""
-        since = self.curve.time - self.curve.time[0]
-        return np.asarray(self.curve.position - numbers.get("contact_point", 0.0) - numbers.get("drift", 0.0) * since)
-
-    def line(self, numbers: dict[str, float]) -> Array:
-        """Return the part of the force that the contact does not bear [N]."""
-        along = self.curve.position - numbers.get("contact_point", 0.0)
-        drag = numbers.get("drag", 0.0) * self.velocity
-        return np.asarray(numbers.get("baseline", 0.0) + numbers.get("tilt", 0.0) * along + drag)
-
-    def predicted(self, coordinates: Array) -> Array:
-        """Return the fitted quantity at all points."""
-        return self.told(self.numbers(coordinates)).predicted
-
-    def residuals(self, coordinates: Array) -> Array:
-        """Return the weighted misfit, measured less predicted."""
-        return np.asarray((self.measured - self.predicted(coordinates)) * self.weights)
-
-    def jacobian(self, coordinates: Array) -> Array:
-        """Return the derivatives ``(n, p)`` of the prediction, weighted."""
-        here = self.predicted(coordinates)
-        columns = []
+    def final(self, coordinates: Array) -> Array:
+        """Return coordinates whose terms are sorted by their times, where nothing but their order would change."""
+        rows: dict[str, list[int]] = {}
         for index, parameter in enumerate(self.parameters):
-            if parameter.name in self.straight:
-                columns.append(self._straight(parameter.name, coordinates) * parameter.scale)
+            if parameter.name.endswith("]"):
+                rows.setdefault(parameter.name.rpartition("[")[0], []).append(index)
+        ordered = coordinates.copy()
+        for name, places in rows.items():
+            partner = name.replace("relaxation_times", "shears").replace("retardation_times", "compliances")
+            if partner == name or len(rows.get(partner, ())) != len(places):
                 continue
-            rough = parameter.name.startswith("bed.medium.") and parameter.name.rpartition(".")[2] in SHAPES
-            step = COARSE_STEP if rough else STEP
-            if coordinates[index] + step > parameter.inward(parameter.high):
-                step = -step
-            ahead = self.predicted(_moved(coordinates, index, step))
-            inside = coordinates[index] - step > parameter.inward(parameter.low)
-            if rough and inside:
-                columns.append((ahead - self.predicted(_moved(coordinates, index, -step))) / (2.0 * step))
-            else:
-                columns.append((ahead - here) / step)
-        return np.stack(columns, axis=1) * self.weights[:, None]
+            alike = all(len({self.parameters[i][1:3] for i in row}) == 1 for row in (places, rows[partner]))
+            if alike and len(places) == len(each(self.model, name)):
+                turn = np.argsort(coordinates[places])
+                for row in (places, rows[partner]):
+                    ordered[row] = coordinates[row][turn]
+        return coordinates if np.array_equal(ordered, coordinates) else ordered
 
-    def _straight(self, name: str, coordinates: Array) -> Array:
-        match name:
-            case "baseline":
-                return np.ones(self.curve.count)
-            case "tilt":
-                return self.curve.position - self.numbers(coordinates).get("contact_point", 0.0)
-            case _:
-                return self.velocity
-
-    def chosen(self, kept: Array) -> Self:
-        """Return the question of some of the points, given as indices."""
-        return self._replace(
-            curve=self.curve.chosen(kept),
-            weights=self.weights[kept],
-            velocity=self.velocity[kept],
-            per_force=self.per_force[kept],
-        )
-
-
-class Pressed(Driven):
-    """The motion drives, forces are fitted."""
-
-    straight = ("baseline", "tilt", "drag")
-
-    @property
-    def measured(self) -> Array:
-        """The forces [N]."""
-        return self.curve.force
-
-    def told(self, numbers: dict[str, float]) -> Told:
-        """Return the forces with everything that is not contact."""
-        model, place = self.with_numbers(numbers), self.place(numbers)
-        highest = float(place.max())
-        if not highest > 0.0:
-            nothing = np.zeros(place.size)
-            return Told(self.line(numbers), Answered(nothing, place, nothing))
-        table = elastic_table(elastic_like(model.bed), highest)
-        series = relaxation_of("fit", model.bed)
-        contact = forces(table, series, self.curve.time, place, self.turn, self.curve.compliance)
-        return Told(contact.force + self.line(numbers), contact)
-
-
-def _moved(coordinates: Array, index: int, step: float) -> Array:
-    moved = coordinates.copy()
-    moved[index] += step
-    return moved
+    def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
+        """Return what is found about the contact: which numbers are logarithmic, depths and radii [m]."""
+        contact = prediction.contact
+        table = elastic_table(elastic_like(self.with_numbers(numbers).bed), float(contact.edge.max()))
+        return {
+            "logarithmic": tuple(p.logarithmic for p in self.parameters),
+            "depth": contact.depth,
+            "radius": np.where(prediction.touched, table.radius_at(contact.edge), 0.0),
+        }

@@ -50,6 +50,16 @@ class Resistances(NamedTuple):
     """Of the length of a rod."""
     bulk_second: float
 
+    @property
+    def bulk(self) -> float:
+        """Of both rods."""
+        return self.bulk_first + self.bulk_second
+
+    @property
+    def whole(self) -> Array:
+        """All parts."""
+        return self.first + self.second + self.film + self.bulk
+
 
 @value
 class PlatedResponse:

@@ -127,12 +127,12 @@ class LineSource:
         forth = math.copysign(1.0, wave)
         flat, across = (np.ascontiguousarray(np.ravel(place) / self.radius) for place in (forth * x, y))
         result = np.empty(flat.size)
-        surface_points(flat, across, abs(wave) * self.radius, *self._table, *lag_table(), *turned_rule(), result)
+        surface_points(flat, across, abs(wave) * self.radius, (*self._table, *lag_table(), *turned_rule()), result)
         return np.asarray(self.scale * result.reshape(np.shape(x)))
 
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the disc [W/m], on a body that moves."""
-        return self.scale * disc_mean(abs(wave) * self.radius, *self._table, *lag_table(), *turned_rule(MEAN_NODES))
+        return self.scale * disc_mean(abs(wave) * self.radius, (*self._table, *lag_table(), *turned_rule(MEAN_NODES)))
 
     def peak(self, wave: float) -> Peak:
         """Return the greatest lambda T on a body that moves, and its place.
@@ -239,7 +239,7 @@ class LineSource:
     def _spread(self, length: float, s: Array) -> Array:
         """Return q_t [W/m] at places s >= 0, in contact radii, (n,)."""
         result = np.empty(s.size)
-        spread_loads(s, length, *self._table, *spread_table(), *turned_rule(TIME_NODES), result)
+        spread_loads(s, length, (*self._table, *spread_table(), *turned_rule(TIME_NODES)), result)
         return self.scale * result
 
 

@@ -28,6 +28,8 @@ SPREAD = 4.0
 """Ratio of the lengths of consecutive pieces that leave a boundary layer."""
 MOST_CUTS = 400
 """Places where one integral may be cut."""
+Source = tuple[Array, Array, Array, Array, Array, Array, Array, Array]
+"""Line load (joints, edges, rows), kernel (edges, rows, series of large arguments), rule (nodes, weights)."""
 
 
 @compiled
@@ -78,20 +80,9 @@ def _load(x: float, joints: Array, edges: Array, rows: Array) -> float:
 
 
 @compiled
-def _lagged(
-    s: float,
-    b: float,
-    joints: Array,
-    edges: Array,
-    rows: Array,
-    near: Array,
-    lags: Array,
-    series: Array,
-    nodes: Array,
-    weights: Array,
-    cuts: Array,
-) -> float:
+def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
     """Return q_b(s)."""
+    joints, edges, rows, near, lags, series, nodes, weights = source
     if s >= 1.0:
         return 0.0
     start = max(s, -1.0)
@@ -130,20 +121,9 @@ def _lagged(
 
 
 @compiled
-def spread_loads(
-    s: Array,
-    length: float,
-    joints: Array,
-    edges: Array,
-    rows: Array,
-    near: Array,
-    spreads: Array,
-    series: Array,
-    nodes: Array,
-    weights: Array,
-    result: Array,
-) -> None:
+def spread_loads(s: Array, length: float, source: Source, result: Array) -> None:
     """Write q_t at places s, (n,), into `result`: at rest, on for a time, `length` is sqrt(kappa t) over a."""
+    joints, edges, rows, near, spreads, series, nodes, weights = source
     cuts = np.empty(MOST_CUTS)
     scale = 1.0 / (length * math.pi**1.5)
     for i in range(s.size):
@@ -202,21 +182,9 @@ def _angle(turn: float, cuts: Array, count: int, low: float) -> int:
 
 
 @compiled
-def surface_points(
-    x: Array,
-    y: Array,
-    wave: float,
-    joints: Array,
-    edges: Array,
-    rows: Array,
-    near: Array,
-    lags: Array,
-    series: Array,
-    nodes: Array,
-    weights: Array,
-    result: Array,
-) -> None:
+def surface_points(x: Array, y: Array, wave: float, source: Source, result: Array) -> None:
     """Write lambda T over the scale of q into `result`, at x and y, (n,), in contact radii; `wave` is a V / kappa."""
+    joints, nodes, weights = source[0], source[6], source[7]
     turns = np.empty(MOST_CUTS)
     cuts = np.empty(MOST_CUTS)
     for i in range(x.size):
@@ -256,24 +224,15 @@ def surface_points(
                 theta = ordered[j] + width * nodes[k]
                 s = rho * math.cos(theta - phi)
                 b = wave * math.cos(theta)
-                part += weights[k] * _lagged(s, b, joints, edges, rows, near, lags, series, nodes, weights, cuts)
+                part += weights[k] * _lagged(s, b, source, cuts)
             total += width * part
         result[i] = (2.0 if y[i] == 0.0 else 1.0) * total / (2.0 * math.pi)
 
 
 @compiled
-def disc_mean(
-    wave: float,
-    joints: Array,
-    edges: Array,
-    rows: Array,
-    near: Array,
-    lags: Array,
-    series: Array,
-    nodes: Array,
-    weights: Array,
-) -> float:
+def disc_mean(wave: float, source: Source) -> float:
     """Return the mean of lambda T over the disc, over the scale of q: chords of the disc weigh each direction."""
+    joints, nodes, weights = source[0], source[6], source[7]
     turns = np.empty(MOST_CUTS)
     places = np.empty(MOST_CUTS)
     cuts = np.empty(MOST_CUTS)
@@ -312,11 +271,6 @@ def disc_mean(
                 for n in range(nodes.size):
                     s = along[m] + span * nodes[n]
                     chord = math.sqrt(max(1.0 - s * s, 0.0))
-                    value += (
-                        span
-                        * weights[n]
-                        * chord
-                        * _lagged(s, b, joints, edges, rows, near, lags, series, nodes, weights, cuts)
-                    )
+                    value += span * weights[n] * chord * _lagged(s, b, source, cuts)
             total += width * weights[k] * value
     return 2.0 * total / math.pi**2

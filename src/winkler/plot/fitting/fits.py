@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from winkler.fitting.compare import AnyFit
-from winkler.fitting.outcome import Fit
-from winkler.fitting.viscoelastic.outcome import CreepFit
+from winkler.fitting.outcome import CreepFit, Fit
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Axis, Bars, Dots, Line, Map, Panel, Rule, Sheet

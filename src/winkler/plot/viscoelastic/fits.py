@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.compare import AnyFit
+from winkler.fitting.outcome import AnyFit, CreepFit, ViscoelasticFit
 from winkler.fitting.viscoelastic.band import relaxation_band, watched
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style

@@ -21,13 +21,7 @@ from winkler.loading import Load
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
-from winkler.problems.conduction.disc import (
-    disc_yield_notes,
-    mean_free_path_note,
-    pressed_disc,
-    resistances_of,
-    scope_notes,
-)
+from winkler.problems.conduction.disc import conducting_disc, mean_free_path_note
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note
 from winkler.values import value
@@ -98,22 +92,18 @@ class Constriction:
             If the load is tensile, leads beyond the reach of the profile or opens a contact that is no disc; if the
             contact is nearly as wide as a rod; if there is a film or a plating and the area of the contact is unknown.
         """
-        contact = pressed_disc(self.bed, self.load)
-        radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
-        parts = resistances_of(self.bed, self.conductors, radius.ravel())
-
-        bulk = parts.bulk_first + parts.bulk_second
+        contact, parts = conducting_disc(self.bed, self.conductors, self.load)
         shape = np.shape(contact.radius)
         return ConstrictionSolution(
             self,
             contact.depth,
             contact.force,
             contact.radius,
-            resistance=shaped(parts.first + parts.second + parts.film + bulk, shape),
+            resistance=shaped(parts.whole, shape),
             first_constriction=shaped(parts.first, shape),
             second_constriction=shaped(parts.second, shape),
             film_resistance=shaped(parts.film, shape),
-            bulk_resistance=bulk,
+            bulk_resistance=parts.bulk,
         )
 
 
@@ -156,10 +146,5 @@ class ConstrictionSolution(ConductingSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the resistance can be trusted: the analogy, the bodies, the film, free flight of the electrons."""
-        problem, radius = self.problem, np.asarray(self.radius, dtype=float)
-        return (
-            *scope_notes(problem.bed, radius),
-            *disc_yield_notes(problem.bed, problem.load),
-            *problem.conductors.notes,
-            *mean_free_path_note(radius, problem.mean_free_path),
-        )
+        radius = np.asarray(self.radius, dtype=float)
+        return (*self._disc_notes, *mean_free_path_note(radius, self.problem.mean_free_path))

@@ -21,12 +21,7 @@ from winkler.problems.normal.validity import size_note, slope_note
 from winkler.problems.normal.yield_statement import yield_notes_of_bed
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["disc_yield_notes", "mean_free_path_note", "pressed_disc", "resistances_of", "scope_notes"]
-
-
-def pressed_disc(bed: Bed, load: Load) -> IndentationSolution:
-    """Return the contact under a load: its radius is that of the disc that conducts."""
-    return Indentation(bed, load).solve()
+__all__ = ["conducting_disc", "disc_yield_notes", "mean_free_path_note", "resistances_of", "scope_notes"]
 
 
 def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> Resistances:
@@ -49,11 +44,19 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
     return parts._replace(film=parts.film * math.pi * a**2 / bed.footprint.area(a))
 
 
+def conducting_disc(
+    bed: Bed, conductors: ElectricalConductors | HeatConductors, load: Load
+) -> tuple[IndentationSolution, Resistances]:
+    """Return the contact under loads, and the resistances `(m,)` of its disc."""
+    contact = Indentation(bed, load).solve()
+    return contact, resistances_of(bed, conductors, np.ravel(np.asarray(contact.radius, dtype=float)))
+
+
 def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
     """Return whether the contact that conducts stays elastic; nothing where no body has a strength."""
     if not strong_parts(bed.medium):
         return ()
-    contact = pressed_disc(bed, load)
+    contact = Indentation(bed, load).solve()
     return yield_notes_of_bed(bed, np.ravel(contact.depth), np.ravel(contact.radius))
 
 

@@ -5,9 +5,13 @@ from __future__ import annotations
 import dataclasses
 from typing import Any, Self
 
+import numpy as np
+
 from winkler.foundation.bed import Pressed
 from winkler.numerics.types import Quantity
+from winkler.problems.conduction.disc import disc_yield_notes, scope_notes
 from winkler.problems.one_load import picked, single
+from winkler.validity import Note
 from winkler.values import value
 
 __all__ = ["ConductingSolution"]
@@ -37,6 +41,13 @@ class ConductingSolution:
     def pressed(self) -> Pressed:
         """The springs, from which pressure and stress are restored; of one load."""
         return Pressed(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
+
+    @property
+    def _disc_notes(self) -> tuple[Note, ...]:
+        """How far analogy, bodies and film can be trusted."""
+        bed, load, conductors = self.problem.bed, self.problem.load, self.problem.conductors
+        radius = np.asarray(self.radius, dtype=float)
+        return (*scope_notes(bed, radius), *disc_yield_notes(bed, load), *conductors.notes)
 
     def at(self, index: int | tuple[int, ...]) -> Self:
         """Return the solution of one load of an array.

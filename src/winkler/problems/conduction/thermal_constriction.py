@@ -19,7 +19,7 @@ from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import CONDUCTING
-from winkler.problems.conduction.disc import disc_yield_notes, pressed_disc, resistances_of, scope_notes
+from winkler.problems.conduction.disc import conducting_disc
 from winkler.problems.conduction.solution import ConductingSolution
 from winkler.validity import Assumption, Note, Standing
 from winkler.values import value
@@ -86,23 +86,18 @@ class ThermalConstriction:
         OutsideValidity
             As for `winkler.problems.conduction.constriction.Constriction.solve`.
         """
-        contact = pressed_disc(self.bed, self.load)
-        radius = np.atleast_1d(np.asarray(contact.radius, dtype=float))
-        parts = resistances_of(self.bed, self.conductors, radius.ravel())
-
-        bulk = parts.bulk_first + parts.bulk_second
-        whole = parts.first + parts.second + parts.film + bulk
-        heat = self.temperature_drop / whole
+        contact, parts = conducting_disc(self.bed, self.conductors, self.load)
+        heat = self.temperature_drop / parts.whole
         shape = np.shape(contact.radius)
         return ThermalConstrictionSolution(
             self,
             contact.depth,
             contact.force,
             contact.radius,
-            resistance=shaped(whole, shape),
+            resistance=shaped(parts.whole, shape),
             constriction=shaped(parts.first + parts.second, shape),
             interface_resistance=shaped(parts.film, shape),
-            bulk_resistance=bulk,
+            bulk_resistance=parts.bulk,
             heat_rate=shaped(heat, shape),
             first_drop=shaped(_drop(heat, parts.first, parts.bulk_first), shape),
             second_drop=shaped(_drop(heat, parts.second, parts.bulk_second), shape),
@@ -155,13 +150,12 @@ class ThermalConstrictionSolution(ConductingSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the heat rate can be trusted."""
-        radius = np.asarray(self.radius, dtype=float)
         slowest = min(
             body.diffusivity
             for body in map(surface_of, (self.problem.conductors.first, self.problem.conductors.second))
             if isinstance(body, ThermalConductor)
         )
-        widest = float(np.max(radius, initial=0.0))
+        widest = float(np.max(self.radius, initial=0.0))
         steady = Note(
             Assumption.STEADY,
             Standing.ASYMPTOTIC,
@@ -169,6 +163,4 @@ class ThermalConstrictionSolution(ConductingSolution):
             "radius over the diffusivity; transients are not included.",
             "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
         )
-        problem = self.problem
-        yielding = disc_yield_notes(problem.bed, problem.load)
-        return (*scope_notes(problem.bed, radius), *yielding, *problem.conductors.notes, steady)
+        return (*self._disc_notes, steady)

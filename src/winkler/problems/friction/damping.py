@@ -79,6 +79,7 @@ class FrictionDamping:
     The loss of a ball at six tenths of the sliding force, in units of (mu F)^2 / (a G*).
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

@@ -9,14 +9,16 @@ Tian and Kennedy fitted the greatest temperature under a parabolic flux (that of
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
-from winkler.laws.heat import FixedShare, HeatPartition
+from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
 from winkler.numerics.types import Array
 from winkler.problems.heating.heat_source import HeatSource
 
-__all__ = ["fast", "shared", "stationary", "tian_kennedy"]
+__all__ = ["fast", "first_share", "shared", "stationary", "tian_kennedy"]
 
 
 def stationary(heat: HeatSource, peclet: Array) -> Array:
@@ -35,6 +37,17 @@ def fast(heat: HeatSource, peclet: Array) -> Array:
 def tian_kennedy(heat: HeatSource, peclet: Array) -> Array:
     """Return the greatest lambda T of 1 W [1/m] under a parabolic flux on the same disc, by the fit."""
     return np.asarray(1.31 / (math.pi * heat.pressed.radius * np.sqrt(1.2344 + np.asarray(peclet))))
+
+
+def first_share(partition: HeatPartition, greatest: Sequence[Any], means: Sequence[Any]) -> Any:
+    """Return the part of the heat that goes into the first body, from temperatures of both as if all went into each."""
+    match partition:
+        case FixedShare(given):
+            return given
+        case EqualMean():
+            return means[1] / (means[0] + means[1])
+        case _:
+            return greatest[1] / (greatest[0] + greatest[1])
 
 
 def shared(first: Array, second: Array, partition: HeatPartition) -> Array:

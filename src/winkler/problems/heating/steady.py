@@ -24,7 +24,7 @@ from winkler.checks.number_checks import FiniteQuantity
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
-from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
+from winkler.laws.heat import EqualMaximum, HeatPartition
 from winkler.loading import Load
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
@@ -32,7 +32,7 @@ from winkler.numerics.types import Array, Quantity, shaped
 from winkler.path import load_number
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
-from winkler.problems.heating.estimates import fast, shared, stationary, tian_kennedy
+from winkler.problems.heating.estimates import fast, first_share, shared, stationary, tian_kennedy
 from winkler.problems.heating.heat_source import HeatSource, heat_sources, loads_over
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.input_checks import thick_bodies
@@ -87,6 +87,7 @@ class FrictionHeating:
     A ball on a plate, both of steel, at Pe = 1 of the plate:
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
@@ -178,13 +179,7 @@ def _shares(problem: FrictionHeating, heat: HeatSource | None, *speeds: float) -
     peaks, means = (
         [each / body.conductivity for each, body in zip(pair, bodies, strict=True)] for pair in (peaks, means)
     )
-    match problem.partition:
-        case FixedShare(given):
-            share = given
-        case EqualMean():
-            share = means[1] / (means[0] + means[1])
-        case _:
-            share = peaks[1] / (peaks[0] + peaks[1])
+    share = first_share(problem.partition, peaks, means)
     return share, share * peaks[0], (1.0 - share) * peaks[1], share * means[0], (1.0 - share) * means[1]
 
 

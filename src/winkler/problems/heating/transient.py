@@ -19,7 +19,7 @@ import numpy as np
 from winkler.checks.number_checks import NonNegative, PositiveRow
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Overcome
-from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare, HeatPartition
+from winkler.laws.heat import EqualMaximum, FixedShare, HeatPartition
 from winkler.materials.conductor import ThermalConductor
 from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.fields.line_source import LineSource
@@ -28,7 +28,7 @@ from winkler.path import OneLoad
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import HEATED
 from winkler.problems.assumptions.temperature import temperature_note
-from winkler.problems.heating.estimates import shared
+from winkler.problems.heating.estimates import first_share, shared
 from winkler.problems.heating.heat_source import heat_source
 from winkler.problems.heating.input_checks import thick_bodies
 from winkler.problems.heating.validity import STEADY_SOURCE
@@ -78,6 +78,7 @@ class TransientHeating:
     Under a ball the middle has reached three quarters of its last temperature at the time a^2/kappa.
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
@@ -142,19 +143,9 @@ class TransientHeating:
                 rise * heat / body.conductivity for body in self._bodies for rise in rises[body.diffusivity]
             )
             if heat > 0.0:
-                share = _share(self.partition, (first, second), (first_mean, second_mean))
+                share[:] = first_share(self.partition, (first, second), (first_mean, second_mean))
             parts = [share * first, (1.0 - share) * second, share * first_mean, (1.0 - share) * second_mean]
         return TransientHeatingSolution(self, contact, heat, self.time, share, *parts)
-
-
-def _share(partition: HeatPartition, greatest: tuple[Array, Array], means: tuple[Array, Array]) -> Array:
-    match partition:
-        case FixedShare(given):
-            return np.full(greatest[0].shape, given)
-        case EqualMean():
-            return np.asarray(means[1] / (means[0] + means[1]))
-        case _:
-            return np.asarray(greatest[1] / (greatest[0] + greatest[1]))
 
 
 def _greatest(source: LineSource, length: float) -> float:

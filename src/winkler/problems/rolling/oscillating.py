@@ -83,6 +83,7 @@ class OscillatingRolling:
     Rocked by a fifth of its contact radius, a ball bears 0.704 of what friction bears at rest.
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.loading import Radius
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace

@@ -79,6 +79,7 @@ class SimplifiedRolling:
     --------
     Spin alone pushes sideways:
 
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
     >>> steel = Elastic(young=208e9, poisson=0.25)
     >>> contact = ContactEllipse(longitudinal_semi_axis=6e-3, lateral_semi_axis=6e-3)

@@ -75,6 +75,7 @@ class Rolling:
     A steel ball that pulls at two thirds of the creepage from which it slides: 1 - (1/3)^3 of what friction bears.
 
     >>> from winkler.foundation.foundation import Foundation
+    >>> from winkler.loading import Force
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

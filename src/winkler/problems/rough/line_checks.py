@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
@@ -11,11 +11,11 @@ from winkler.checks.number_checks import Whole, affordable
 from winkler.errors import InvalidInput
 from winkler.limits import MOST_NUMBERS, SPRINGS
 from winkler.loading import Depth, Force
+from winkler.problems.normal.yield_of_pressure import spots_yield_notes
 from winkler.problems.rough.spring_line import prescribed
-from winkler.profiles.rough.spectrum import Spectrum
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["LineSprings", "Realisations", "check_ensemble", "resolution_note"]
+__all__ = ["LineSprings", "Realisations", "check_ensemble", "line_notes"]
 
 ROUNDING = 1e-9
 
@@ -34,16 +34,20 @@ def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: in
         )
 
 
-def resolution_note(spectrum: Spectrum, length: float, count: int) -> tuple[Note, ...]:
-    """Return a note if waves of the spectrum are longer than the line, or shorter than two springs."""
+def line_notes(solution: Any) -> tuple[Note, ...]:
+    """Return whether spots in contact yield, and if waves are longer than the line, or shorter than two springs."""
+    problem = solution.problem
+    spectrum, length, count = problem.spectrum, problem.length, problem.count
+    yielding = spots_yield_notes(problem.medium, float(np.max(np.asarray(solution.force) / np.asarray(solution.area))))
     left_out = []
     if spectrum.smallest * length < 2.0 * math.pi * (1.0 - ROUNDING):
         left_out.append(f"longer than the line ({length:.4g} m)")
     if spectrum.greatest * length > math.pi * count * (1.0 + ROUNDING):
         left_out.append(f"shorter than two springs ({2.0 * length / count:.4g} m; give a larger count)")
     if not left_out:
-        return ()
+        return yielding
     return (
+        *yielding,
         Note(
             Assumption.RESOLUTION,
             Standing.APPROXIMATE,

@@ -16,8 +16,7 @@ from winkler.checks.number_checks import Advice, Positive, Seed
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Quantity, shaped
-from winkler.problems.normal.yield_of_pressure import spots_yield_notes
-from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, resolution_note
+from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
 from winkler.problems.rough.line_solution import RoughSolution
 from winkler.problems.rough.persson import area_fraction, mean_separation
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds
@@ -143,9 +142,9 @@ class RoughContactSolution(RoughSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        asked = self.problem
+        bodies = self.problem.medium.notes
         return (
-            *(note for note in asked.medium.notes if note.standing is not Standing.EXACT),  # of one round contact
+            *(note for note in bodies if note.standing is not Standing.EXACT),  # of one round contact
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
@@ -153,8 +152,7 @@ class RoughContactSolution(RoughSolution):
                 "medians of stiffness are 0.8 to 1.3 times those of boundary elements, of depth 0.85 to 1.25 times.",
                 f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
             ),
-            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
-            *resolution_note(asked.spectrum, asked.length, asked.count),
+            *line_notes(self),
             Note(
                 Assumption.ROUGHNESS,
                 Standing.OUTSIDE,

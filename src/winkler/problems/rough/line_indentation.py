@@ -22,8 +22,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.solve_contact import at_force
-from winkler.problems.normal.yield_of_pressure import spots_yield_notes
-from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, resolution_note
+from winkler.problems.rough.line_checks import LineSprings, Realisations, check_ensemble, line_notes
 from winkler.problems.rough.line_solution import RoughSolution
 from winkler.problems.rough.persson import area_fraction
 from winkler.problems.rough.spring_line import RoughLine, ensemble, line_seeds, prescribed
@@ -188,9 +187,8 @@ class RoughIndentationSolution(RoughSolution):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        asked = self.problem
         return (
-            *asked.bed.notes,
+            *self.problem.bed.notes,
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
@@ -198,8 +196,7 @@ class RoughIndentationSolution(RoughSolution):
                 "single peaks bear: there medians of stiffness and depth are within 25 per cent of boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
-            *spots_yield_notes(asked.medium, float(np.max(np.asarray(self.force) / np.asarray(self.area)))),
-            *resolution_note(asked.spectrum, asked.length, asked.count),
+            *line_notes(self),
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Any
 
 from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, Quantity, shaped
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
 from winkler.values import value
 
-__all__ = ["OnRoughLines", "RoughSolution"]
-
-
-class OnRoughLines(Protocol):
-    """A problem that is asked of many rough lines."""
-
-    @property
-    def medium(self) -> HomogeneousMedium:
-        """Both bodies."""
+__all__ = ["RoughSolution"]
 
 
 @value
@@ -35,7 +26,7 @@ class RoughSolution:
         Between these two lie eight of ten lines.
     """
 
-    problem: OnRoughLines
+    problem: Any
     depth: Quantity
     depth_band: Array
     force: Quantity

@@ -26,12 +26,12 @@ from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal, OnePositiveSwing, numbers_of
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
-from winkler.problems.normal.indentation import Indentation
-from winkler.problems.wear.input_checks import Cells, WearTolerance, touching, wearable
+from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
 from winkler.problems.wear.line import Rubbed, WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Moment, first_nodes, march, scale_of
+from winkler.problems.wear.march import Moment
 from winkler.problems.wear.states import FrettingState, goals_of
 from winkler.problems.wear.validity import fretting_notes
+from winkler.problems.wear.worn_states import pressed_moment, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -77,8 +77,10 @@ class FrettingWear:
     --------
     A ball that sticks within half of its contact wears no deeper than this; what bears in the end is the core alone.
 
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.laws.wear import Archard
     >>> from winkler.loading import Depth
+    >>> from winkler.loading import Shift
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid
@@ -132,15 +134,11 @@ class FrettingWear:
                 f"under a shear force of {float(self.amplitude.shear_force):.6g} N; give less, or prescribe a Shift."
             )
 
-    def _begin(self) -> Moment:
-        contact = touching("FrettingWear", Indentation(self.bed, self.normal).solve())
-        radius = float(contact.radius)
-        nodes = first_nodes(self.bed, self.normal, radius, 0.0, self.count)
+    def _stick_radius(self, radius: float, nodes: Array) -> float:
+        """Return the radius of the core that sticks at first [m], looked for on an even grid; zero if all sticks."""
         line = wear_line(self.bed, nodes)
-        # the core that sticks at first is looked for on an even grid, and gets a node of its own
         core = self._rubbed(line, line.press(np.zeros(nodes.size), self.normal)).stick_radius
-        nodes = first_nodes(self.bed, self.normal, radius, core if core < radius else 0.0, self.count)
-        return Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
+        return core if core < radius else 0.0
 
     @property
     def total(self) -> int:
@@ -164,27 +162,16 @@ class FrettingWear:
         NotConverged
             If jumps become too short.
         """
-        goals = self.goals
-        if start is None:
-            moment = self._begin()
-            if goals[0] == 0.0:
-                yield self._state(moment)
-        else:
-            moment = start.moment
-        for reached in march(self, goals, moment):
-            yield self._state(reached)
+        return worn_states(self, start, self._stick_radius)
 
-    def _state(self, moment: Moment) -> FrettingState:
-        line = wear_line(self.bed, moment.nodes)
-        contact = line.press(moment.worn.sum(axis=0), self.normal)
-        self.refuse(contact, moment.elapsed)
-        radius = line.touching(contact, moment.worn.sum(axis=0), self.tolerance * scale_of(self, contact))
+    def state(self, moment: Moment) -> FrettingState:
+        """Return what is known of the contact."""
+        line, contact, known = pressed_moment(self, moment)
         rubbed = self._rubbed(line, contact)
         lost = 4.0 * self.law.coefficient * float(line.rings.areas @ (contact.pressure * rubbed.slip))
         return FrettingState(
-            self.bed, moment.elapsed, moment.jump, moment.nodes, moment.worn[0], moment.worn[1],
-            contact.depth, contact.force, radius, contact.pressure,
-            rubbed.shift, rubbed.shear_force, rubbed.stick_radius, rubbed.slip, lost,
+            **known, shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
+            slip=rubbed.slip, loss_per_cycle=lost,
         )  # fmt: skip
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:

@@ -119,6 +119,7 @@ class LimitingProfile:
     --------
     A ball that sticks within half of its contact.
 
+    >>> from winkler.laws.friction import Coulomb
     >>> from winkler.materials.elastic import Elastic
     >>> from winkler.media.halfspace import HalfSpace
     >>> from winkler.profiles.power import Paraboloid

@@ -21,12 +21,12 @@ from winkler.numerics.types import Array
 from winkler.path import OnePositiveNormal
 from winkler.problems.assumptions.declared import WORN
 from winkler.problems.collect_states import rows
-from winkler.problems.normal.indentation import Indentation
-from winkler.problems.wear.input_checks import Cells, WearTolerance, touching, wearable
-from winkler.problems.wear.line import WearLine, WornContact, wear_line
-from winkler.problems.wear.march import Moment, first_nodes, march, scale_of
+from winkler.problems.wear.input_checks import Cells, WearTolerance, wearable
+from winkler.problems.wear.line import WearLine, WornContact
+from winkler.problems.wear.march import Moment
 from winkler.problems.wear.states import WearState, goals_of
 from winkler.problems.wear.validity import sliding_notes
+from winkler.problems.wear.worn_states import pressed_moment, worn_states
 from winkler.validity import Assumption, Note
 from winkler.values import value
 
@@ -132,26 +132,11 @@ class SlidingWear:
         NotConverged
             If jumps become too short.
         """
-        goals = self.goals
-        if start is None:
-            contact = touching("SlidingWear", Indentation(self.bed, self.normal).solve())
-            nodes = first_nodes(self.bed, self.normal, float(contact.radius), 0.0, self.count)
-            moment = Moment(0.0, 0.0, nodes, np.zeros((2, nodes.size)))
-            if goals[0] == 0.0:
-                yield self._state(moment)
-        else:
-            moment = start.moment
-        for reached in march(self, goals, moment, everywhere=True):
-            yield self._state(reached)
+        return worn_states(self, start)
 
-    def _state(self, moment: Moment) -> WearState:
-        line, worn = wear_line(self.bed, moment.nodes), moment.worn.sum(axis=0)
-        contact = line.press(worn, self.normal)
-        radius = line.touching(contact, worn, self.tolerance * scale_of(self, contact))
-        return WearState(
-            self.bed, moment.elapsed, moment.jump, moment.nodes, moment.worn[0], moment.worn[1],
-            contact.depth, contact.force, radius, contact.pressure,
-        )  # fmt: skip
+    def state(self, moment: Moment) -> WearState:
+        """Return what is known of the contact."""
+        return WearState(**pressed_moment(self, moment)[2])
 
     def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
         """Return the answer from these states, of the whole path or of its beginning."""

@@ -17,9 +17,8 @@ from winkler.errors import InvalidInput, Mistake
 from winkler.fitting.compare import AnyFit
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.outcome import Fit
+from winkler.fitting.outcome import CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.parameters import changed
-from winkler.fitting.viscoelastic.outcome import CreepFit, ViscoelasticFit
 from winkler.io.curves import PlacedCurve, UnreadCurve
 from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath

@@ -18,8 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.fitting.outcome import Fit
-from winkler.fitting.viscoelastic.outcome import CreepFit
+from winkler.fitting.outcome import CreepFit, Fit
 from winkler.plot.fitting.fits import Grid, grid_of
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.batch.outcome import Column

@@ -35,7 +35,7 @@ def spoken_html(text: str) -> str:
 
     Examples
     --------
-    >>> spoken_html("area = $F_N$\\n= 10 N")
+    >>> spoken_html("area = $F_N$\n= 10 N")
     'area = <i>F</i><sub>N</sub><br>= 10 N'
     """
     parts = text.split("$")

@@ -1,4 +1,4 @@
-"""The question that a fit of a relaxing contact asks: what is free, what drives, and what every point weighs."""
+"""What is free in the fit of a relaxing contact, what drives it, and what every point weighs."""
 
 from __future__ import annotations
 
@@ -7,24 +7,55 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.curves.outline import FEWEST
 from winkler.fitting.parameters import each
-from winkler.fitting.task import FREELY, asked
-from winkler.fitting.viscoelastic.creep import LEAST_NOISE, SHARE, Under
-from winkler.fitting.viscoelastic.task import Driven, Pressed
+from winkler.fitting.task import even_weights
+from winkler.fitting.varied import FREELY, parameters_of
+from winkler.fitting.viscoelastic.creep import LEAST_NOISE, SHARE, UnderForce
+from winkler.fitting.viscoelastic.motion import UnderMotion
+from winkler.fitting.viscoelastic.task import RelaxingTask
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
-__all__ = ["driven_task"]
+__all__ = ["driven_task", "examined_stroke"]
 
+STEADY = 0.05
+"""A force that changes by less of itself is held."""
 ALPHA = (1e-3, 0.999)
 """Bounds of the exponent of a solid."""
 SMOOTH = 100
 """The velocity is smoothed over this part of the points."""
 STANDS_OUT = 5.0
 """Positions are fitted from a force on that is so many times its noise, at least."""
+
+
+def examined_stroke(curve: ForceCurve) -> tuple[Outline | None, tuple[Flag, ...]]:
+    """Return what the approach looks like, if there is one, and what is wrong with it.
+
+    Raises
+    ------
+    InvalidInput
+        If the curve has no times, goes in twice, or is refused (see `winkler.fitting.curves.checks`).
+    """
+    if not curve.timed:
+        raise InvalidInput(f"fit: curve '{curve.name}' has no times, and a solid that relaxes needs them.")
+    strokes = curve.direction[np.concatenate([[True], np.diff(curve.direction) != 0.0])]
+    out = np.flatnonzero(strokes < 0.0)
+    if out.size and (out[0] == 0 or np.any(strokes[out[0] :] > 0.0)):
+        how = "begins on the way out" if out[0] == 0 else "goes in again after it came out"
+        raise InvalidInput(f"fit: curve '{curve.name}' {how}; fit one way in, with its hold and its way out.")
+    inward = curve.direction > 0.0
+    if np.count_nonzero(inward) < FEWEST:
+        return None, ()
+    force = curve.force[inward]
+    if np.ptp(force) < STEADY * np.abs(force).max():  # a weight that stands and sinks in
+        return None, ()
+    approach = curve.chosen(inward)
+    flags = refuse(approach, but=("saturated",))  # a held force is no end of a detector
+    return outline(approach), flags
 
 
 def _velocity(curve: ForceCurve) -> Array:
@@ -44,7 +75,7 @@ def _velocity(curve: ForceCurve) -> Array:
 
 def driven_task(
     curve: ForceCurve, model: ViscoelasticIndentation, free: dict[str, Any], noise: Array, strokes: Outline | None
-) -> Driven:
+) -> RelaxingTask:
     """Return a fit as a task.
 
     Parameters
@@ -54,11 +85,11 @@ def driven_task(
     model : ViscoelasticIndentation
         Its path is only a placeholder: of depths, and forces are fitted; of forces, and positions are.
     free : dict
-        As for `winkler.fitting.task.task`; the name of a row means each of its numbers.
+        As for `winkler.fitting.elastic.task.elastic_task`; the name of a row means each of its numbers.
     noise : ndarray
         Standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known.
     strokes : Outline or None
-        What the way in looks like; none where there is no way in.
+        What the approach looks like; none where there is no approach.
 
     Raises
     ------
@@ -83,23 +114,23 @@ def driven_task(
         "drag": strength / fastest,
     }
     wanted = {path: given for name, given in free.items() for path in (each(model, name) if "." in name else (name,))}
-    weights = np.array(np.broadcast_to(np.mean(noise) / noise if noise.any() else 1.0, curve.position.shape))
+    weights = even_weights(curve, noise)
     exponents = {name: ALPHA for name in wanted if name.startswith("bed.medium.") and name.endswith(".exponent")}
-    parameters = asked(model, wanted, scales, FREELY | exponents)
+    parameters = parameters_of(model, wanted, scales, FREELY | exponents)
     nothing = np.zeros(curve.count)
     if isinstance(model.path.normal, Depth):
-        return Pressed(curve, model, parameters, weights, velocity, nothing)
+        return UnderMotion(curve, model, parameters, weights, velocity, nothing)
     if np.any(curve.direction < 0.0):
         raise InvalidInput(
             "fit: forces drive a contact only while it grows; leave out the points that come out, or fit forces."
         )
-    question = Under(curve, model, parameters, weights, velocity, nothing)
-    return question if strokes is None else _with_the_way_in(question, strokes, noise)
+    task = UnderForce(curve, model, parameters, weights, velocity, nothing)
+    return task if strokes is None else _with_approach(task, strokes, noise)
 
 
-def _with_the_way_in(question: Under, strokes: Outline, noise: Array) -> Under:
-    """Return the question that asks for forces where the contact bears little, roughly weighed."""
-    curve = question.curve
+def _with_approach(task: UnderForce, strokes: Outline, noise: Array) -> UnderForce:
+    """Return the task with forces fitted where the contact bears little, roughly weighed."""
+    curve = task.curve
     borne = curve.force - strokes.baseline
     little = borne < max(SHARE * float(borne.max()), STANDS_OUT * strokes.noise)
     many = np.count_nonzero(little[: 1 + int(np.argmax(borne))])  # as many as bear little, whatever their own noise
@@ -109,6 +140,4 @@ def _with_the_way_in(question: Under, strokes: Outline, noise: Array) -> Under:
     own = float(np.mean(noise)) or float(np.median(rough)) / (0.6745 * np.sqrt(6.0))
     own = max(own, LEAST_NOISE * float(np.ptp(curve.position)))
     of_force = max(strokes.noise, LEAST_NOISE * float(np.ptp(curve.force)))
-    return question._replace(
-        weights=np.where(early, 1.0, question.weights), per_force=np.where(early, own / of_force, 0.0)
-    )
+    return task._replace(weights=np.where(early, 1.0, task.weights), per_force=np.where(early, own / of_force, 0.0))

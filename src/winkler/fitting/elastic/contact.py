@@ -14,7 +14,8 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.response import Answer, Response, response
+from winkler.fitting.elastic.response import Answer, Response, response
+from winkler.fitting.validity import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
 from winkler.numerics.types import Array
@@ -23,13 +24,19 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation
 from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import Indentation
 
-__all__ = ["Held", "Model", "Run", "attached", "comparable", "held_contact", "moved_force", "runs_of", "states_for"]
+__all__ = [
+    "HeldContact",
+    "Run",
+    "attached",
+    "comparable",
+    "held_contact",
+    "moved_force",
+    "runs_of",
+    "states_for",
+]
 
 FARTHEST_HELD = 2.0
 """So many of its greatest pulls a contact may reach beyond its limit; without end, any tension would pass for one."""
-
-Model = Indentation | AdhesiveIndentation
-"""What may be fitted: a problem, whose load is only a placeholder."""
 
 
 class Run(NamedTuple):
@@ -41,7 +48,7 @@ class Run(NamedTuple):
     turn: float
 
 
-class Held(NamedTuple):
+class HeldContact(NamedTuple):
     """The contact as if it held at every point.
 
     Parameters
@@ -98,7 +105,7 @@ def states_for(model: Model) -> EdgeStates:
             )
 
 
-def held_contact(model: Model, compliance: float, position: Array, runs: tuple[Run, ...], origin: float) -> Held:
+def held_contact(model: Model, compliance: float, position: Array, runs: tuple[Run, ...], origin: float) -> HeldContact:
     """Return the contact at positions D from first touch, as if it held at all of them.
 
     Parameters
@@ -140,23 +147,23 @@ def held_contact(model: Model, compliance: float, position: Array, runs: tuple[R
         which = np.empty(position.shape, dtype=int)
         for run in runs:
             part = slice(run.start, run.stop)
-            way = position[part]
-            which[part] = receding.narrowest(way) if run.inward else receding.widest(way, run.turn - origin)
+            places = position[part]
+            which[part] = receding.narrowest(places) if run.inward else receding.widest(places, run.turn - origin)
         columns = np.array(receding.on(which, position))
     if not sticky:
         columns[:3, position <= 0.0] = 0.0
     force, slope, radius, balanced = columns
-    return Held(force, slope, radius, balanced > 0.0, receding, sticky)
+    return HeldContact(force, slope, radius, balanced > 0.0, receding, sticky)
 
 
-def moved_force(held: Held, other: Model, compliance: float, where: Array) -> Array:
+def moved_force(held: HeldContact, other: Model, compliance: float, where: Array) -> Array:
     r"""Return by how much the force of nearly the same model differs, at the same positions ``(m,)``.
 
     With D(a) and F(a) of both, at the radius of the first, :math:`\delta F|_D = \delta F|_a - F'(D)\,\delta D|_a`.
 
     Parameters
     ----------
-    held : Held
+    held : HeldContact
         What the model says.
     other : Indentation or AdhesiveIndentation
         The other model, `comparable` with the one of `held`.
@@ -193,12 +200,12 @@ def _unloaded(
     )
 
 
-def attached(held: Held, measured: Array, runs: tuple[Run, ...], weights: Array) -> Array:
+def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights: Array) -> Array:
     """Return at which points the contact holds.
 
     Parameters
     ----------
-    held : Held
+    held : HeldContact
     measured : ndarray, (n,)
         Forces without the baseline, times the weights.
     runs : tuple of Run

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.fitting.rising import Pair, Piece, Tabulated, tabulated
+from winkler.fitting.elastic.rising import Pair, Piece, Tabulated, tabulated
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
@@ -55,7 +55,7 @@ class Answer(NamedTuple):
     balanced: Array
 
 
-class Held(NamedTuple):
+class Continuation(NamedTuple):
     """From the position `level` [m] on downwards a force goes straight on, from `force` [N] with `slope` [N/m]."""
 
     level: float
@@ -72,13 +72,13 @@ class Response(NamedTuple):
         D [m] and F [N] over the contact radius.
     end : tuple of float
         D [m], F [N], dF/dD [N/m] and a [m] at the last radius; where the profile ends, the contact is pinned there.
-    held : tuple of Held
+    held : tuple of Continuation
         How each stretch goes on below.
     """
 
     table: Tabulated
     end: tuple[float, float, float, float]
-    held: tuple[Held, ...]
+    held: tuple[Continuation, ...]
 
     def loss(self) -> tuple[float, float]:
         """Return D [m] and F [N] at which a receding contact comes off."""
@@ -199,7 +199,7 @@ def response(states: EdgeStates, compliance: float, highest: float) -> Response:
     return Response(table, (level, force, stiffness, high), held)
 
 
-def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float, widest: float) -> Held:
+def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
     """Return from where on the force of a stretch is continued."""
     start = table.start(piece)
     radius = table.radius(start)
@@ -208,7 +208,7 @@ def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float,
         # without attraction there is nothing below; with it, a plateau would pass for a contact that goes on for ever
         pressed = float(table.read(table.where(piece, piece.levels[-1:]))[0][0])
         attracted = pull < -ROUNDING * abs(pressed)
-        return Held(float(piece.levels[0]), pull, widest if attracted else 0.0)
+        return Continuation(float(piece.levels[0]), pull, widest if attracted else 0.0)
     stiffness = float(states.bed.stiffness(radius)[0])
     steepest = STEEPEST * stiffness / (1.0 + compliance * stiffness)
     steps = (piece.places[-1] - piece.places[0]) * HALVES
@@ -218,7 +218,7 @@ def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float,
     way = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
     there = table.places(piece.places[:1] + way)
     force, slope = table.read(there)
-    return Held(float(table.level(there)[0]), float(force[0]), float(slope[0]))
+    return Continuation(float(table.level(there)[0]), float(force[0]), float(slope[0]))
 
 
 def _last_radius(states: EdgeStates, compliance: float, highest: float, low: float) -> float:

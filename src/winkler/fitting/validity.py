@@ -11,7 +11,6 @@ import numpy as np
 
 from winkler.errors import OutsideValidity
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.prediction import Model
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
 from winkler.laws.adhesion import Dugdale, ShortRange
@@ -28,7 +27,10 @@ from winkler.profiles.power import Paraboloid
 from winkler.profiles.sphere import Sphere
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["fit_notes", "free_notes"]
+__all__ = ["Model", "fit_notes", "free_notes"]
+
+Model = Indentation | AdhesiveIndentation
+"""What may be fitted without relaxation: a problem, whose load is only a placeholder."""
 
 SEEN = 0.01
 """A body that changes the stiffness by less is as good as unseen."""

@@ -1,0 +1,1 @@
+"""Fits of contacts with or without adhesion: response, start and outcome."""

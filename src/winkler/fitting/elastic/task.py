@@ -1,0 +1,146 @@
+"""The fit of a contact with or without adhesion: its forces over the measured positions, and their derivatives.
+
+The derivative with respect to the contact point follows from the slope of the predicted force; those with respect to
+the model's own numbers are differences of two models at the same contact radii, good to five digits because both are
+smooth to ten.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from winkler.errors import InvalidInput, OutsideValidity
+from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.curve import ForceCurve
+from winkler.fitting.elastic.contact import (
+    HeldContact,
+    Run,
+    attached,
+    comparable,
+    held_contact,
+    moved_force,
+    runs_of,
+    states_for,
+)
+from winkler.fitting.elastic.start import starts
+from winkler.fitting.outcome import Fit
+from winkler.fitting.task import Prediction, Task, even_weights, moved
+from winkler.fitting.validity import Model
+from winkler.fitting.varied import FREELY, parameters_of
+from winkler.loading import Depth
+from winkler.numerics.types import Array
+
+__all__ = ["ElasticTask", "elastic_task"]
+
+
+class ElasticTask(Task):
+    """A contact without memory but that of its edge; nothing relaxes."""
+
+    settled = 1e-10
+    must_settle = True
+    coarse_count = 200
+    starts_improved = 2
+    starts_are_trials = False
+
+    @property
+    def size(self) -> float:
+        """Norm of the forces, weighted [N]."""
+        return float(np.linalg.norm(self.curve.force * self.weights))
+
+    @functools.cached_property
+    def runs(self) -> tuple[Run, ...]:
+        """The parts of the curve of one direction."""
+        return runs_of(self.curve)
+
+    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+        """Return coordinates for some contact points, moduli and works of adhesion of the right size."""
+        assert strokes is not None
+        return starts(self, strokes)
+
+    def some_of(self, stretch: Array) -> Array:
+        """Return points evenly spaced."""
+        many = max(3, round(self.coarse_count * stretch.size / self.curve.count))
+        return np.linspace(stretch[0], stretch[-1], min(many, stretch.size)).astype(int)
+
+    def held(self, numbers: dict[str, float]) -> HeldContact:
+        """Return the contact as if it held everywhere."""
+        origin = numbers.get("contact_point", 0.0)
+        return held_contact(self.with_numbers(numbers), self.curve.compliance, self.along(numbers), self.runs, origin)
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return the forces [N] at coordinates."""
+        numbers = self.numbers(coordinates)
+        held, line = self.held(numbers), self.line(numbers)
+        holds = attached(held, (self.curve.force - line) * self.weights, self.runs, self.weights)
+        return Prediction(np.where(holds, held.force, 0.0) + line, holds, held)
+
+    def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
+        """Return the derivative with respect to a number if it is known in closed form, ``(n,)``, else None."""
+        if name == "contact_point":
+            return -np.where(prediction.touched, prediction.contact.slope, 0.0) - numbers.get("tilt", 0.0)
+        return super().slope(name, numbers, prediction)
+
+    def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
+        """Return the derivative with respect to a coordinate, where possible at the same contact radii."""
+        step = self.step(coordinates, index)
+        numbers, holds, held = self.numbers(moved(coordinates, index, step)), prediction.touched, prediction.contact
+        other = self.with_numbers(numbers)
+        column = np.zeros(self.curve.count)
+        if np.all(held.balanced[holds]) and comparable(self.with_numbers(self.numbers(coordinates)), other):
+            column[holds] = moved_force(held, other, self.curve.compliance, holds) / step
+        else:
+            column[holds] = (self.held(numbers).force - held.force)[holds] / step
+        return column
+
+    def model_of(self, numbers: dict[str, float], prediction: Prediction) -> Model:
+        """Return the model with its numbers, at the largest depth of the curve."""
+        model: Model = self.with_numbers(numbers)
+        bed, touched, held = model.bed, prediction.touched, prediction.contact
+        widest = float(np.max(held.radius[touched]))
+        depth = float(np.max((self.along(numbers) - self.curve.compliance * held.force)[touched]))
+        beyond = widest >= bed.reach and bed.reach < bed.rim
+        if beyond and depth > float(states_for(model).depth(np.array([bed.reach]))[0]):
+            raise OutsideValidity(
+                f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where nothing is known of the "
+                "profile; cut the curve off before, or give a profile that is known farther out."
+            )
+        return dataclasses.replace(model, load=Depth(depth))
+
+    def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> Fit:
+        """Return the fit."""
+        radius = np.where(prediction.touched, prediction.contact.radius, 0.0)
+        return Fit(**shared, radius=radius, contact=prediction.touched)
+
+
+def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) -> ElasticTask:
+    """Return a fit as a task.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+        Without held points.
+    model : Indentation or AdhesiveIndentation
+    free : dict
+        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+    noise : ndarray
+        Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here; zero: all alike.
+
+    Raises
+    ------
+    InvalidInput
+        If a name leads nowhere, or its bounds contradict themselves.
+    """
+    if not free:
+        raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")
+    span, strength = float(np.ptp(curve.position)), float(np.ptp(curve.force))
+    if span == 0.0 or strength == 0.0:
+        raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
+    scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
+    still = np.zeros(curve.count)
+    parameters = parameters_of(model, free, scales, FREELY)
+    return ElasticTask(curve, model, parameters, even_weights(curve, noise), still, still)

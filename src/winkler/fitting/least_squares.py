@@ -1,0 +1,98 @@
+"""Least squares within bounds, every evaluation counted by the search."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from winkler.errors import NotConverged, OutsideValidity
+from winkler.fitting.search import Search
+from winkler.fitting.task import Prediction, Task
+from winkler.fitting.varied import Parameter
+from winkler.numerics.types import Array
+
+__all__ = ["bounds", "solved"]
+
+MOST_PREDICTIONS = 200
+COARSE_PREDICTIONS, COARSELY_SETTLED = 25, 1e-3
+FARTHEST = 30.0
+"""How far a logarithm may stray from its start."""
+HOPELESS = 10.0
+"""Residual of numbers that the theory refuses, in the norm of what was measured."""
+
+
+def solved(task: Task, coordinates: Array, search: Search, *, coarse: bool = False) -> tuple[Array, float]:
+    """Return the coordinates of least squares, and the sum there.
+
+    Parameters
+    ----------
+    task : Task
+    coordinates : ndarray, (p,)
+        Where to begin.
+    search : Search
+        Counts the predictions.
+    coarse : bool
+        Whether a few predictions do.
+
+    Raises
+    ------
+    NotConverged
+        If the predictions do not suffice and the task must settle, or the time of the search is over.
+    """
+    from scipy.optimize import least_squares
+
+    low, high = bounds(task.parameters, coordinates)
+    margin = 1e-9 * (1.0 + np.abs(coordinates))
+    inside = np.maximum(np.minimum(coordinates, high - margin), low + margin)
+    measured, weights = task.measured, task.weights
+    size = float(np.linalg.norm(measured * weights)) or 1.0
+    count = int(np.count_nonzero(weights))
+    evaluations, settled = (COARSE_PREDICTIONS, COARSELY_SETTLED) if coarse else (MOST_PREDICTIONS, task.settled)
+    last: dict[bytes, Prediction] = {}
+    search.begin()
+
+    def predicted(at: Array) -> Prediction:
+        key = at.tobytes()
+        if key not in last:
+            last.clear()
+            last[key] = task.prediction(at)
+        return last[key]
+
+    def misfit(at: Array) -> Array:
+        try:
+            left = np.asarray((predicted(at).fitted - measured) * weights / size)
+        except OutsideValidity:
+            if np.array_equal(at, inside):
+                raise
+            left = np.full(measured.size, HOPELESS)  # where the theory does not reach, nothing is explained
+        search.seen(task.numbers(at), float(left @ left) * size**2, count)
+        return left
+
+    def slopes(at: Array) -> Array:
+        search.check()
+        return np.asarray(task.jacobian(at, predicted(at)) / size)
+
+    result = least_squares(
+        misfit,
+        inside,
+        jac=slopes,
+        bounds=(low, high),
+        x_scale="jac",
+        max_nfev=evaluations,
+        ftol=settled,
+        xtol=settled,
+        gtol=1e-15,
+    )
+    if not result.success and task.must_settle and not coarse:
+        raise NotConverged(
+            f"fit: least squares have not settled after {evaluations} predictions; give bounds or starts nearer to the "
+            "answer, or fewer free numbers."
+        )
+    return np.asarray(result.x), float(2.0 * result.cost) * size**2
+
+
+def bounds(parameters: tuple[Parameter, ...], coordinates: Array) -> tuple[Array, Array]:
+    """Return the lowest and highest coordinates, logarithms not too far from where they begin."""
+    low = np.array([parameter.inward(parameter.low) for parameter in parameters])
+    high = np.array([parameter.inward(parameter.high) for parameter in parameters])
+    wide = np.array([FARTHEST if parameter.logarithmic else np.inf for parameter in parameters])
+    return np.maximum(low, coordinates - wide), np.minimum(high, coordinates + wide)

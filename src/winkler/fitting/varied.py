@@ -1,0 +1,119 @@
+"""The numbers that a fit varies: where each begins, how far it may go, and by what coordinate."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from winkler.errors import InvalidInput, suggest
+from winkler.fitting.parameters import found, unit_of
+
+__all__ = ["FREELY", "OF_THE_CURVE", "Parameter", "parameters_of"]
+
+OF_THE_CURVE = ("contact_point", "baseline", "tilt", "drift", "drag")
+"""Names of what a curve itself leaves open; the last two need times."""
+FREELY = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
+"""Bounds of numbers that are no positive quantities without end."""
+
+
+class Parameter(NamedTuple):
+    """One number that is varied.
+
+    Parameters
+    ----------
+    name : str
+        Its path, or one of `OF_THE_CURVE`.
+    low, high : float
+        Bounds.
+    start : float
+        Where to begin.
+    given : bool
+        Whether the start was given.
+    logarithmic : bool
+        Whether its logarithm is varied.
+    scale : float
+        What it is measured in, if not by its logarithm.
+    """
+
+    name: str
+    low: float
+    high: float
+    start: float
+    given: bool
+    logarithmic: bool
+    scale: float
+
+    def inward(self, number: float) -> float:
+        """Return the coordinate that is varied."""
+        if self.logarithmic:
+            return float(np.log(number)) if number > 0.0 else -np.inf
+        return number / self.scale
+
+    def outward(self, coordinate: float) -> float:
+        """Return the number at a coordinate."""
+        return float(np.exp(coordinate)) if self.logarithmic else coordinate * self.scale
+
+    def change(self, number: float) -> float:
+        """Return by how much the number changes with the coordinate."""
+        return number if self.logarithmic else self.scale
+
+    def inside(self, number: float) -> float:
+        """Return the number within the bounds that is nearest to one."""
+        return float(np.clip(number, self.low, self.high))
+
+
+def parameters_of(
+    model: Any, free: dict[str, Any], scales: dict[str, float], freely: dict[str, tuple[float, float]]
+) -> tuple[Parameter, ...]:
+    """Return the numbers that are varied.
+
+    Parameters
+    ----------
+    model : value
+        The paths lead into it.
+    free : dict
+        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+    scales : dict of str to float
+        Names of what the curve itself leaves open, and what they are measured in.
+    freely : dict of str to (float, float)
+        Paths, or last names, of numbers that are no positive quantities without end, and their bounds.
+
+    Raises
+    ------
+    InvalidInput
+        If a name leads nowhere, or its bounds contradict themselves.
+    """
+    parameters = []
+    for name, given in free.items():
+        if name in scales:
+            scale, low, high, start, logarithmic = scales[name], -np.inf, np.inf, 0.0, False
+        else:
+            if "." not in name:
+                raise InvalidInput(
+                    f"free: '{name}' is neither a path into the model nor one of {', '.join(scales)}"
+                    f"{suggest(name, scales)}."
+                )
+            start = found(model, name)
+            usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
+            low, high = freely.get(name, freely.get(name.rpartition(".")[2], usual))
+            logarithmic = low == 0.0
+            scale = 1.0 if unit_of(model, name) == "" else max(abs(start), 1e-300)
+        own_start = False
+        if isinstance(given, tuple | list) and len(given) == 2:
+            low, high = max(low, float(given[0])), min(high, float(given[1]))
+            start = start if low < start < high else _between(low, high, logarithmic)
+        elif isinstance(given, int | float) and not isinstance(given, bool):
+            start, own_start = float(given), True
+        elif not (isinstance(given, tuple | list) and len(given) == 0):
+            raise InvalidInput(f"free: '{name}' is {given!r}; give (low, high), a start value, or () for neither.")
+        if not (low < high and low <= start <= high):
+            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
+        parameters.append(Parameter(name, low, high, start, own_start, logarithmic, scale))
+    return tuple(parameters)
+
+
+def _between(low: float, high: float, logarithmic: bool) -> float:
+    if logarithmic and low > 0.0:
+        return float(np.sqrt(low * high))
+    return 0.5 * (low + high) if np.isfinite(low) and np.isfinite(high) else (low if np.isfinite(low) else high)

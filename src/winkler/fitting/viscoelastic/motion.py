@@ -1,0 +1,47 @@
+"""The motion of the machine drives a relaxing contact, and forces are fitted."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from winkler.fitting.outcome import ViscoelasticFit
+from winkler.fitting.task import Prediction
+from winkler.fitting.viscoelastic.response import ContactHistory, elastic_table, forces
+from winkler.fitting.viscoelastic.task import RelaxingTask
+from winkler.loading import Depth
+from winkler.numerics.types import Array
+from winkler.path import Path
+from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
+
+__all__ = ["UnderMotion"]
+
+
+class UnderMotion(RelaxingTask):
+    """The motion drives, forces are fitted."""
+
+    def prediction(self, coordinates: Array) -> Prediction:
+        """Return the forces [N] with everything that is not contact."""
+        numbers = self.numbers(coordinates)
+        model, place = self.with_numbers(numbers), self.place(numbers)
+        highest = float(place.max())
+        if not highest > 0.0:
+            nothing = np.zeros(place.size)
+            return Prediction(self.line(numbers), nothing > 0.0, ContactHistory(nothing, place, nothing))
+        table = elastic_table(elastic_like(model.bed), highest)
+        series = relaxation_of("fit", model.bed)
+        contact = forces(table, series, self.curve.time, place, self.turn, self.curve.compliance)
+        return Prediction(contact.force + self.line(numbers), contact.force > 0.0, contact)
+
+    def model_of(self, numbers: dict[str, float], prediction: Prediction) -> ViscoelasticIndentation:
+        """Return the model with its numbers, along the fitted depths."""
+        path = Path(self.curve.time, Depth(prediction.contact.depth))
+        model: ViscoelasticIndentation = self.with_numbers(numbers)
+        return dataclasses.replace(model, path=path)
+
+    def outcome(self, numbers: dict[str, float], prediction: Prediction, shared: dict[str, Any]) -> ViscoelasticFit:
+        """Return the fit."""
+        return ViscoelasticFit(**shared, **self.relaxing_fields(numbers, prediction))
