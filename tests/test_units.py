@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from winkler.errors import InvalidInput
+from winkler.unit_grammar import ALONE, PREFIXED, PREFIXES, ZEROS, _named_by_pint, si_unit
 from winkler.units import format_quantity, quantity, scale, to_si
 from winkler.vocabulary import GLOSSARY, OWNED
 
@@ -298,13 +299,19 @@ def test_any_text_is_read_or_refused(text, unit):
     assert math.isfinite(number)
 
 
-def test_pint_is_loaded_only_when_asked():
-    ask = "u.quantity('1 mm', 'm', what='x')"
-    code = (
-        f"import sys, winkler.units as u; before = 'pint' in sys.modules; {ask}; print(before, 'pint' in sys.modules)"
-    )
+@pytest.mark.parametrize(("written", "loaded"), [("1 mm", "False"), ("1 kN/GPa/mm", "False"), ("1 inch", "True")])
+def test_pint_is_loaded_only_for_names_that_the_table_lacks(written, loaded):
+    ask = f"u.quantity({written!r}, 'm', what='x')"
+    code = f"import sys, winkler.units as u; {ask}; print('pint' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
-    assert done.stdout.split() == ["False", "True"]
+    assert done.stdout.split() == [loaded]
+
+
+def test_the_table_of_units_says_what_pint_says():
+    """A second source for each factor, dimension and zero, with the exact fractions of pint's own definitions."""
+    names = [*ALONE, *ZEROS, *PREFIXED, *(prefix + symbol for symbol in PREFIXED for prefix in PREFIXES)]
+    assert {name for name in names if si_unit(name) != _named_by_pint(name)} == set()
+    assert si_unit("kfurlong") is si_unit("inch") is si_unit("") is None
 
 
 def test_a_unit_alone_may_have_superscripts():

@@ -18,24 +18,45 @@ if TYPE_CHECKING:
 
     __version__: str
 else:
+    _MODULES = {}
+
+    def _modules():
+        """Return public name -> module, read from the imports in `winkler.public`, which is not run for it."""
+        if not _MODULES:
+            import ast
+            from importlib.util import find_spec
+
+            source = find_spec("winkler.public").loader.get_source("winkler.public")
+            if source is None:  # compiled modules without their text: all names come at once
+                from winkler.public import __all__ as names
+
+                _MODULES.update(dict.fromkeys(names, "winkler.public"))
+                return _MODULES
+            imports = [line for line in ast.parse(source).body if isinstance(line, ast.ImportFrom)]
+            _MODULES.update({known.name: line.module for line in imports for known in line.names})
+        return _MODULES
 
     def __getattr__(name):
-        """Load what the package offers when the first of its names is asked for; see `winkler.public`."""
+        """Load a public name when it is first used, and with it the modules that it needs; see `winkler.public`."""
         if name == "__version__":
             from importlib.metadata import version
 
             return version("winkler")
         if name.startswith("__") and name != "__all__":
             raise AttributeError(f"module 'winkler' has no attribute {name!r}")
-        import winkler.public as door
+        if name == "__all__":
+            found = sorted([*_modules(), "__version__"])
+        elif name in _modules():
+            from importlib import import_module
 
-        names = [*door.__all__, "__version__"]
-        globals().update({word: getattr(door, word) for word in door.__all__}, __all__=sorted(names))
-        if name not in globals():
+            found = getattr(import_module(_modules()[name]), name)
+        else:
             from winkler.errors import suggest
 
-            raise AttributeError(f"module 'winkler' has no attribute {name!r}{suggest(name, names)}", name=name)
-        return globals()[name]
+            near = suggest(name, __getattr__("__all__"))
+            raise AttributeError(f"module 'winkler' has no attribute {name!r}{near}", name=name)
+        globals()[name] = found
+        return found
 
     def __dir__():
         """List the public names."""

@@ -1,7 +1,7 @@
 """What `import winkler` offers, each name from the page where it lives.
 
-The package loads this page when the first of the names is asked for; the command line, which asks for none, starts
-without it.
+The package reads these imports without running them: a name is loaded from its module when it is first used, and the
+modules of other names are not.  Type checkers and editors take them as they stand.
 """
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity, WinklerError

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import sys
 from collections.abc import Callable
 from typing import Any, TypeVar, dataclass_transform
 
@@ -28,7 +29,8 @@ T = TypeVar("T")
 
 def frozen_array(array: Any) -> np.ndarray:
     """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
-    if isinstance(array, np.ma.MaskedArray) and array.dtype.kind in "iuf":
+    masked = "numpy.ma" in sys.modules and isinstance(array, np.ma.MaskedArray)  # numpy loads it where it is used
+    if masked and array.dtype.kind in "iuf":
         array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none
     result = np.array(array)
     if result.dtype.kind in "iu":

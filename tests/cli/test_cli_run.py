@@ -92,6 +92,36 @@ def test_json(here, capsys):
     assert {"title", "folder", "hash", "version", "answers", "expect", "failed", "validity"} <= set(content)
     assert content["answers"][0] == {"name": "depth", "unit": "m", "values": [pytest.approx(2.19409574e-6)]}
     assert content["version"] == wk.__version__
+    assert content["folder"] is None
+    assert names(here) == ["ball.toml"]
+
+
+def test_json_with_a_folder_writes_there_too(here, capsys):
+    assert main(["run", "ball.toml", "--json", "--output", "out"]) == 0
+    assert json.loads(capsys.readouterr().out)["folder"] == "out"
+    assert PROVENANCE in names(here / "out")
+
+
+@pytest.mark.parametrize(
+    ("words", "endings"),
+    [([], {"svg"}), (["--figures", "png, pdf"], {"png", "pdf"}), (["--figures", "all"], {"svg", "png", "pdf"})],
+)
+def test_figures_are_files_in_the_formats_of_the_option(words, endings, here):
+    (here / "ball.toml").write_text(STUDY.partition("[output]")[0] + "[output]\nreport = false\n", encoding="utf-8")
+    assert main(["run", "ball.toml", "--quiet", *words]) == 0
+    assert {path.suffix[1:] for path in (here / "results/ball/figures").iterdir()} == endings
+
+
+def test_no_figures_but_a_report(here):
+    (here / "ball.toml").write_text(STUDY.partition("[output]")[0], encoding="utf-8")
+    assert main(["run", "ball.toml", "--quiet", "--figures", "none"]) == 0
+    assert not (here / "results/ball/figures").exists()
+    assert (here / "results/ball/report.html").read_text(encoding="utf-8").count("<svg") > 3
+
+
+def test_a_format_that_nobody_draws_is_refused(here, capsys):
+    assert main(["run", "ball.toml", "--figures", "gif"]) == 2
+    assert "figures cannot be written as 'gif'; give some of svg, png, pdf." in capsys.readouterr().err
 
 
 def test_a_second_run_is_refused_without_a_word_of_consent(here, capsys):

@@ -49,7 +49,7 @@ def unread():
     ("words", "code"),
     [
         (["run", "ball.toml"], 0),
-        (["run", "missed.toml", "--json"], 1),
+        (["run", "missed.toml", "--json", "--output", "results/missed"], 1),
         (["run", "missed.toml"], 1),
         (["show"], 0),
         (["show", "copper"], 0),
@@ -74,7 +74,9 @@ def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd, mo
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
-@pytest.mark.parametrize("words", [["run", "ball.toml"], ["run", "ball.toml", "--json"], ["show"]])
+@pytest.mark.parametrize(
+    "words", [["run", "ball.toml"], ["run", "ball.toml", "--json", "--output", "results/ball"], ["show"]]
+)
 def test_a_full_disk_behind_stdout_is_told_in_a_sentence(words, here, monkeypatch, capfd):
     with open("/dev/full", "w", encoding="utf-8") as stream:
         monkeypatch.setattr(sys, "stdout", stream)

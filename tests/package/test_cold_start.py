@@ -1,11 +1,14 @@
-"""`winkler --help` answers at once: it loads what prints, and nothing that computes."""
+"""What is loaded for a word on the command line, or for one public name: what it needs, and nothing else."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
+
+import winkler as wk
 
 COMPUTING = ("numpy", "scipy", "numba", "pandas", "xarray", "pint", "matplotlib", "winkler.public")
 """Not pydantic: typer itself asks for it where it is installed, before it shows the help of a command."""
@@ -20,6 +23,74 @@ def test_help_loads_nothing_that_computes(words):
     assert loaded.isdisjoint(COMPUTING)
 
 
+STUDY = """[problem]
+kind = "indentation"
+load = { kind = "force", force = "100 N" }
+
+[problem.bed]
+kind = "foundation"
+profile = { kind = "sphere", curvature_radius = "10 mm" }
+medium = { kind = "half_space", first = { kind = "elastic", young = "210 GPa", poisson = 0.3 } }
+"""
+ELSEWHERE = {
+    "pint", "numba", "scipy", "pandas", "xarray", "dask", "distributed", "sympy", "winkler.public", "winkler.web",
+    "winkler.reference",
+}  # fmt: skip
+"""What one elastic contact does not need."""
+OF_REPORTS = {"matplotlib", "h5netcdf", "h5py", "tomli_w", "rich"}
+
+
+def modules_after(code: str, folder: Path | None = None) -> set[str]:
+    """Return what a new process has loaded after some lines."""
+    code = f"{code}; import sys; print(*sys.modules, file=sys.stderr)"
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
+    return set(answer.stderr.split())
+
+
+@pytest.mark.parametrize(
+    ("name", "elsewhere"),
+    [
+        ("Sphere", {"winkler.problems", "winkler.media", "winkler.foundation", "winkler.materials", "winkler.study"}),
+        ("HalfSpace", {"winkler.problems", "winkler.foundation", "winkler.fitting", "winkler.study"}),
+        ("Indentation", {"winkler.problems.friction", "winkler.problems.wear", "winkler.fitting", "winkler.study"}),
+        ("fit", {"winkler.study", "winkler.plot", "winkler.problems.wear"}),
+    ],
+)
+def test_one_name_loads_the_modules_of_its_own_page(name, elsewhere):
+    loaded = modules_after(f"import winkler; winkler.{name}")
+    assert getattr(wk, name).__module__ in loaded
+    assert loaded.isdisjoint(ELSEWHERE | OF_REPORTS | {"pydantic", "typer"} | elsewhere)
+
+
+def test_the_package_alone_loads_next_to_nothing():
+    assert {name for name in modules_after("import winkler") if name.startswith(("winkler", "numpy"))} == {"winkler"}
+
+
+def test_names_are_found_where_modules_have_no_text():
+    """As in a distribution of compiled files."""
+    code = (
+        "import importlib.machinery as m; m.SourceFileLoader.get_source = lambda self, name: None; import winkler; "
+        "assert winkler.Sphere(1.0).curvature_radius == 1.0; assert len(winkler.__all__) > 200"
+    )
+    assert "winkler.public" in modules_after(code)
+
+
+def test_numbers_alone_load_nothing_that_draws_or_writes(tmp_path):
+    (tmp_path / "ball.toml").write_text(STUDY, encoding="utf-8")
+    loaded = modules_after("from winkler.cli import main; main(['run', 'ball.toml', '--json'])", tmp_path)
+    assert "winkler.problems.normal.indentation" in loaded
+    assert loaded.isdisjoint(ELSEWHERE | OF_REPORTS | {"winkler.plot", "winkler.fields", "winkler.problems.wear"})
+    assert [path.name for path in tmp_path.iterdir()] == ["ball.toml"]
+
+
+def test_a_report_loads_what_draws_and_writes_it(tmp_path):
+    (tmp_path / "ball.toml").write_text(STUDY, encoding="utf-8")
+    loaded = modules_after("from winkler.cli import main; main(['run', 'ball.toml', '--quiet'])", tmp_path)
+    assert {"matplotlib", "h5netcdf"} <= loaded
+    assert loaded.isdisjoint(ELSEWHERE | {"rich", "matplotlib.pyplot"})
+    assert (tmp_path / "results/ball/report.html").is_file()
+
+
 def test_the_names_come_when_they_are_asked_for():
     code = (
         "import sys, winkler; assert 'winkler.public' not in sys.modules; assert not hasattr(winkler, '__wrapped__'); "
@@ -31,7 +102,5 @@ def test_the_names_come_when_they_are_asked_for():
 
 
 def test_a_name_that_is_not_there_is_refused_by_name():
-    import winkler
-
     with pytest.raises(AttributeError, match="module 'winkler' has no attribute 'Hertz'"):
-        winkler.Hertz  # noqa: B018
+        wk.Hertz  # noqa: B018

@@ -19,8 +19,7 @@ HEAVY = (
     "pint",
     "typer",
     "rich",
-    "scipy.optimize",
-    "scipy.interpolate",
+    "scipy",
 )
 
 

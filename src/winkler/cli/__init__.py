@@ -10,6 +10,7 @@ terminated.
 from __future__ import annotations
 
 import contextlib
+import gc
 import sys
 from collections.abc import Sequence
 
@@ -56,6 +57,7 @@ def _command(words: list[str]) -> int:
     from winkler.cli.app import command
 
     stopping.look()  # what is imported may swallow a signal
+    gc.set_threshold(100_000)  # what is loaded stays: to look through it for garbage takes a tenth of a short run
     answer = command(args=words or ["--help"], prog_name="winkler", standalone_mode=False)
     stopping.look()
     if answer == stopping.INTERRUPTED:  # what typer makes of Ctrl-C

@@ -94,7 +94,7 @@ def _may_overwrite(folder: Path) -> bool:
     raise InvalidInput(f"output: '{folder}' was kept; give another folder with --output.")
 
 
-def say_outcome(outcome: Outcome | FitOutcome, folder: Path, columns: str, more: dict[str, Any]) -> None:
+def say_outcome(outcome: Outcome | FitOutcome, folder: Path | None, columns: str, more: dict[str, Any]) -> None:
     """Say an outcome as JSON.
 
     Parameters
@@ -102,7 +102,7 @@ def say_outcome(outcome: Outcome | FitOutcome, folder: Path, columns: str, more:
     outcome
         What a study came to.
     folder
-        Where it was written.
+        Where it was written; None if nowhere.
     columns
         What its table is called.
     more
@@ -112,7 +112,7 @@ def say_outcome(outcome: Outcome | FitOutcome, folder: Path, columns: str, more:
     say_json(
         {
             "title": outcome.study.title,
-            "folder": str(folder),
+            "folder": str(folder) if folder else None,
             "version": made.version,
             "hash": made.hash,
             "seconds": made.seconds,

@@ -1,21 +1,24 @@
-"""``winkler run``: solve a study and write its results."""
+"""``winkler run``: solve a study and write its results, or show its numbers alone."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from winkler.cli.options import AsJson, Output, Overwrite, Quiet
+from winkler.cli.options import Output, Overwrite, Quiet
 from winkler.cli.results import resumed, say_outcome
 from winkler.cli.saying import read_or_not, say
 
 if TYPE_CHECKING:
     from winkler.errors import WinklerError
     from winkler.study.batch.outcome import Outcome
+    from winkler.study.batch.pool import Workers
+    from winkler.study.language.study import Study
 
 __all__ = ["run"]
 
@@ -40,8 +43,18 @@ def run(
         ),
     ] = "",
     anew: Annotated[bool, typer.Option("--anew", help="Forget what a sweep that was stopped has solved.")] = False,
+    figures: Annotated[
+        str,
+        typer.Option(
+            "--figures",
+            help="Formats of the figures as files, in place of the study's: some of svg, png, pdf, such as svg,png; "
+            "all, or none.",
+        ),
+    ] = "",
     quiet: Quiet = False,
-    as_json: AsJson = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Show the answers as JSON; nothing is written unless --output is given.")
+    ] = False,
 ) -> int:
     """Solve a study; write numbers, figures and a report.
 
@@ -51,48 +64,102 @@ def run(
 
     Example: winkler run examples/studies/normal/hertz.toml --output results/ball
     """
-    from winkler.cli import terminal
-    from winkler.errors import Interrupted, InvalidInput, Mistake, WinklerError
-    from winkler.study.batch.checkpoint import Keep
+    from winkler.errors import Interrupted, InvalidInput, Mistake
     from winkler.study.batch.cluster import Cluster
-    from winkler.study.batch.journal import Journal
     from winkler.study.batch.pool import Machine
-    from winkler.study.batch.run import gather, named
-    from winkler.study.batch.sweep import solve_points
     from winkler.study.language.reading import read_study
-    from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()
     if cluster and workers is not None:
         raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
-    asked = read_study(study)
-    folder = output or Path(asked.output.folder or Path("results") / study.stem)
-    many, hidden = math.prod(asked.shape), quiet or as_json
-    journal, keep = Journal.beside(folder, asked), Keep.beside(folder)
-    with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
-        before = journal.count
-        who = Cluster(cluster) if cluster else Machine() if workers is None else workers
-        watch = terminal.marching(hidden=hidden or many > 1)
-        points = solve_points(asked, journal if many > 1 else None, workers=who, watch=watch, keep=keep)
-        watched = terminal.tracked(points, many, hidden=hidden, before=before)
-        try:
-            outcome = gather(asked, watched, started=started, source=study.name)
-            write_outcome(outcome, partial)
-        except WinklerError as error:
-            raise named(error, study.name) from None
-        code = _code(outcome)
-        journal.complete = code != Interrupted.exit_code
+    content = _with_figures(read_study(study), figures)
+    who = Cluster(cluster) if cluster else Machine() if workers is None else workers
+    job = _Job(content, study.name, who, started, hidden=quiet or as_json)
+    if as_json and output is None:
+        folder, before, outcome = None, 0, _answered(job)
+        place = "shown on stdout"
+    else:
+        folder = output or Path(content.output.folder or Path("results") / study.stem)
+        before, outcome = _written(job, folder, overwrite=overwrite, anew=anew)
+        place = f"in {folder}"
     if as_json:
         _print_json(outcome, folder)
-    elif not quiet:
+    elif folder is not None and not quiet:
         _print(outcome, folder)
         if before:
-            say(f"{before} of {many} points were known from the run before.")
+            say(f"{before} of {job.many} points were known from the run before.")
+    code = _code(outcome)
     if code == Interrupted.exit_code:
-        raise Interrupted(f"interrupted; the points that were reached are kept in {folder}.")
+        raise Interrupted(f"interrupted; the points that were reached are {'kept ' if folder else ''}{place}.")
     if code == Mistake.exit_code:
-        raise _mistake(study.name, outcome, folder)
+        raise _mistake(study.name, outcome, place)
     return code
+
+
+class _Job(NamedTuple):
+    """What is to be solved, by whom, and since when."""
+
+    study: Study
+    name: str
+    workers: Workers
+    started: float
+    hidden: bool
+
+    @property
+    def many(self) -> int:
+        """Number of points."""
+        return math.prod(self.study.shape)
+
+
+def _with_figures(study: Study, given: str) -> Study:
+    """Return the study with the formats of its figures that the option gives."""
+    from winkler.study.language.study import PICTURES
+
+    if not given:
+        return study
+    whole = {"all": PICTURES, "none": ()}
+    formats = whole[given] if given in whole else tuple(name.strip() for name in given.split(","))
+    return dataclasses.replace(study, output=dataclasses.replace(study.output, figures=formats))
+
+
+def _answered(job: _Job) -> Outcome:
+    """Solve a study, and write nothing."""
+    from winkler.cli import terminal
+    from winkler.errors import WinklerError
+    from winkler.study.batch.run import gather, named
+    from winkler.study.batch.sweep import solve_points
+
+    points = solve_points(job.study, workers=job.workers, watch=terminal.marching(hidden=True))
+    try:
+        return gather(job.study, points, started=job.started, source=job.name)
+    except WinklerError as error:
+        raise named(error, job.name) from None
+
+
+def _written(job: _Job, folder: Path, *, overwrite: bool, anew: bool) -> tuple[int, Outcome]:
+    """Solve a study and write its results; return how many points an earlier run had solved, and the outcome."""
+    from winkler.cli import terminal
+    from winkler.errors import Interrupted, WinklerError
+    from winkler.study.batch.checkpoint import Keep
+    from winkler.study.batch.journal import Journal
+    from winkler.study.batch.run import gather, named
+    from winkler.study.batch.sweep import solve_points
+    from winkler.study.report.writing import write_outcome
+
+    study, many = job.study, job.many
+    journal, keep = Journal.beside(folder, study), Keep.beside(folder)
+    with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
+        before = journal.count
+        watch = terminal.marching(hidden=job.hidden or many > 1)
+        points = solve_points(study, journal if many > 1 else None, workers=job.workers, watch=watch, keep=keep)
+        watched = terminal.tracked(points, many, hidden=job.hidden, before=before)
+        try:
+            outcome = gather(study, watched, started=job.started, source=job.name)
+            write_outcome(outcome, partial)
+        except WinklerError as error:
+            raise named(error, job.name) from None
+        journal.complete = _code(outcome) != Interrupted.exit_code
+    return before, outcome
 
 
 def _code(outcome: Outcome) -> int:
@@ -106,8 +173,8 @@ def _code(outcome: Outcome) -> int:
     return 0 if all(verdict.passed for verdict in outcome.verdicts) else MISSED
 
 
-def _mistake(name: str, outcome: Outcome, folder: Path) -> WinklerError:
-    """Return what is raised when the results are written and winkler is at fault for points without an answer."""
+def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
+    """Return what is raised when the results are there and winkler is at fault for points without an answer."""
     from winkler.errors import Mistake
     from winkler.study.batch.run import first_failure, raised
 
@@ -116,7 +183,7 @@ def _mistake(name: str, outcome: Outcome, folder: Path) -> WinklerError:
     return raised(
         first,
         f"{name}: at {count} of {len(outcome.points)} points winkler is at fault, not the study; what the others "
-        f"answer is in {folder}. The first: {first.reason}",
+        f"answer is {place}. The first: {first.reason}",
     )
 
 
@@ -141,7 +208,7 @@ def _print(outcome: Outcome, folder: Path) -> None:
     out.print(f"Written to {folder} in {outcome.provenance.seconds:.1f} s.", soft_wrap=True)
 
 
-def _print_json(outcome: Outcome, folder: Path) -> None:
+def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
 
     more = {

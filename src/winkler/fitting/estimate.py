@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.special import stdtrit
 
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
@@ -84,6 +83,8 @@ class Estimate:
 
     def quantile(self, confidence: float) -> float:
         """Return how many standard errors wide an interval is on either side, by Student's t."""
+        from scipy.special import stdtrit
+
         if not 0.0 < confidence < 1.0:
             raise InvalidInput(f"fit: a confidence of {confidence!r} was asked for; give a number between 0 and 1.")
         return float(stdtrit(max(self.effective_count - len(self.names), 1.0), 0.5 + 0.5 * confidence))

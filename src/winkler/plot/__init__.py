@@ -1,20 +1,44 @@
-"""Figures: ``draw(anything)`` returns a matplotlib figure."""
+"""Figures: ``draw(anything)`` returns a matplotlib figure.
 
-# ruff: noqa: E402
+``draw`` is loaded with all pictures that it knows when it is first used; a report that draws single pictures starts
+without them.
+"""
+
+from __future__ import annotations
+
+import sys
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
 from winkler.caches import with_fonts
+
+if TYPE_CHECKING:
+    from winkler.plot.draw import draw, sheet_of
+
+__all__ = ["draw", "sheet_of"]
 
 with_fonts()
 
-# imported so that draw() knows what they show
-from winkler.plot import beds, restored  # noqa: F401
-from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
-from winkler.plot.draw import draw, sheet_of
-from winkler.plot.heating import heating  # noqa: F401
-from winkler.plot.rolling import rolling  # noqa: F401
-from winkler.plot.rough import lines, roughness  # noqa: F401
-from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
-from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
-from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
-from winkler.plot.wear import wear  # noqa: F401
 
-__all__ = ["draw", "sheet_of"]
+class _Package(ModuleType):
+    """A package with the functions `draw` and `sheet_of`; the module of the first name does not replace it."""
+
+    @property
+    def draw(self) -> Any:
+        from winkler.plot.registered import draw
+
+        return draw
+
+    @draw.setter
+    def draw(self, module: ModuleType) -> None:
+        """Take the module ``winkler.plot.draw``, which Python sets as an attribute when it is imported."""
+
+    @property
+    def sheet_of(self) -> Any:
+        from winkler.plot.registered import sheet_of
+
+        return sheet_of
+
+
+if not TYPE_CHECKING:
+    sys.modules[__name__].__class__ = _Package

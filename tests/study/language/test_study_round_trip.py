@@ -18,7 +18,7 @@ from winkler.study.language.catalogue import CATALOGUE, REFUSED, kind_of, kinds,
 from winkler.study.language.designs import Zipped
 from winkler.study.language.explain import completed, example_study, keys_of, place_of, table_at
 from winkler.study.language.reading import parse_study, study_text
-from winkler.study.language.schema import form, forms, hints, options
+from winkler.study.language.schema import form, hints, options
 from winkler.study.language.study import Axis, Expectation, Fields, Output, Places, Study
 
 positive = st.floats(1e-12, 1e12)
@@ -46,7 +46,7 @@ def test_a_form_has_the_keys_of_its_class(name):
 
 def test_names_of_kinds_are_unique():
     names = [name for slot in CATALOGUE.values() for name in slot]
-    assert len(names) == len(set(names)) == len(forms())
+    assert len(names) == len(set(names)) == len({form(name) for name in kinds()})
     assert not set(REFUSED) & set(names)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import math
 
+import h5netcdf
 import numpy as np
 import pytest
 from study_samples import SAMPLES, pressed
@@ -46,6 +47,20 @@ def test_every_answer_comes_back(name, outcomes, reopened):
     for answer in outcome.answers:
         expected = outcome.answer(answer)
         np.testing.assert_array_equal(data[answer].values, expected if expected.shape[-1] > 1 else expected[..., 0])
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_file_is_the_one_that_xarray_writes(name, outcomes, reopened, tmp_path):
+    """An independent writer of the same dataset: values, types, dimensions, coordinates and attributes."""
+    other = tmp_path / "other.nc"
+    archive.dataset(outcomes[name]).to_netcdf(other, engine="h5netcdf")
+    with xarray.open_dataset(other, engine="h5netcdf") as data:
+        assert reopened(name).identical(data.load())
+    with h5netcdf.File(tmp_path / archive.NETCDF) as one, h5netcdf.File(other) as two:
+        told, wanted = (
+            {key: str(sorted(item.attrs.items())) for key, item in file.variables.items()} for file in (one, two)
+        )
+        assert told == wanted
 
 
 @pytest.mark.parametrize("name", SAMPLES)

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import j0, j1
 
 from winkler.errors import OutsideValidity
 from winkler.materials.elastic import Elastic, Solid
@@ -163,6 +162,8 @@ def _enough(xi: Array, distance: float) -> int:
 
 def superposed(state: State, waves: Waves, r: Array) -> Array:
     """Return the six parts of a `BodyField` at one depth."""
+    from scipy.special import j0, j1
+
     end = waves.xi.size
     twice, poisson = 2.0 * state.solid.shear, state.solid.poisson
     strain, lift = state.moved[:end, 0] * waves.weights, state.moved[:end, 1] * waves.weights

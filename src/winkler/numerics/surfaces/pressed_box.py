@@ -10,7 +10,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import scipy.fft
 
 from winkler.errors import NotConverged
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
@@ -46,6 +45,8 @@ class ByLoad(NamedTuple):
 
 def box_around(there: Array) -> tuple[slice, slice]:
     """Return the box around these pixels, and somewhat more."""
+    import scipy.fft
+
     sides = []
     for axis, most in enumerate(there.shape):
         places = np.flatnonzero(there.any(axis=1 - axis))

@@ -15,7 +15,6 @@ import os
 from typing import NamedTuple
 
 import numpy as np
-import scipy.fft
 
 from winkler.numerics.types import Array
 
@@ -99,6 +98,8 @@ class SurfaceGrid(NamedTuple):
 
     def displaced(self, pressure: Array) -> Array:
         """Return u [m] under p, over E*."""
+        import scipy.fft
+
         (nx, ny), (mx, my) = self.shape, self.padded
         rows = scipy.fft.rfft(pressure, my, axis=1, workers=self.workers)
         both = scipy.fft.fft(rows, mx, axis=0, workers=self.workers)
@@ -108,6 +109,8 @@ class SurfaceGrid(NamedTuple):
 
     def roughly_pressing(self, displacement: Array) -> Array:
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
+        import scipy.fft
+
         seen = scipy.fft.rfft2(displacement, workers=self.workers)
         seen *= self.wave_numbers
         return np.asarray(scipy.fft.irfft2(seen, s=self.shape, workers=self.workers))
@@ -117,6 +120,8 @@ def _made(
     shape: tuple[int, int], pixel: tuple[float, float], periodic: bool, digits: np.dtype[np.floating]
 ) -> SurfaceGrid:
     """Return a grid."""
+    import scipy.fft
+
     nx, ny = shape
     workers = (os.cpu_count() or 1) if nx * ny > ALONE else 1
     qx = 2.0 * np.pi * scipy.fft.fftfreq(nx, pixel[0])[:, None]

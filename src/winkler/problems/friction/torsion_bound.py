@@ -18,7 +18,6 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import ellipkm1
 
 from winkler.foundation.bed import Bed
 from winkler.numerics.panels.kink_panels import Stretches, stretches
@@ -70,6 +69,8 @@ class TwistBound:
         return self.bed.stiffness(radius) * self.bed.gap(radius) - self.bed.gap_load(radius)
 
     def _gather(self) -> None:
+        from scipy.special import ellipkm1
+
         panels, t = self.panels, self.x.ravel()
         weight = self.bed.gap_slope(t) * panels.stretch.ravel() / t
         self._table: Array = ellipkm1((t[:, None] / t) ** 2) * weight
@@ -92,6 +93,8 @@ class TwistBound:
             edge = self._table[:used, used - count : used] @ panels.part(place, k)[0]
             result[:used] = self._sums[:used, int(k[0])] + edge
             if press.excess > 0.0:
+                from scipy.special import ellipkm1
+
                 result[:used] += press.excess * ellipkm1((self.x.ravel()[:used] / press.radius) ** 2) / press.radius
         return self._factor * result.reshape(self.x.shape)
 

@@ -18,7 +18,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.special import erf, exp1
 
 from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -62,6 +61,8 @@ def area_fraction(pressure: Array, modulus: float, rms_slope: float) -> Array:
     >>> round(float(area_fraction(np.array(0.01), 1.0, 1.0)), 6)  # sqrt(8 / pi) p at small pressures
     0.015957
     """
+    from scipy.special import erf
+
     given = _checked(pressure, "area_fraction", modulus=modulus, rms_slope=rms_slope)
     return np.asarray(erf(np.sqrt(2.0) * given / (modulus * rms_slope)))
 
@@ -117,6 +118,8 @@ def _checked(pressure: Array, owner: str, **numbers: float) -> Array:
 
 def _work(start: Array) -> Array:
     """Return J(s)."""
+    from scipy.special import erf, exp1
+
     nodes, weights = gauss_legendre(NODES)
     rest = np.maximum(FARTHEST - start, 0.0)[:, None]
     s = start[:, None] + rest * nodes

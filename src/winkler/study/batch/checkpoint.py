@@ -14,16 +14,14 @@ from typing import Any
 
 from winkler.errors import InvalidInput
 from winkler.io.array_file import version_of
-from winkler.io.wear_states import read_wear, write_wear
-from winkler.problems.wear.fretting import FrettingWear
-from winkler.problems.wear.sliding import SlidingWear
+from winkler.study.chapters.kind import path_of
 from winkler.study.language.canonical import digest_of
 from winkler.values import value
 
-__all__ = ["KEPT", "Keep", "refuse_other_version"]
+__all__ = ["Keep", "refuse_other_version"]
 
-KEPT = (FrettingWear, SlidingWear)
-"""Problems whose march goes on from a state."""
+KEPT = ("winkler.problems.wear.fretting:FrettingWear", "winkler.problems.wear.sliding:SlidingWear")
+"""Paths of problems whose march goes on from a state."""
 ENDING = ".states.npz"
 
 
@@ -74,6 +72,11 @@ class Keep:
         """Return the file of a problem."""
         return Path(self.folder) / f".{self.stem}.{digest_of(problem)[:16]}{ENDING}"
 
+    @staticmethod
+    def takes(problem: Any) -> bool:
+        """Return whether the march of a problem goes on from a state."""
+        return path_of(type(problem)) in KEPT
+
     def reached(self, problem: Any) -> list[Any]:
         """Return the states that an earlier run has reached; none if there was none, or its file is spoilt.
 
@@ -83,8 +86,10 @@ class Keep:
             If another version of winkler has written them: its numbers may be others.
         """
         path = self.path(problem)
-        if not isinstance(problem, KEPT) or not path.exists():
+        if not self.takes(problem) or not path.exists():
             return []
+        from winkler.io.wear_states import read_wear
+
         try:
             states = list(read_wear(problem.bed, path))
         except InvalidInput:  # it begins anew
@@ -94,7 +99,9 @@ class Keep:
 
     def write(self, problem: Any, states: list[Any]) -> None:
         """Keep the states of a march so far, where it can go on from them."""
-        if isinstance(problem, KEPT) and Path(self.folder).is_dir():
+        if self.takes(problem) and Path(self.folder).is_dir():
+            from winkler.io.wear_states import write_wear
+
             write_wear(states, self.path(problem))
 
     def forget(self) -> None:

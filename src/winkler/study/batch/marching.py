@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple, Protocol, TypeGuard
 
 from winkler.errors import WinklerError
-from winkler.study.batch.checkpoint import KEPT, Keep
+from winkler.study.batch.checkpoint import Keep
 from winkler.study.batch.stopping import INTERRUPTED, answered, look
 
 __all__ = ["ANEW", "March", "Marching", "Watch", "is_march", "marched", "unwatched"]
@@ -88,7 +88,7 @@ def marched(problem: Marching, watch: Watch = unwatched, keep: Keep = ANEW) -> M
     WinklerError, KeyboardInterrupt
         If it ends before there is anything to answer from.
     """
-    states = _Reached(problem, watch, keep if isinstance(problem, KEPT) else ANEW)
+    states = _Reached(problem, watch, keep if keep.takes(problem) else ANEW)
     try:
         solution = problem.gathered(states)
     except WinklerError as error:  # too few states for an answer

@@ -10,9 +10,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from winkler.errors import InvalidInput
-from winkler.fields import SubsurfaceFields, SurfaceFields
-from winkler.foundation.sheared_fields import ShearedFields
-from winkler.problems.friction.torsion_fields import TwistedFields
 from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.points import Failed, Recalled, Solved, Verdict
@@ -23,8 +20,6 @@ from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
 
 __all__ = ["light", "notes_of", "plain_notes", "recalled", "written"]
-
-RESTORED = {cls.__name__: cls for cls in (SurfaceFields, SubsurfaceFields, ShearedFields, TwistedFields)}
 
 
 def light(point: Solved, expect: tuple[Expectation, ...], shape: tuple[int, ...]) -> Recalled:
@@ -96,8 +91,18 @@ def notes_of(rows: Iterable[list[str]]) -> tuple[Note, ...]:
     )
 
 
+@functools.cache
+def _fields() -> dict[str, type]:
+    """Return the classes of restored fields by their names."""
+    from winkler.fields import SubsurfaceFields, SurfaceFields
+    from winkler.foundation.sheared_fields import ShearedFields
+    from winkler.problems.friction.torsion_fields import TwistedFields
+
+    return {cls.__name__: cls for cls in (SurfaceFields, SubsurfaceFields, ShearedFields, TwistedFields)}
+
+
 def _unpacked(content: Any) -> Any:
-    return unpacked(content, RESTORED)
+    return unpacked(content, _fields())
 
 
 def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...]) -> Recalled | Failed:

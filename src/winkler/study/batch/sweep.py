@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
-from winkler.fields import restore
 from winkler.study.batch.checkpoint import Keep
 from winkler.study.batch.journal import Journal, settled
 from winkler.study.batch.marching import ANEW, March, Watch, is_march, marched, unwatched
@@ -23,7 +22,7 @@ from winkler.study.batch.recording import light, recalled, written
 from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.batch.stream import results
 from winkler.study.batch.tasks import Task, Tasks, tasks
-from winkler.study.language.study import Expectation, Study
+from winkler.study.language.study import Expectation, Fields, Study
 
 __all__ = ["solve_points", "solved"]
 
@@ -40,22 +39,28 @@ def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | 
         solution = march.solution
         found = tuple(answers_of(solution).items())
         point = Solved(index, settings, problem, solution, found)
-        surface, below = [], []
-        for contact in point.each if fields.r.values.size else ():
-            if not hasattr(contact, "pressed"):
-                raise InvalidInput(
-                    f"fields: the answer to {type(problem).__name__} has no fields to restore; remove [fields]."
-                )
-            radius = float(contact.radius)
-            r, z = fields.r.within(radius), fields.z.within(radius)
-            surface.append(restore(contact, r))
-            if z.size:
-                below.append(restore(contact, r[:, np.newaxis], z[np.newaxis, :]))
-        return Solved(
-            index, settings, problem, solution, found, tuple(surface), tuple(below), march.stopped, march.code
-        )
+        surface, below = _restored(point, fields) if fields.r.values.size else ((), ())
+        return Solved(index, settings, problem, solution, found, surface, below, march.stopped, march.code)
     except WinklerError as error:
         return Failed(index, settings, problem, str(error), error.exit_code)
+
+
+def _restored(point: Solved, fields: Fields) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    """Return the fields on the surface and below it, load by load."""
+    from winkler.fields import restore
+
+    surface, below = [], []
+    for contact in point.each:
+        if not hasattr(contact, "pressed"):
+            raise InvalidInput(
+                f"fields: the answer to {type(point.problem).__name__} has no fields to restore; remove [fields]."
+            )
+        radius = float(contact.radius)
+        r, z = fields.r.within(radius), fields.z.within(radius)
+        surface.append(restore(contact, r))
+        if z.size:
+            below.append(restore(contact, r[:, np.newaxis], z[np.newaxis, :]))
+    return tuple(surface), tuple(below)
 
 
 def solve_points(

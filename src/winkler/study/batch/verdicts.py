@@ -10,7 +10,6 @@ import numpy as np
 
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Quantity
-from winkler.study.batch.expected_fields import number_at
 from winkler.study.batch.outcome import Solved, Verdict, answers_of
 from winkler.study.language.study import Expectation
 
@@ -68,6 +67,8 @@ def _found(solution: Any, expectation: Expectation) -> Quantity:
         if name not in known:
             raise InvalidInput(_unknown(name, list(known), f"an answer of {type(solution).__name__}"))
         return known[name]
+    from winkler.study.batch.expected_fields import number_at
+
     return number_at(solution, name, place)
 
 

@@ -4,17 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.laws.current import Current, Voltage, WiedemannFranz
-from winkler.laws.film import SurfaceFilm, ThermalInterface
-from winkler.materials.conducting_body import Plated, Rod
-from winkler.materials.conductor import ElectricalConductor, ThermalConductor
-from winkler.materials.named import NamedElectricalConductor, NamedThermalConductor
-from winkler.media.conduction.conductors import ElectricalConductors, HeatConductors
-from winkler.problems.conduction.bounds import ConductanceBounds
-from winkler.problems.conduction.constriction import Constriction
-from winkler.problems.conduction.joule_heating import JouleHeating
-from winkler.problems.conduction.spots import SpotCluster
-from winkler.problems.conduction.thermal_constriction import ThermalConstriction
 from winkler.study.chapters.kind import Kind, kind
 
 __all__ = ["CONDUCTION"]
@@ -28,51 +17,63 @@ STEELS: dict[str, Any] = {"first": STEEL, "second": STEEL}
 CONDUCTION: dict[str, dict[str, Kind]] = {
     "conductor": {
         "electrical_conductor": kind(
-            ElectricalConductor,
+            "winkler.materials.conductor:ElectricalConductor",
             resistivity="15.9 nohm m",
             temperature_coefficient="3.8e-3 1/K",
         ),
         "thermal_conductor": kind(
-            ThermalConductor,
+            "winkler.materials.conductor:ThermalConductor",
             problem="thermal_constriction",
             conductivity="45 W/(m K)",
             diffusivity="12 mm^2/s",
         ),
-        "named_electrical_conductor": kind(NamedElectricalConductor, name="copper"),
-        "named_thermal_conductor": kind(NamedThermalConductor, problem="thermal_constriction", name="copper"),
-        "plated": kind(Plated, plating=SILVER, thickness="5 um", on=COPPER),
-        "rod": kind(Rod, conductor=SILVER, radius="1 mm", length="10 mm"),
+        "named_electrical_conductor": kind("winkler.materials.named:NamedElectricalConductor", name="copper"),
+        "named_thermal_conductor": kind(
+            "winkler.materials.named:NamedThermalConductor", problem="thermal_constriction", name="copper"
+        ),
+        "plated": kind("winkler.materials.conducting_body:Plated", plating=SILVER, thickness="5 um", on=COPPER),
+        "rod": kind("winkler.materials.conducting_body:Rod", conductor=SILVER, radius="1 mm", length="10 mm"),
     },
     "pair": {
-        "electrical_conductors": kind(ElectricalConductors, **SILVERS),
-        "heat_conductors": kind(HeatConductors, **STEELS),
+        "electrical_conductors": kind("winkler.media.conduction.conductors:ElectricalConductors", **SILVERS),
+        "heat_conductors": kind("winkler.media.conduction.conductors:HeatConductors", **STEELS),
     },
     "film": {
-        "surface_film": kind(SurfaceFilm, area_resistance="1e-12 ohm m^2"),
-        "thermal_interface": kind(ThermalInterface, interface_conductance="1e7 W/(m^2 K)"),
+        "surface_film": kind("winkler.laws.film:SurfaceFilm", area_resistance="1e-12 ohm m^2"),
+        "thermal_interface": kind("winkler.laws.film:ThermalInterface", interface_conductance="1e7 W/(m^2 K)"),
     },
     "drive": {
-        "voltage": kind(Voltage, voltage="20 mV"),
-        "current": kind(Current, current="5 A"),
+        "voltage": kind("winkler.laws.current:Voltage", voltage="20 mV"),
+        "current": kind("winkler.laws.current:Current", current="5 A"),
     },
     "law": {
-        "wiedemann_franz": kind(WiedemannFranz, "kohlrausch_1900", lorenz_number="2.44e-8 V^2/K^2"),
+        "wiedemann_franz": kind(
+            "winkler.laws.current:WiedemannFranz", "kohlrausch_1900", lorenz_number="2.44e-8 V^2/K^2"
+        ),
     },
     "problem": {
-        "constriction": kind(Constriction, load={"kind": "force", "force": "1 N"}),
-        "thermal_constriction": kind(
-            ThermalConstriction, conductors={"kind": "heat_conductors", **STEELS}, temperature_drop="10 K"
+        "constriction": kind(
+            "winkler.problems.conduction.constriction:Constriction", load={"kind": "force", "force": "1 N"}
         ),
-        "joule_heating": kind(JouleHeating, load={"kind": "force", "force": "1 N"}),
+        "thermal_constriction": kind(
+            "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
+            conductors={"kind": "heat_conductors", **STEELS},
+            temperature_drop="10 K",
+        ),
+        "joule_heating": kind(
+            "winkler.problems.conduction.joule_heating:JouleHeating", load={"kind": "force", "force": "1 N"}
+        ),
         "spot_cluster": kind(
-            SpotCluster,
+            "winkler.problems.conduction.spots:SpotCluster",
             x=["0 um", "10 um", "5 um"],
             y=["0 um", "0 um", "8 um"],
             radii=["2 um", "3 um", "1 um"],
             first=SILVER,
             second=SILVER,
         ),
-        "conductance_bounds": kind(ConductanceBounds, roughness="0.1 um", force="10 N"),
+        "conductance_bounds": kind(
+            "winkler.problems.conduction.bounds:ConductanceBounds", roughness="0.1 um", force="10 N"
+        ),
     },
 }
 """Slot -> kind -> class."""

@@ -4,10 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.laws.heat import EqualMaximum, EqualMean, FixedShare
-from winkler.problems.heating.fretting import FrettingHeat
-from winkler.problems.heating.steady import FrictionHeating
-from winkler.problems.heating.transient import TransientHeating
 from winkler.study.chapters.kind import Kind, kind
 
 __all__ = ["HEATING"]
@@ -22,20 +18,20 @@ TWICE = [
 
 HEATING: dict[str, dict[str, Kind]] = {
     "partition": {
-        "equal_maximum": kind(EqualMaximum, "blok_1963"),
-        "equal_mean": kind(EqualMean, "jaeger_1942"),
-        "fixed_share": kind(FixedShare, first_share=0.5),
+        "equal_maximum": kind("winkler.laws.heat:EqualMaximum", "blok_1963"),
+        "equal_mean": kind("winkler.laws.heat:EqualMean", "jaeger_1942"),
+        "fixed_share": kind("winkler.laws.heat:FixedShare", first_share=0.5),
     },
     "problem": {
         "friction_heating": kind(
-            FrictionHeating,
+            "winkler.problems.heating.steady:FrictionHeating",
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
             first_speed="1 m/s",
         ),
         "transient_heating": kind(
-            TransientHeating,
+            "winkler.problems.heating.transient:TransientHeating",
             law=COULOMB,
             load={"kind": "force", "force": "20 N"},
             conductors=STEELS,
@@ -43,7 +39,7 @@ HEATING: dict[str, dict[str, Kind]] = {
             time={"from": "10 us", "to": "1 s", "count": 16, "spacing": "log"},
         ),
         "fretting_heat": kind(
-            FrettingHeat,
+            "winkler.problems.heating.fretting:FrettingHeat",
             motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWICE}},
             frequency="100 Hz",
             conductors=STEELS,

@@ -2,21 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.io.tables.spectrum_table import read_spectrum
-from winkler.problems.normal.elliptic import EllipticIndentation
-from winkler.problems.normal.near_round import NearlyRoundIndentation
-from winkler.problems.rough.elastomer_friction import ElastomerFriction
-from winkler.problems.rough.line_contact import RoughContact
-from winkler.problems.rough.line_indentation import RoughIndentation
-from winkler.problems.rough.reduce import Reduction
-from winkler.problems.rough.reduced_bed import ReducedBed
-from winkler.problems.rough.surface_conduction import SurfaceConduction
-from winkler.problems.rough.surface_contact import SurfaceContact
-from winkler.profiles.rough.random_surface import RandomTopography
-from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine
-from winkler.profiles.rough.topography import Topography
 from winkler.study.chapters.kind import Kind, kind
-from winkler.study.chapters.surfaces import read_surface
 
 __all__ = ["ROUGHNESS"]
 
@@ -42,15 +28,15 @@ OVAL = [{"kind": "paraboloid", "curvature_radius": radius} for radius in ("10 mm
 ROUGHNESS: dict[str, dict[str, Kind]] = {
     "topography": {
         "random_topography": kind(
-            RandomTopography,
+            "winkler.profiles.rough.random_surface:RandomTopography",
             problem="surface_contact",
             lengths=["1 mm", "1 mm"],
             spectrum=BLASTED,
             shape=[64, 64],
         ),
         "height_map": kind(
-            Topography,
-            reader=read_surface,
+            "winkler.profiles.rough.topography:Topography",
+            reader="winkler.study.chapters.surfaces:read_surface",
             problem="surface_contact",
             heights=PYRAMID,
             lengths=["1 mm", "1 mm"],
@@ -58,36 +44,53 @@ ROUGHNESS: dict[str, dict[str, Kind]] = {
     },
     "spectrum": {
         "self_affine": kind(
-            SelfAffine, problem="rough_contact", hurst=0.8, rms_height="1 um", longest="1 mm", shortest="60 um"
+            "winkler.profiles.rough.spectrum:SelfAffine",
+            problem="rough_contact",
+            hurst=0.8,
+            rms_height="1 um",
+            longest="1 mm",
+            shortest="60 um",
         ),
         "power_spectrum": kind(
-            PowerSpectrum,
-            reader=read_spectrum,
+            "winkler.profiles.rough.spectrum:PowerSpectrum",
+            reader="winkler.io.tables.spectrum_table:read_spectrum",
             problem="rough_contact",
             wave_numbers=["1e4 1/m", "1e5 1/m", "1e6 1/m"],
             densities=["1e-21 m^4", "4e-25 m^4", "1e-28 m^4"],
         ),
     },
     "bed": {
-        "reduced_bed": kind(ReducedBed, topography={**STAMP, "seed": 1}, depth="3 um"),
+        "reduced_bed": kind(
+            "winkler.problems.rough.reduced_bed:ReducedBed", topography={**STAMP, "seed": 1}, depth="3 um"
+        ),
     },
     "problem": {
-        "surface_contact": kind(SurfaceContact, load=LOADS),
+        "surface_contact": kind("winkler.problems.rough.surface_contact:SurfaceContact", load=LOADS),
         "surface_conduction": kind(
-            SurfaceConduction,
+            "winkler.problems.rough.surface_conduction:SurfaceConduction",
             contact={"kind": "surface_contact", "topography": {**STAMP, "seed": 1}},
         ),
-        "reduction": kind(Reduction, topography={**STAMP, "seed": 1}, depth="3 um"),
-        "rough_contact": kind(RoughContact, side="1 mm", load=LOADS, realisations=20, count=1024),
-        "rough_indentation": kind(
-            RoughIndentation, length="4 mm", load=LOADS, realisations=20, count=2048, spectrum=BLASTED
+        "reduction": kind("winkler.problems.rough.reduce:Reduction", topography={**STAMP, "seed": 1}, depth="3 um"),
+        "rough_contact": kind(
+            "winkler.problems.rough.line_contact:RoughContact", side="1 mm", load=LOADS, realisations=20, count=1024
         ),
-        "elliptic_indentation": kind(EllipticIndentation),
+        "rough_indentation": kind(
+            "winkler.problems.rough.line_indentation:RoughIndentation",
+            length="4 mm",
+            load=LOADS,
+            realisations=20,
+            count=2048,
+            spectrum=BLASTED,
+        ),
+        "elliptic_indentation": kind("winkler.problems.normal.elliptic:EllipticIndentation"),
         "nearly_round_indentation": kind(
-            NearlyRoundIndentation, profiles=OVAL, load={"kind": "depth", "depth": "1 um"}
+            "winkler.problems.normal.near_round:NearlyRoundIndentation",
+            profiles=OVAL,
+            load={"kind": "depth", "depth": "1 um"},
         ),
         "elastomer_friction": kind(
-            ElastomerFriction, velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"}
+            "winkler.problems.rough.elastomer_friction:ElastomerFriction",
+            velocity={"from": "1 um/s", "to": "1 m/s", "count": 25, "spacing": "log"},
         ),
     },
 }

@@ -2,22 +2,6 @@
 
 from __future__ import annotations
 
-from winkler.io.tables.relaxation_table import read_creep, read_dynamic, read_relaxation
-from winkler.laws.crack import RateDependentWork, SaturatingWork
-from winkler.materials.at_temperature import AtTemperature
-from winkler.materials.fractional import FractionalZener, PowerLawSolid
-from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
-from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
-from winkler.materials.temperature import Arrhenius, WilliamsLandelFerry
-from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
-from winkler.media.relaxing.proportional import RelaxingInProportion
-from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.problems.viscoelastic.adhesion import ViscoelasticAdhesion
-from winkler.problems.viscoelastic.impact import ViscoelasticImpact
-from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
-from winkler.problems.viscoelastic.material_tests import CreepTest, HarmonicIndentation, RelaxationTest
-from winkler.problems.viscoelastic.sliding import SlidingResistance
-from winkler.problems.viscoelastic.tangential import ViscoelasticTangential
 from winkler.study.chapters.kind import Kind, kind
 
 __all__ = ["VISCOELASTICITY"]
@@ -40,23 +24,28 @@ DRAGGED = [
 
 VISCOELASTICITY: dict[str, dict[str, Kind]] = {
     "solid": {
-        "standard_solid": kind(StandardSolid, relaxed_shear="1 MPa", shear="3 MPa", relaxation_time="0.1 s"),
-        "maxwell": kind(Maxwell, shear="3 MPa", relaxation_time="0.1 s"),
-        "kelvin_voigt": kind(KelvinVoigt, shear="1 MPa", viscosity="0.1 MPa s"),
+        "standard_solid": kind(
+            "winkler.materials.spring_and_dashpot:StandardSolid",
+            relaxed_shear="1 MPa",
+            shear="3 MPa",
+            relaxation_time="0.1 s",
+        ),
+        "maxwell": kind("winkler.materials.spring_and_dashpot:Maxwell", shear="3 MPa", relaxation_time="0.1 s"),
+        "kelvin_voigt": kind("winkler.materials.spring_and_dashpot:KelvinVoigt", shear="1 MPa", viscosity="0.1 MPa s"),
         "prony": kind(
-            Prony,
+            "winkler.materials.viscoelastic:Prony",
             relaxed_shear="1 MPa",
             shears=["2 MPa", "0.5 MPa", "0.5 MPa"],
             relaxation_times=["10 ms", "0.1 s", "1 s"],
         ),
         "generalised_kelvin": kind(
-            GeneralisedKelvin,
+            "winkler.materials.viscoelastic:GeneralisedKelvin",
             glassy_compliance="0.25 1/MPa",
             compliances=["0.5 1/MPa", "0.25 1/MPa"],
             retardation_times=["50 ms", "0.5 s"],
         ),
         "power_law_solid": kind(
-            PowerLawSolid,
+            "winkler.materials.fractional:PowerLawSolid",
             "bagley_torvik_1983",
             shear="2 MPa",
             time_scale="1 s",
@@ -65,7 +54,7 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
             longest="100 s",
         ),
         "fractional_zener": kind(
-            FractionalZener,
+            "winkler.materials.fractional:FractionalZener",
             "bagley_torvik_1983",
             relaxed_shear="1 MPa",
             shear="3 MPa",
@@ -75,26 +64,26 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
             longest="100 s",
         ),
         "relaxation_data": kind(
-            RelaxationData,
-            reader=read_relaxation,
+            "winkler.materials.relaxation_data:RelaxationData",
+            reader="winkler.io.tables.relaxation_table:read_relaxation",
             time=["1 ms", "10 ms", "0.1 s", "1 s", "10 s"],
             shear=["3.6 MPa", "2.9 MPa", "1.9 MPa", "1.3 MPa", "1.1 MPa"],
         ),
         "creep_data": kind(
-            CreepData,
-            reader=read_creep,
+            "winkler.materials.relaxation_data:CreepData",
+            reader="winkler.io.tables.relaxation_table:read_creep",
             time=["1 ms", "10 ms", "0.1 s", "1 s", "10 s"],
             compliance=["0.28 1/MPa", "0.34 1/MPa", "0.52 1/MPa", "0.76 1/MPa", "0.9 1/MPa"],
         ),
         "dynamic_data": kind(
-            DynamicData,
-            reader=read_dynamic,
+            "winkler.materials.relaxation_data:DynamicData",
+            reader="winkler.io.tables.relaxation_table:read_dynamic",
             angular_frequency=["0.1 rad/s", "1 rad/s", "10 rad/s", "100 rad/s", "1000 rad/s"],
             storage_shear=["1.1 MPa", "1.3 MPa", "1.9 MPa", "2.9 MPa", "3.6 MPa"],
             loss_shear=["0.1 MPa", "0.25 MPa", "0.5 MPa", "0.5 MPa", "0.25 MPa"],
         ),
         "at_temperature": kind(
-            AtTemperature,
+            "winkler.materials.at_temperature:AtTemperature",
             solid=RUBBER,
             law={"kind": "williams_landel_ferry"},
             temperature="40 degC",
@@ -102,7 +91,7 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
     },
     "law": {
         "williams_landel_ferry": kind(
-            WilliamsLandelFerry,
+            "winkler.materials.temperature:WilliamsLandelFerry",
             "williams_landel_ferry_1955",
             problem="viscoelastic_indentation",
             reference_temperature="25 degC",
@@ -110,13 +99,21 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
             second_constant="101.6 K",
         ),
         "rate_dependent_work": kind(
-            RateDependentWork, "maugis_barquins_1978", work="50 mJ/m^2", reference_speed="1 um/s", exponent=0.6
+            "winkler.laws.crack:RateDependentWork",
+            "maugis_barquins_1978",
+            work="50 mJ/m^2",
+            reference_speed="1 um/s",
+            exponent=0.6,
         ),
         "saturating_work": kind(
-            SaturatingWork, work="50 mJ/m^2", fast_work="1 J/m^2", reference_speed="1 mm/s", exponent=0.5
+            "winkler.laws.crack:SaturatingWork",
+            work="50 mJ/m^2",
+            fast_work="1 J/m^2",
+            reference_speed="1 mm/s",
+            exponent=0.5,
         ),
         "arrhenius": kind(
-            Arrhenius,
+            "winkler.materials.temperature:Arrhenius",
             problem="viscoelastic_indentation",
             reference_temperature="25 degC",
             activation_energy="80 kJ/mol",
@@ -124,10 +121,13 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
     },
     "medium": {
         "viscoelastic_half_space": kind(
-            ViscoelasticHalfSpace, "lee_radok_1960", problem="viscoelastic_indentation", first=RUBBER
+            "winkler.media.relaxing.viscoelastic:ViscoelasticHalfSpace",
+            "lee_radok_1960",
+            problem="viscoelastic_indentation",
+            first=RUBBER,
         ),
         "relaxing_in_proportion": kind(
-            RelaxingInProportion,
+            "winkler.media.relaxing.proportional:RelaxingInProportion",
             "lee_radok_1960",
             problem="viscoelastic_indentation",
             medium={
@@ -141,27 +141,37 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
     },
     "problem": {
         "viscoelastic_indentation": kind(
-            ViscoelasticIndentation, bed=BED, path={"kind": "program", "steps": IN_AND_OUT}, count=200
+            "winkler.problems.viscoelastic.indentation:ViscoelasticIndentation",
+            bed=BED,
+            path={"kind": "program", "steps": IN_AND_OUT},
+            count=200,
         ),
-        "creep_test": kind(CreepTest, bed=BED, force="1 N", time=DECADES),
-        "relaxation_test": kind(RelaxationTest, bed=BED, depth="100 um", time=DECADES),
+        "creep_test": kind(
+            "winkler.problems.viscoelastic.material_tests:CreepTest", bed=BED, force="1 N", time=DECADES
+        ),
+        "relaxation_test": kind(
+            "winkler.problems.viscoelastic.material_tests:RelaxationTest", bed=BED, depth="100 um", time=DECADES
+        ),
         "harmonic_indentation": kind(
-            HarmonicIndentation,
+            "winkler.problems.viscoelastic.material_tests:HarmonicIndentation",
             bed=BED,
             normal={"kind": "depth", "depth": "100 um"},
             angular_frequency={"from": "0.1 rad/s", "to": "1000 rad/s", "count": 33, "spacing": "log"},
         ),
         "viscoelastic_tangential": kind(
-            ViscoelasticTangential, bed=BED, path={"kind": "program", "steps": DRAGGED}, count=100
+            "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
+            bed=BED,
+            path={"kind": "program", "steps": DRAGGED},
+            count=100,
         ),
         "sliding_resistance": kind(
-            SlidingResistance,
+            "winkler.problems.viscoelastic.sliding:SlidingResistance",
             bed=BED,
             normal={"kind": "force", "force": "1 N"},
             speed={"from": "0.1 mm/s", "to": "1 m/s", "count": 17, "spacing": "log"},
         ),
         "viscoelastic_adhesion": kind(
-            ViscoelasticAdhesion,
+            "winkler.problems.viscoelastic.adhesion:ViscoelasticAdhesion",
             bed=BED,
             path={
                 "kind": "program",
@@ -172,7 +182,12 @@ VISCOELASTICITY: dict[str, dict[str, Kind]] = {
             },
         ),
         "viscoelastic_impact": kind(
-            ViscoelasticImpact, bed=BED, mass="30 g", velocity="1 m/s", count=100, tolerance=1e-3
+            "winkler.problems.viscoelastic.impact:ViscoelasticImpact",
+            bed=BED,
+            mass="30 g",
+            velocity="1 m/s",
+            count=100,
+            tolerance=1e-3,
         ),
     },
 }

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from winkler.laws.wear import Archard, PairWear
-from winkler.problems.wear.fretting import FrettingWear
-from winkler.problems.wear.limiting_profile import LimitingProfile
-from winkler.problems.wear.sliding import SlidingWear
 from winkler.study.chapters.kind import Kind, kind
 
 __all__ = ["WEAR"]
@@ -15,14 +11,17 @@ GROWING = [0.0, 100.0, 1000.0, 3000.0, 10000.0]
 
 WEAR: dict[str, dict[str, Kind]] = {
     "wear": {
-        "archard": kind(Archard, "archard_1953", rate="1e-5 mm^3/(N m)"),
+        "archard": kind("winkler.laws.wear:Archard", "archard_1953", rate="1e-5 mm^3/(N m)"),
         "pair_wear": kind(
-            PairWear, problem="fretting_wear", first=STEEL, second={"kind": "archard", "rate": "2e-5 mm^3/(N m)"}
+            "winkler.laws.wear:PairWear",
+            problem="fretting_wear",
+            first=STEEL,
+            second={"kind": "archard", "rate": "2e-5 mm^3/(N m)"},
         ),
     },
     "problem": {
         "fretting_wear": kind(
-            FrettingWear,
+            "winkler.problems.wear.fretting:FrettingWear",
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
             cycles=GROWING,
@@ -30,14 +29,14 @@ WEAR: dict[str, dict[str, Kind]] = {
             tolerance=1e-3,
         ),
         "sliding_wear": kind(
-            SlidingWear,
+            "winkler.problems.wear.sliding:SlidingWear",
             normal={"kind": "force", "force": "100 N"},
             distance=["0 m", "0.1 m", "0.3 m", "1 m"],
             count=100,
             tolerance=1e-3,
         ),
         "limiting_profile": kind(
-            LimitingProfile,
+            "winkler.problems.wear.limiting_profile:LimitingProfile",
             normal={"kind": "depth", "depth": "1 um"},
             amplitude={"kind": "shift", "shift": "0.2 um"},
         ),

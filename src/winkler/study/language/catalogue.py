@@ -8,18 +8,16 @@ keys of the papers that the class stands on.
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 from winkler.foundation.bed import Bed
-from winkler.laws.wear import OwnWear
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.medium import Medium
-from winkler.path_steps import Kept
-from winkler.problems.friction.spring_states import OwnLaw
 from winkler.profiles.flat import Cylinder
 from winkler.profiles.profile import Profile
 from winkler.profiles.rough.spectrum import Spectrum
-from winkler.study.chapters.kind import Kind
+from winkler.study.chapters.kind import Kind, path_of
 from winkler.study.chapters.kinds_of_bodies import BODIES
 from winkler.study.chapters.kinds_of_conduction import CONDUCTION
 from winkler.study.chapters.kinds_of_contacts import CONTACTS
@@ -56,13 +54,20 @@ SLOTS: dict[Any, str] = {
 }
 """Protocol -> slot: what may stand where a class asks for this contract."""
 
-UNWRITTEN: frozenset[Any] = frozenset({Kept, OwnLaw, OwnWear})
-"""What a study file does not name where a class takes it: a load that stays, left out; a law that is a function."""
+UNWRITTEN = frozenset(
+    {
+        "winkler.path_steps:Kept",
+        "winkler.problems.friction.spring_states:OwnLaw",
+        "winkler.laws.wear:OwnWear",
+    }
+)
+"""Paths of what a study file cannot name where a class takes it: a load that stays, and laws that are functions."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}
 """Kinds that people ask for and that cannot be answered; making one raises the reason."""
 
 
+@functools.cache
 def kinds() -> dict[str, Kind]:
     """Return every kind of every slot by its name."""
     return {name: line for slot in CATALOGUE.values() for name, line in slot.items()}
@@ -70,7 +75,12 @@ def kinds() -> dict[str, Kind]:
 
 def kind_of(cls: type) -> str:
     """Return the name of `cls` in study files; an empty string if the catalogue does not know it."""
-    return next((name for name, line in kinds().items() if line.cls is cls), "")
+    return _names().get(path_of(cls), "")
+
+
+@functools.cache
+def _names() -> dict[str, str]:
+    return {line.path: name for name, line in kinds().items()}
 
 
 def slot_of(name: str) -> str:

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import functools
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, Field, StrictBool, StrictStr, create_model
 from pydantic_core import PydanticCustomError
 
 from winkler.errors import InvalidInput, suggest
 from winkler.study.language import quantities
-from winkler.study.language.catalogue import CATALOGUE
-from winkler.study.language.correcting import CORRECTIONS
 from winkler.study.language.quantities import WHERE, wrong
-from winkler.study.language.schema import FORBID, MISSING, choice, forms
-from winkler.study.language.segmenting import stated_segments
+from winkler.study.language.schema import FORBID, MISSING, choice
 from winkler.study.language.study import Expectation, Places, named
 from winkler.vocabulary import GLOSSARY
 
@@ -87,9 +84,6 @@ SECTIONS: dict[str, dict[str, str]] = {
 PLACE = ("r", "x", "y", "z")
 """Where ``[[expect]]`` asks for a field."""
 
-PART: Any = Literal["approach", "hold", "retract", "both"]
-FIT: Any = Literal["force", "position"]
-
 
 def places(raw: Any) -> Places:
     """Return places as lengths, or as multiples of the contact radius, written with the unit ``a``."""
@@ -113,26 +107,6 @@ def picture_formats(raw: Any) -> Any:
     if not isinstance(raw, list) or not all(isinstance(item, str) for item in raw):
         wrong(f'{WHERE} is {raw!r}; give a list of formats, such as ["svg", "png"].')
     return tuple(raw)
-
-
-def corrections(raw: Any) -> tuple[str, ...]:
-    """Refuse what is not a list of corrections."""
-    if not isinstance(raw, list) or not raw or not all(isinstance(item, str) for item in raw):
-        wrong(f'{WHERE} is {raw!r}; give a list of corrections in their order, such as ["drag", "baseline"].')
-    for item in raw:
-        if item not in CORRECTIONS:
-            wrong(f"{WHERE} asks for '{item}'{suggest(item, CORRECTIONS)}; there are {', '.join(CORRECTIONS)}.")
-    return tuple(raw)
-
-
-def _positive(unit: str) -> Any:
-    def check(raw: Any) -> float:
-        found = float(quantities.number(raw, unit))
-        if not found > 0.0:
-            wrong(f"{WHERE} is {raw!r}; it must be positive.")
-        return found
-
-    return Annotated[Any, BeforeValidator(check)]
 
 
 def _text(raw: Any) -> Any:
@@ -198,6 +172,12 @@ def _either_value(raw: Any) -> Any:
     return raw
 
 
+def _fit(raw: Any) -> BaseModel:
+    from winkler.study.language.fit_grammar import fit_form  # with what corrects curves, which studies have no use for
+
+    return fit_form().model_validate(raw)
+
+
 @functools.cache
 def study_form() -> type[BaseModel]:
     """Return the input model of a whole study."""
@@ -209,21 +189,6 @@ def study_form() -> type[BaseModel]:
         folder=(StrictStr, MISSING),
         figures=(Annotated[Any, BeforeValidator(picture_formats)], MISSING),
         report=(StrictBool, MISSING),
-    )
-    fit = create_model(
-        "fit",
-        __config__=FORBID,
-        curve=(StrictStr, ...),
-        part=(PART, ...),
-        segments=(Annotated[Any, BeforeValidator(stated_segments)], MISSING),
-        fitted=(FIT, MISSING),
-        free=(dict[str, Any], ...),
-        spring_constant=(_positive("N/m"), MISSING),
-        sensitivity=(_positive("m/V"), MISSING),
-        frame_stiffness=(_positive("N/m"), MISSING),
-        correct=(Annotated[Any, BeforeValidator(corrections)], MISSING),
-        noise=(Any, MISSING),
-        time_limit=(_positive("s"), MISSING),
     )
     expect = create_model(
         "expect",
@@ -238,21 +203,19 @@ def study_form() -> type[BaseModel]:
         x=(Any, MISSING),
         y=(Any, MISSING),
     )
-    model = create_model(
+    return create_model(
         "study",
         __config__=FORBID,
         title=(StrictStr, ""),
         source=(StrictStr, ""),
         grade=(StrictStr, ""),
-        problem=(choice(tuple(CATALOGUE["problem"])), ...),
+        problem=(choice("problem"), ...),
         sweep=(dict[str, Any], Field(default_factory=dict)),
         fields=(fields, MISSING),
-        fit=(fit, MISSING),
+        fit=(Annotated[Any, BeforeValidator(_fit)], MISSING),
         output=(output, MISSING),
         expect=(list[expect], Field(default_factory=list)),  # type: ignore[valid-type]
     )
-    model.model_rebuild(_types_namespace=dict(forms()))
-    return model
 
 
 def section_keys(section: str) -> tuple[str, ...]:

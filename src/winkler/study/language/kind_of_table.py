@@ -1,27 +1,25 @@
-"""Which kind a table of a study is of: one of those that are allowed in its place, or one sentence why not."""
+"""Why a table of a study is of none of the kinds that are allowed in its place, in one sentence."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NoReturn
 
 from winkler.errors import suggest
 from winkler.study.language.catalogue import REFUSED, kinds, slot_of
 from winkler.study.language.quantities import WHERE, wrong
 
-__all__ = ["chosen", "shown"]
+__all__ = ["refuse", "shown"]
 
 
-def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
-    """Refuse what is not a table of one of the `allowed` kinds."""
+def refuse(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
+    """Say why `raw` is not a table of one of the `allowed` kinds."""
     if not isinstance(raw, Mapping):
         wrong(f'{WHERE} is {shown(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
     if "kind" not in raw:
         add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
         wrong(f"{WHERE} has no kind; add kind, {add}.")
     tag = raw["kind"]
-    if tag in allowed:
-        return raw
     if not isinstance(tag, str):
         wrong(f"{WHERE}.kind is {shown(tag)}, not text; allowed are {', '.join(allowed)}.")
     if tag in REFUSED:
@@ -32,7 +30,7 @@ def chosen(raw: Any, *, allowed: tuple[str, ...]) -> Any:
     if tag in kinds():
         here = f"allowed here are {', '.join(allowed)}" if len(allowed) > 1 else f"only {allowed[0]} may stand here"
         wrong(f"{WHERE}.kind is '{tag}', which is a {slot_of(tag)}; {here}.")
-    return wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
+    wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
 
 
 def shown(given: Any) -> str:

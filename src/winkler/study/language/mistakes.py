@@ -17,9 +17,6 @@ from winkler.vocabulary import word
 
 __all__ = ["MANY", "sentences", "worded"]
 
-KINDLY = ("problem", "content")
-"""Parts of what is checked that are of kinds; pydantic names the kind behind the key of each."""
-
 MANY = 10
 """So many sentences are shown at most."""
 
@@ -60,19 +57,13 @@ def _joined(path: list[Any]) -> str:
 
 
 def _place(loc: tuple[Any, ...], raw: Any) -> tuple[list[Any], Any]:
-    """Return the path in the file, without pydantic's own marks, and the innermost table or list on it."""
-    path: list[Any] = []
+    """Return the path in the file, and the innermost table or list on it."""
     table = content = raw
-    fresh = False  # the study itself is of no kind, and a key may have the name of one
     for part in loc:
-        if fresh and isinstance(content, Mapping) and content.get("kind") == part and part in kinds():
-            fresh = False
-            continue
-        path.append(part)
-        table, fresh = content, path[0] in KINDLY
+        table = content
         inside = part in content if isinstance(content, Mapping) else isinstance(content, list) and part < len(content)
         content = content[part] if inside else None
-    return path, table
+    return list(loc), table
 
 
 def _parent(key: str) -> str:

@@ -1,8 +1,9 @@
 """Input models, derived from the dataclasses: what a study file may say, key by key.
 
 Every class of the catalogue becomes a pydantic model with the same keys and a ``kind``; extra keys are forbidden.  A
-float becomes a quantity in the glossary's unit, a contract the union of the kinds that fulfil it.  The models only
-check and convert; the plain dataclasses are made from them in `winkler.study.language.build`.
+float becomes a quantity in the glossary's unit, a contract any of the kinds that fulfil it.  The model of a kind is
+made when a table first names the kind.  The models only check and convert; the plain dataclasses are made from them
+in `winkler.study.language.build`.
 """
 
 from __future__ import annotations
@@ -12,14 +13,13 @@ import functools
 import inspect
 import types
 import typing
-from collections.abc import Callable
-from typing import Annotated, Any, ForwardRef, Literal, Union
+from collections.abc import Callable, Mapping
+from typing import Annotated, Any, Literal, Union
 
 from pydantic import (
     BaseModel,
     BeforeValidator,
     ConfigDict,
-    Field,
     StrictBool,
     StrictInt,
     StrictStr,
@@ -29,9 +29,10 @@ from pydantic import (
 )
 
 from winkler.numerics.types import Array
+from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
-from winkler.study.language.kind_of_table import chosen
+from winkler.study.language.kind_of_table import refuse
 
 __all__ = [
     "FORBID",
@@ -41,7 +42,6 @@ __all__ = [
     "allowed_kinds",
     "choice",
     "form",
-    "forms",
     "hints",
     "options",
     "slot_adapter",
@@ -57,11 +57,16 @@ def _checked(convert: Callable[[Any], Any]) -> Any:
     return Annotated[Any, BeforeValidator(convert)]
 
 
-def choice(allowed: tuple[str, ...]) -> Any:
-    """Return what checks a table of one of the `allowed` kinds."""
-    forms_allowed: Any = Union[tuple(ForwardRef(name) for name in allowed)]  # noqa: UP007
-    check = BeforeValidator(functools.partial(chosen, allowed=allowed))
-    return Annotated[forms_allowed, Field(discriminator="kind"), check]
+def choice(hint: Any) -> Any:
+    """Return what checks a table of one of the kinds that may stand where a class asks for `hint`."""
+    return _checked(functools.partial(_chosen, hint=hint))
+
+
+def _chosen(raw: Any, hint: Any) -> BaseModel:
+    tag = raw.get("kind") if isinstance(raw, Mapping) else None
+    if not (isinstance(tag, str) and tag in kinds() and _may_stand(tag, hint)):
+        refuse(raw, allowed_kinds(hint))
+    return form(tag).model_validate(raw)
 
 
 def annotation(owner: type, field: str, hint: Any) -> Any:
@@ -99,20 +104,31 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
         return _checked(quantities.named)
     if origin is tuple and len(inner) == 2 and inner[1] is Ellipsis:
         return list[annotation(owner, field, inner[0])]  # type: ignore[misc]
-    allowed = allowed_kinds(hint)
-    if allowed:
-        return choice(allowed)
+    if hint in SLOTS or origin in (Union, types.UnionType) or isinstance(hint, type):
+        return choice(hint)
     raise TypeError(f"{owner.__name__}.{field}: a study file cannot hold {hint}.")
 
 
 def allowed_kinds(hint: Any) -> tuple[str, ...]:
-    """Return the kinds that may stand where a class asks for `hint`; none if it does not ask for one."""
-    if hint in SLOTS:
-        return tuple(CATALOGUE[SLOTS[hint]])
+    """Return the kinds that may stand where a class asks for `hint`; none if it does not ask for one.
+
+    A `hint` that is a text is the name of a slot.
+    """
+    if isinstance(hint, str) or hint in SLOTS:
+        return tuple(CATALOGUE[SLOTS.get(hint, hint)])
     if typing.get_origin(hint) in (Union, types.UnionType):
-        parts = [allowed_kinds(part) for part in typing.get_args(hint) if part not in UNWRITTEN]
+        parts = [allowed_kinds(part) for part in typing.get_args(hint) if path_of(part) not in UNWRITTEN]
         return tuple(dict.fromkeys(name for part in parts for name in part)) if all(parts) else ()
     return _kinds_of(hint) if isinstance(hint, type) else ()
+
+
+def _may_stand(name: str, hint: Any) -> bool:
+    """Return whether one kind may stand where a class asks for `hint`; no other kind is loaded for it."""
+    if isinstance(hint, str) or hint in SLOTS:
+        return name in CATALOGUE[SLOTS.get(hint, hint)]
+    if typing.get_origin(hint) in (Union, types.UnionType):
+        return any(_may_stand(name, part) for part in typing.get_args(hint))
+    return isinstance(hint, type) and path_of(hint) not in UNWRITTEN and issubclass(kinds()[name].cls, hint)
 
 
 @functools.cache  # of one class only: unions of the same classes in another order are equal
@@ -171,29 +187,19 @@ def _model(name: str, line: Kind) -> type[BaseModel]:
 
 
 @functools.cache
-def forms() -> dict[str, type[BaseModel]]:
-    """Return the input model of every kind."""
-    models = {name: _model(name, line) for name, line in kinds().items()}
-    for model in models.values():
-        model.model_rebuild(_types_namespace=dict(models))
-    return models
-
-
 def form(name: str) -> type[BaseModel]:
     """Return the input model of one kind."""
-    return forms()[name]
+    return _model(name, kinds()[name])
 
 
 def _adapter(shape: Any) -> TypeAdapter[Any]:
-    wrapper = create_model("wrapper", __config__=FORBID, content=(shape, ...))
-    wrapper.model_rebuild(_types_namespace=dict(forms()))
-    return TypeAdapter(wrapper)
+    return TypeAdapter(create_model("wrapper", __config__=FORBID, content=(shape, ...)))
 
 
 @functools.cache
 def slot_adapter(slot: str) -> TypeAdapter[Any]:
     """Return what checks ``{"content": table}`` where the table is any kind of `slot`."""
-    return _adapter(choice(tuple(CATALOGUE[slot])))
+    return _adapter(choice(slot))
 
 
 @functools.cache

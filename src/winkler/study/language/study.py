@@ -87,13 +87,13 @@ class Output:
     folder
         Folder of the results, relative to the working directory; empty for ``results/<name of the study file>``.
     figures
-        Formats of the figures: any of svg, png, pdf; empty for none.
+        Formats of the figures as files: any of svg, png, pdf; empty for none.  The report holds them in any case.
     report
         Whether a report.html is written.
     """
 
     folder: str = ""
-    figures: tuple[str, ...] = ("svg", "png")
+    figures: tuple[str, ...] = ("svg",)
     report: bool = True
 
     def __post_init__(self) -> None:

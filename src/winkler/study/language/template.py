@@ -31,7 +31,7 @@ FIELDS = """
 OUTPUT = """
 # [output]
 # folder = "results/{name}"
-# figures = ["svg", "png"]
+# figures = ["svg"]
 # report = true
 """
 

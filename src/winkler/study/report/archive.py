@@ -35,7 +35,7 @@ from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
 from winkler.study.report.event_rows import columns_of, found_in
-from winkler.study.report.netcdf import netcdf_attributes
+from winkler.study.report.netcdf import LARGE, netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
@@ -47,9 +47,6 @@ NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
 ACROSS = "load"
 """Dimension of the loads that one point asks for at once."""
-
-LARGE = 1000
-"""Arrays with more numbers are compressed, without loss."""
 
 EXTRA = ("von_mises", "max_shear")
 """What is kept of the stresses beside their components."""
@@ -65,7 +62,7 @@ def write(outcome: Outcome, folder: Path) -> None:
     folder
         Must exist; files of the same names are replaced.
     """
-    write_netcdf(dataset(outcome), folder / NETCDF)
+    write_variables(folder / NETCDF, *_dataset(outcome))
     write_table(outcome.table(), folder / CSV)
     if any(point.surface for point in outcome.solved):
         _write_surface(outcome, folder / SURFACE)
@@ -169,6 +166,11 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     """
     import xarray
 
+    return xarray.Dataset(*_dataset(outcome))
+
+
+def _dataset(outcome: Outcome) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
+    """Return variables, coordinates and attributes of the dataset."""
     study = outcome.study
     dims = study.dims
     coords: dict[str, Any] = {}
@@ -194,9 +196,7 @@ def dataset(outcome: Outcome) -> xarray.Dataset:
     if outcome.indices:
         more, places = index_variables(outcome.indices, [axis.key for axis in study.axes])
         variables, coords = {**variables, **more}, {**coords, **places}
-    return xarray.Dataset(
-        variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
-    )
+    return variables, coords, outcome.provenance.attributes(outcome.study.title, study_text(outcome.study))
 
 
 def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any], coords: dict[str, Any]) -> None:

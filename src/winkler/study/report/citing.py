@@ -12,7 +12,7 @@ import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from winkler.study.language.catalogue import kinds
+from winkler.study.language.catalogue import kind_of, kinds
 
 __all__ = ["Reference", "bibliography", "cite"]
 
@@ -93,7 +93,7 @@ def _keys(content: Any) -> list[str]:
         return []
     cls = type(content)
     found = list(getattr(cls, "references", ()))
-    found += [key for line in kinds().values() if line.cls is cls for key in line.cites]
+    found += kinds()[kind_of(cls)].cites if kind_of(cls) else ()
     for field in dataclasses.fields(content):
         found += _keys(getattr(content, field.name))
     return found

@@ -49,10 +49,29 @@ def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> Shown:
     from winkler.plot.render import render  # matplotlib is loaded by the first figure
 
     picture = render(sheet)
+    _lay_out(picture)
     store = io.BytesIO()
     picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
-    picture.set_layout_engine("none")  # it is laid out now: what is saved afterwards need not do it again
     return Shown(name, title, sentence, picture, store.getvalue().decode("utf-8"))
+
+
+def _lay_out(picture: Picture) -> None:
+    """Put the axes of a figure in their places, by the letters of SVG; each format is then drawn once."""
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+
+    from winkler.plot.picture import styled
+
+    engine, canvas, dpi = picture.get_layout_engine(), picture.canvas, picture.dpi
+    if engine is None:
+        return
+    try:
+        FigureCanvasSVG(picture)
+        with styled():
+            engine.execute(picture)
+            picture.set_layout_engine(None)  # with an engine matplotlib draws twice, first to find the places
+    finally:
+        picture.set_canvas(canvas)
+        picture.dpi = dpi
 
 
 def capital(text: str) -> str:

@@ -12,7 +12,6 @@ import numpy as np
 from winkler.errors import WinklerError
 from winkler.loading import Depth
 from winkler.numerics.types import Array
-from winkler.plot import sheet_of
 from winkler.plot.adhesion.cycles import contact_of
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
@@ -188,6 +187,8 @@ def _sheets(outcome: Outcome) -> Iterator[Shown]:
         wanted.append(Beside(*SHOWN_WHOLE[point.answer_type], point.solution))
     where = settings_of(outcome, point)
     for name, title, told_by, item in wanted:
+        from winkler.plot import sheet_of  # with every picture it knows, which the method's own do not need
+
         sentence = f"{told_by} Shown is {where}." if where else told_by
         try:
             yield drawn(f"answer_{name}", title, sentence, sheet_of(item))

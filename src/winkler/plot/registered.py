@@ -1,0 +1,16 @@
+"""``draw`` with every picture: the modules that are imported here tell it what they draw."""
+
+from __future__ import annotations
+
+from winkler.plot import beds, restored  # noqa: F401
+from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
+from winkler.plot.draw import draw, sheet_of
+from winkler.plot.heating import heating  # noqa: F401
+from winkler.plot.rolling import rolling  # noqa: F401
+from winkler.plot.rough import lines, roughness  # noqa: F401
+from winkler.plot.rough import surfaces as rough_surfaces  # noqa: F401
+from winkler.plot.viscoelastic import contacts, fits, material_tests, solids  # noqa: F401
+from winkler.plot.viscoelastic import surfaces as viscoelastic_surfaces  # noqa: F401
+from winkler.plot.wear import wear  # noqa: F401
+
+__all__ = ["draw", "sheet_of"]
