@@ -12,8 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from winkler.errors import InvalidInput
-from winkler.si_units import ALONE, PREFIXED, PREFIXES, ZEROS, si_unit
-from winkler.unit_grammar import _named_by_pint
+from winkler.unit_grammar import ALONE, PREFIXED, PREFIXES, ZEROS, _named_by_pint, si_unit
 from winkler.units import format_quantity, quantity, scale, to_si
 from winkler.vocabulary import GLOSSARY, OWNED
 

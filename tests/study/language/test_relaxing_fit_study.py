@@ -17,7 +17,8 @@ from winkler.plot import draw
 from winkler.study.batch.fit_recording import results_of, written_fits
 from winkler.study.batch.fit_run import fit_study
 from winkler.study.language.fit_reading import parse_fit_study, read_fit_study
-from winkler.study.report.fit_writing import dataset, write_fits
+from winkler.study.report.fit_writing import dataset
+from winkler.study.report.writing import write_outcome
 
 SOLID = "problem.bed.medium.first."
 
@@ -51,7 +52,7 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
     )
     assert direct.values.tolist() == result.fit.values.tolist()
     comes_back(outcome)
-    write_fits(outcome, tmp_path)
+    write_outcome(outcome, tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     for words in ("The measured motion drives", "the way in, the hold and the way out", "Lee", "exponent"):
         assert words in page
@@ -83,7 +84,7 @@ def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
     data = dataset(outcome)
     assert data["residual"].attrs["units"] == "m"
     assert data["fitted_position"].attrs["units"] == "m"
-    write_fits(outcome, tmp_path)
+    write_outcome(outcome, tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "The measured forces drive the contact, and the positions were fitted." in page
 
