@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import sys
 from collections.abc import Callable
 from typing import Any, TypeVar, dataclass_transform
 
@@ -29,7 +28,7 @@ T = TypeVar("T")
 
 def frozen_array(array: Any) -> np.ndarray:
     """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
-    masked = "numpy.ma" in sys.modules and isinstance(array, np.ma.MaskedArray)  # numpy loads it where it is used
+    masked = hasattr(array, "mask") and isinstance(array, np.ma.MaskedArray)  # numpy loads what it is asked for
     if masked and array.dtype.kind in "iuf":
         array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none
     result = np.array(array)

@@ -6,39 +6,22 @@ without them.
 
 from __future__ import annotations
 
-import sys
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from winkler.caches import with_fonts
 
 if TYPE_CHECKING:
-    from winkler.plot.draw import draw, sheet_of
+    from winkler.plot.drawing import draw, sheet_of
 
 __all__ = ["draw", "sheet_of"]
 
 with_fonts()
 
 
-class _Package(ModuleType):
-    """A package with the functions `draw` and `sheet_of`; the module of the first name does not replace it."""
+def __getattr__(name: str) -> Any:
+    """Load the functions of the package when they are first used."""
+    if name not in __all__:
+        raise AttributeError(f"module 'winkler.plot' has no attribute {name!r}")
+    from winkler.plot import registered
 
-    @property
-    def draw(self) -> Any:
-        from winkler.plot.registered import draw
-
-        return draw
-
-    @draw.setter
-    def draw(self, module: ModuleType) -> None:
-        """Take the module ``winkler.plot.draw``, which Python sets as an attribute when it is imported."""
-
-    @property
-    def sheet_of(self) -> Any:
-        from winkler.plot.registered import sheet_of
-
-        return sheet_of
-
-
-if not TYPE_CHECKING:
-    sys.modules[__name__].__class__ = _Package
+    return getattr(registered, name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from winkler.plot import beds, restored  # noqa: F401
 from winkler.plot.conduction import constriction, fields, spots  # noqa: F401
-from winkler.plot.draw import draw, sheet_of
+from winkler.plot.drawing import draw, sheet_of
 from winkler.plot.heating import heating  # noqa: F401
 from winkler.plot.rolling import rolling  # noqa: F401
 from winkler.plot.rough import lines, roughness  # noqa: F401

@@ -14,7 +14,7 @@ from winkler.loading import Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Line, Panel, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale, series, told
 from winkler.problems.conduction.constriction import ConstrictionSolution

@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.panel import Axis, Line, Map, Panel, Rule, Sheet, note
 from winkler.plot.series import Series, places, scale_of, series

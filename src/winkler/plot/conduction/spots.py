@@ -10,7 +10,7 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.loading import Depth, Force
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Bars, Line, Map, Panel, Rule, Sheet, plane
 from winkler.plot.series import scale_of, series, told
 from winkler.problems.conduction.bounds import ConductanceBoundsSolution

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Arrow, Axis, Band, Line, Map, Panel, Rule, Sheet, note, plane, titled
 from winkler.plot.series import common_scale, middle_scale, scale_of, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent

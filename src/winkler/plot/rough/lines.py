@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Axis, Line, Panel, Sheet, plane, titled
 from winkler.plot.rough.roughness import Bounds, framed, image_of, models_panel, spectrum_panel
 from winkler.plot.series import Series, scale_of, series, told

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Area, Axis, Line, Map, Panel, Sheet, note, plane
 from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, told

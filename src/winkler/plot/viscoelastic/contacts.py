@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
 from winkler.plot.panel import Axis, Line, Panel, Sheet, titled
 from winkler.plot.series import Series, series, told

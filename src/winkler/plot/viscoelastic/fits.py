@@ -11,7 +11,7 @@ from winkler.fitting.viscoelastic.band import relaxation_band, watched
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.fitting.fits import fit_panels, measured_dots, origin_of
 from winkler.plot.panel import Area, Axis, Band, Line, Panel, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent

@@ -14,7 +14,7 @@ from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, told
 from winkler.plot.viscoelastic.contacts import refuse_extent

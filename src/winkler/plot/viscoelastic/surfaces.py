@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.decades import Quantity, decades_panel
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.friction.curves import (
     bounds,
     energies_panel,

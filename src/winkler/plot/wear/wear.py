@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.plot import style
-from winkler.plot.draw import sheet_of
+from winkler.plot.drawing import sheet_of
 from winkler.plot.panel import Area, Axis, Line, Panel, Rule, Sheet, titled
 from winkler.plot.series import Series, series, told
 from winkler.problems.wear.fretting import FrettingSolution
