@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from winkler.checks.number_checks import (
+    POSITIVE,
     Advice,
     Count,
     Finite,
@@ -26,6 +27,7 @@ from winkler.checks.number_checks import (
     PositiveRow,
     Whole,
     between,
+    checked,
 )
 from winkler.errors import InvalidInput
 from winkler.materials.spring_and_dashpot import Maxwell
@@ -123,3 +125,10 @@ def test_rows_become_read_only_arrays_of_floats():
 def test_fields_are_refused_in_the_order_in_which_they_stand():
     with pytest.raises(InvalidInput, match=r"^Maxwell: shear is -1.0; .* in Pa\.$"):
         Maxwell(-1.0, -2.0)
+
+
+def test_a_number_of_numpy_is_a_number():
+    assert checked(POSITIVE, "owner", "length", np.float64(2.0), "m") == 2.0
+    assert checked(POSITIVE, "owner", "length", np.float32(2.0), "m") == 2.0
+    with pytest.raises(InvalidInput, match=r"length is True; it must be"):
+        checked(POSITIVE, "owner", "length", np.True_, "m")

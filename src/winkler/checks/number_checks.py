@@ -255,7 +255,8 @@ def checked(
     ------
     InvalidInput
     """
-    return kind.check(f"{owner}: {name}", lambda demand: ended(demand, unit, advice))(content)
+    plain = content.item() if isinstance(content, np.generic) else content  # as a number of numpy becomes in a field
+    return kind.check(f"{owner}: {name}", lambda demand: ended(demand, unit, advice))(plain)
 
 
 def ended(demand: str, unit: str | None, advice: str = "") -> str:

@@ -76,9 +76,9 @@ def each(path, *besides: str) -> dict[str, str]:
 
 
 def test_every_reader_is_here():
-    from WINKLER_ import public as door
+    from winkler import public as names
 
-    public = {name.removeprefix("read_") for name in door.__all__ if name.startswith("read_")}
+    public = {name.removeprefix("read_") for name in names.__all__ if name.startswith("read_")}
     assert {name.replace("topography", "map") for name in public} <= {*READERS}
 
 

@@ -109,7 +109,8 @@ def variables(found: tuple[Indices, ...], keys: list[str]) -> tuple[dict[str, An
         )
         for name, (symbol, meaning) in MEANINGS.items()
     }
-    return content, {"answer": np.array([one.answer for one in found]), "key": np.array(keys)}
+    names = {"answer": [one.answer for one in found], "key": keys}
+    return content, {name: ((name,), np.array(places), {}) for name, places in names.items()}
 
 
 def write(found: tuple[Indices, ...], keys: list[str], path: Path) -> None:
