@@ -113,6 +113,12 @@ def test_readme_has_the_two_commands(name):
     assert body.startswith("python3 -m venv .venv && . .venv/bin/activate && pip install ")
 
 
+def test_studies_that_are_named_are_there():
+    named = {name for page in PAGES for name in re.findall(r"examples/[\w/]+\.\w+", page.read_text(encoding="utf-8"))}
+    assert len(named) >= 5
+    assert [name for name in sorted(named) if not (ROOT / name).exists()] == []
+
+
 def test_links_inside_the_project_lead_somewhere():
     bad = []
     for page in PAGES:
