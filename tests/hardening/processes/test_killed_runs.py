@@ -220,7 +220,7 @@ AT_IMPORTS, IN_CALLBACKS = "sys.addaudithook(imported)", "sys.setprofile(left)"
 
 
 @pytest.mark.parametrize("sign", [signal.SIGTERM, signal.SIGINT])
-@pytest.mark.parametrize(("how", "place"), [*((AT_IMPORTS, n) for n in (1, 100, 400, 800)), (IN_CALLBACKS, 150)])
+@pytest.mark.parametrize(("how", "place"), [*((AT_IMPORTS, n) for n in (1, 100, 250, 400)), (IN_CALLBACKS, 150)])
 def test_a_signal_while_winkler_is_loaded_is_not_lost(how, place, sign, tmp_path):
     """Real processes; in the callback of a module's lock Python itself would report an interrupt and forget it."""
     (tmp_path / "study.toml").write_text(STUDIES["run"][1], encoding="utf-8")

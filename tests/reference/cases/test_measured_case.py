@@ -10,7 +10,7 @@ import pytest
 
 from winkler.study.ledger.ledger import examined, remarks
 
-CASE = Path(__file__).parent / "measured" / "chiaro_bead.toml"
+CASE = Path(__file__).parents[1] / "measured" / "chiaro_bead.toml"
 
 
 @pytest.mark.slow
