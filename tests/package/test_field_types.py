@@ -3,6 +3,13 @@
 from __future__ import annotations
 
 import ast
+import math
+
+import pytest
+
+from winkler.checks.number_checks import Positive
+from winkler.errors import InvalidInput
+from winkler.values import value
 
 NUMBERS = {"bool", "int", "float"}
 
@@ -30,3 +37,18 @@ def test_no_class_tests_whether_its_fields_are_numbers(pages):
     assert found == {}
     sample = "def __post_init__(self):\n    isinstance(self.young, int | float)"
     assert repeated(ast.parse(sample).body[0]) == ["isinstance(self.young, int | float)"]
+
+
+@value
+class HalfKnown:
+    """One of its types is a name that its module lacks when it runs."""
+
+    first: math.no_such_name
+    second: Positive
+    third: float
+
+
+def test_a_type_that_is_not_there_hides_no_other():
+    assert HalfKnown("anything", 2.0, 3).second == 2.0
+    with pytest.raises(InvalidInput, match="second is -2"):
+        HalfKnown("anything", -2.0, 3.0)

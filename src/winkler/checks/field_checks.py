@@ -56,8 +56,18 @@ def _hints(cls: Any) -> dict[str, Any]:
             return typing.get_type_hints(cls, localns=unknown or None, include_extras=True)
         except NameError as error:
             unknown[str(error.name)] = Any
-        except AttributeError:  # a name in a module that only type checkers know
-            return {field.name: Any for field in dataclasses.fields(cls)}
+        except AttributeError:  # a name in a module that only type checkers know: field by field
+            if len(dataclasses.fields(cls)) == 1:
+                return {dataclasses.fields(cls)[0].name: Any}
+            return {
+                name: hint for field in dataclasses.fields(cls) for name, hint in _hints(_alone(cls, field)).items()
+            }
+
+
+def _alone(cls: Any, field: dataclasses.Field[Any]) -> type:
+    """Return a class with one field of another one."""
+    content = {"__module__": cls.__module__, "__annotations__": {field.name: field.type}}
+    return dataclasses.dataclass(type(cls.__name__, (), content))
 
 
 @functools.cache
