@@ -99,7 +99,7 @@ def by_height_map(points: int) -> Callable[[], tuple[float, float]]:
     surface = wk.Topography(heights(points), [SIDE, SIDE])
 
     def run() -> tuple[float, float]:
-        surface_grid._kept.cache_clear()
+        surface_grid._cached_grid.cache_clear()
         start = time.perf_counter()
         contact = wk.SurfaceContact(surface, medium, wk.Force(FORCE)).solve()
         elapsed = time.perf_counter() - start

@@ -11,7 +11,7 @@ transformed profile; solved there, exactly where the method is exact; and brough
 (186.626, 3.4829)
 """
 
-TYPE_CHECKING = False  # as type checkers know it; `typing` takes longer to load than the rest of this page
+TYPE_CHECKING = False  # the name that type checkers evaluate; `typing` takes longer to load than this module
 
 if TYPE_CHECKING:
     from winkler.public import *  # noqa: F403

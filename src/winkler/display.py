@@ -1,13 +1,14 @@
-"""How a value shows itself: a line or a few for ``repr``, a table with units for notebooks.
+"""The display of a value: one or a few lines for ``repr``, a table with units for notebooks.
 
-A small value reads as the call that makes it, ``Sphere(curvature_radius=0.01)``.  An answer, and what does not fit a
-line, becomes a block: a line for each field, numbers with the unit of the glossary, arrays as shape and range::
+A small value reads as the call that makes it, ``Sphere(curvature_radius=0.01)``.A solution, and a value that does not
+fit a line, becomes a block: a line for each field, numbers with the unit of the glossary, arrays as shape and range::
 
     IndentationSolution
       problem  Indentation(bed=Foundation(...), load=Force(...))
       depth    (1000,) 1.617e-08 ... 1.617e-06 m
 
-Only fields are shown, because these are known already; the notes on validity, which notebooks show too, are computed.
+Only fields are shown, because these are computed already; the notes on validity, which notebooks show too, are
+computed.
 """
 
 from __future__ import annotations
@@ -84,7 +85,7 @@ def _is_answer(content: Any) -> bool:
 
 
 def _rows(content: Any) -> Iterator[Row]:
-    """Yield the fields of a value; of a fit first what it found."""
+    """Yield the fields of a value; of a fit first its result."""
     found = {"model", "names", "values", "standard_errors"}
     fields = [field.name for field in dataclasses.fields(content) if field.repr]
     if found.issubset(fields):
@@ -154,7 +155,7 @@ def _outline(content: Any, room: int) -> str:
     if not dataclasses.is_dataclass(content) or isinstance(content, type):
         return _cut(" ".join(repr(content).split()), room)
     rows = list(_rows(content)) if not _is_answer(content) else []
-    for width in (room, room // 2, 0):  # the less room a part has, the more of it is left out
+    for width in (room, room // 2, 0):  # the narrower a part, the more of it is left out
         text = f"{name}({', '.join(f'{row.name}={_plain(row, width)}' for row in rows)})"
         if rows and len(text) <= room:
             return text

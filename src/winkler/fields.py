@@ -1,7 +1,7 @@
-r"""From the springs back to the body: pressure and displacement of the surface, stresses below it.
+r"""Restoring the body from the springs: pressure and displacement of the surface, stresses below it.
 
 ``restore(solution, r)`` gives the fields on the surface, ``restore(solution, r, z)`` those below it; both work on any
-solution that tells how its springs are displaced.  Of a sheared contact `restore` gives traction and slip on the
+solution that holds the displacement of its springs.  Of a sheared contact `restore` gives traction and slip on the
 surface; the field below it is not symmetric about the axis any more, and ``restore_body(solution, x, y, z)`` gives it.
 """
 
@@ -11,9 +11,9 @@ from typing import overload
 
 import numpy as np
 
-from winkler.checks.float_range import guarded_answer
+from winkler.checks.float_range import guarded_result
 from winkler.checks.outline import refuse_unless_round
-from winkler.checks.physical_size import LARGEST
+from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
 from winkler.foundation.bed import Pressed
 from winkler.foundation.sheared import ShearedSprings
@@ -42,7 +42,7 @@ __all__ = [
     "springs_of",
 ]
 
-FIELD = "the field"
+FIELD_ADVICE = "the field"
 
 
 @value
@@ -74,7 +74,7 @@ class SubsurfaceFields:
     Parameters
     ----------
     r, z : ndarray
-        Where [m]; z as it was asked for: positive in the first body, negative in the second.
+        Where [m]; z as requested: positive in the first body, negative in the second.
     radial_stress, hoop_stress, axial_stress, shear_stress : ndarray
         [Pa], tension positive; shear in the planes that contain the axis.
     radial_displacement, axial_displacement : ndarray
@@ -114,7 +114,7 @@ def restore(solution: Restorable, r: ArrayLike, z: ArrayLike) -> SubsurfaceField
 def restore(solution: Dragged, r: ArrayLike) -> ShearedFields: ...
 @overload
 def restore(solution: TorsionState, r: ArrayLike) -> TwistedFields: ...
-@guarded_answer
+@guarded_result
 def restore(
     solution: Restorable | Dragged | TorsionState, r: ArrayLike, z: ArrayLike | None = None
 ) -> SurfaceFields | SubsurfaceFields | ShearedFields | TwistedFields:
@@ -123,7 +123,7 @@ def restore(
     Parameters
     ----------
     solution
-        The answer to a problem, for one load.
+        The solution of a problem, for one load.
     r : array_like
         Distances from the axis [m], not negative.
     z : array_like, optional
@@ -153,20 +153,20 @@ def restore(
             )
         if isinstance(solution, TorsionState):
             return twisted_surface(solution, radii)
-        refuse_unless_round(solution.sheared.pressed, "restore", FIELD)
+        refuse_unless_round(solution.sheared.pressed, "restore", FIELD_ADVICE)
         return sheared_surface(solution.sheared, radii)
     pressed = springs_of(solution)
     return _surface(pressed, radii) if z is None else below_surface(pressed, radii, _checked("z", z))
 
 
-@guarded_answer
+@guarded_result
 def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
     """Return stresses and displacements inside the bodies, in the axes x, y, z.
 
     Parameters
     ----------
     solution
-        The answer to a problem, for one load; sheared, twisted or neither.
+        The solution of a problem, for one load; sheared, twisted or neither.
     x, y, z : array_like
         Places [m], broadcast against each other: x along the first component of a shear force, z positive in the first
         body, negative in the second, zero just below the surface of the first.
@@ -186,7 +186,7 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     Notes
     -----
     The traction is that of the springs, along x everywhere; its stresses are exact.  That the surfaces slide where and
-    as the springs say is exact for nu = 0; otherwise the displacement across the load is neglected.
+    as the springs predict is exact for nu = 0; otherwise the displacement across the load is neglected.
 
     References
     ----------
@@ -197,13 +197,13 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
         return body_of_twisted(solution, *places)
     springs = solution.sheared if is_dragged(solution) else springs_of(solution)
     if isinstance(springs, ShearedSprings):
-        refuse_unless_round(springs.pressed, "restore_body", FIELD)
+        refuse_unless_round(springs.pressed, "restore_body", FIELD_ADVICE)
         return body_of_sheared(springs, *places)
-    refuse_unless_round(springs, "restore_body", FIELD)
+    refuse_unless_round(springs, "restore_body", FIELD_ADVICE)
     return body_of_pressed(springs, *places)
 
 
-@guarded_answer
+@guarded_result
 def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     """Return how far a sheared contact drags the surfaces along, sum over both bodies.
 
@@ -228,7 +228,7 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
         If the medium is not a homogeneous isotropic half-space.
     """
     places = np.broadcast_arrays(_checked("x", x, "restore_shift"), _checked("y", y, "restore_shift"))
-    refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD)
+    refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD_ADVICE)
     return shift_of_surface(solution.sheared, *places)
 
 
@@ -247,15 +247,15 @@ def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
         numbers = np.asarray(given, dtype=float)
     except (TypeError, ValueError, OverflowError):
         raise InvalidInput(f"{asker}: {word} is {given!r:.60}; give a number or an array in m.") from None
-    if not np.all(np.abs(numbers) < LARGEST):
+    if not np.all(np.abs(numbers) < LARGEST_NUMBER):
         raise InvalidInput(
-            f"{asker}: {word} holds values that are not finite, or beyond {LARGEST:g}; give places in m."
+            f"{asker}: {word} holds values that are not finite, or beyond {LARGEST_NUMBER:g}; give places in m."
         )
     return numbers
 
 
 def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
-    refuse_unless_round(pressed, "restore", FIELD)
+    refuse_unless_round(pressed, "restore", FIELD_ADVICE)
     if pressed.radius == 0.0:
         still = np.zeros(r.shape)
         return SurfaceFields(r, still, still, _height(pressed, r) - min(pressed.depth, 0.0))
@@ -274,7 +274,7 @@ def _height(pressed: Pressed, r: Array) -> Array:
 
 def below_surface(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
     """Return the fields at places of shapes that broadcast; the surface itself belongs to one of the bodies."""
-    refuse_unless_round(pressed, "restore", FIELD)
+    refuse_unless_round(pressed, "restore", FIELD_ADVICE)
     r, z = np.broadcast_arrays(r, z)
     first = (z >= 0.0) if surface_is_first else (z > 0.0)
     parts = np.zeros((6, *r.shape))

@@ -1,4 +1,4 @@
-"""The steps of a path that is told in words: start, go there, wait, oscillate, run round a circle, follow a table.
+"""The steps of a path stated in words: start, go there, wait, oscillate, run round a circle, follow a table.
 
 Every step goes on from where the one before it ended, and leaves as it is what it does not mention.
 """
@@ -10,13 +10,13 @@ from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Count, Finite, NonNegative, Positive, Whole, affordable
 from winkler.limits import PATH_POINTS
 from winkler.loading import Lateral, Normal, ShearForce, Shift
 from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.numerics.types import Array
-from winkler.path import PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
+from winkler.path import POINTS_PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
 from winkler.values import value
 
 __all__ = ["Circle", "Follow", "Hold", "Kept", "Oscillate", "Ramp", "Rows", "Start", "Step"]
@@ -40,13 +40,13 @@ class Kept:
     """A load that stays as it is."""
 
 
-IN_PLANE = Such(
+IN_PLANE = Condition(
     _one_or_pair,
     "give Shift, ShearForce, Angle or Torque with one number, or for a shift or a shear force in the plane two",
 )
 NextNormal: TypeAlias = Annotated[
     Normal | Kept,
-    Such(
+    Condition(
         lambda load: isinstance(load, Kept) or numbers_of(load).ndim == 0,
         "give Depth(d) or Force(F) with one number, or leave it out",
     ),
@@ -61,9 +61,9 @@ class Start:
     Parameters
     ----------
     normal : Depth or Force
-        One number; it says what drives the normal motion in all steps.
+        One number; it states what drives the normal motion in all steps.
     lateral : Shift, ShearForce, Angle or Torque, optional
-        One number, in the plane two; it says what drives the lateral motion in all steps.
+        One number, in the plane two; it states what drives the lateral motion in all steps.
 
     Raises
     ------
@@ -92,7 +92,7 @@ class Ramp:
     duration : float, optional
         How long it takes [s], zero or more.
     count : int, optional
-        In how many equal parts the way is told; at least one.
+        Into how many equal parts the path is divided; at least one.
 
     Raises
     ------
@@ -106,7 +106,7 @@ class Ramp:
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
 
     def rows(self, across: float, along: Array) -> Rows:
-        """Return `count` points on the way, the last of them there."""
+        """Return `count` points on the path, the last of them at its end."""
         part = np.arange(1, self.count + 1) / self.count
         high = across if isinstance(self.normal, Kept) else _one(self.normal)
         far = along if isinstance(self.lateral, Kept) else _pair(self.lateral)
@@ -179,7 +179,7 @@ class Oscillate:
     frequency: Positive = 1.0
     ratio: Finite = 1.0
     phase: Finite = 0.0
-    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = PER_CYCLE
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = POINTS_PER_CYCLE
 
     def __post_init__(self) -> None:
         swings(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
@@ -223,7 +223,7 @@ class Circle:
     lateral: OnePositiveSwing
     cycles: Finite = 1.0
     frequency: Positive = 1.0
-    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = PER_CYCLE
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = POINTS_PER_CYCLE
 
     def __post_init__(self) -> None:
         swings(self.cycles, self.count)
@@ -259,7 +259,7 @@ class Follow:
         affordable("Follow", "points", self.cycles * self.path.time.size, PATH_POINTS)
 
     def rows(self, across: float, along: Array) -> Rows:
-        """Return its points; where the present one is its first, that is not told twice."""
+        """Return its points; where the present one is its first, that is not stated twice."""
         path = self.path
         plane = path.along if path.in_plane else np.stack([path.along, np.zeros(path.time.size)], axis=1)
         times = path.time - path.time[0]

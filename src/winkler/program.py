@@ -1,4 +1,4 @@
-"""A path told in steps: start, go there, wait, oscillate, run round a circle, follow a table."""
+"""A path stated in steps: start, go there, wait, oscillate, run round a circle, follow a table."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["Program"]
 
 @value
 class Program(Path):
-    """A path that is told in steps.
+    """A path that is stated in steps.
 
     Parameters
     ----------

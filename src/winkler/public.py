@@ -1,4 +1,4 @@
-"""What `import winkler` offers, each name from the page where it lives.
+"""What `import winkler` offers, each name from the module where it is defined.
 
 The package reads these imports without running them: a name is loaded from its module when it is first used, and the
 modules of other names are not.  Type checkers and editors take them as they stand.

@@ -1,4 +1,4 @@
-"""Numbers as they are read: with the prefix that fits them, so that 0.000187 m is 187 µm.
+"""Numbers as text for readers: with the prefix that fits them, so that 0.000187 m is 187 µm.
 
 Contents are SI, units those of the glossary.
 """

@@ -1,4 +1,4 @@
-r"""Jaeger's picture: a round contact as a staircase of flat punches of growing radius.
+r"""Jaeger's superposition: a round contact as a staircase of flat punches of growing radius.
 
 A flat punch of radius b that sinks by :math:`\delta` has the closed form
 
@@ -7,7 +7,7 @@ A flat punch of radius b that sinks by :math:`\delta` has the closed form
 
 Pressing a body in is pressing one such punch after the other, each a little wider: the increment dg = g'(x) dx of the
 depth belongs to the punch of radius x.  Where `winkler.fields.restore` evaluates the integral over all punches, the
-staircase adds up finitely many of them; it knows nothing of Abel transforms, and so it is an independent check of
+staircase adds up finitely many of them; it uses no Abel transforms, and so it is an independent check of
 pressure and displacement, and the shortest explanation why independent springs can be exact.
 
 References
@@ -32,7 +32,7 @@ from winkler.values import value
 
 __all__ = ["Staircase", "staircase"]
 
-CHUNK = 1 << 20
+PAIRS_PER_CHUNK = 1 << 20
 """Largest number of pairs of places and punches at once."""
 
 
@@ -139,7 +139,7 @@ class Staircase:
                 "staircase: r holds values that are negative or not finite; give distances from the axis in m."
             )
         flat = places.ravel()
-        block = max(1, CHUNK // max(1, self.radii.size))
+        block = max(1, PAIRS_PER_CHUNK // max(1, self.radii.size))
         parts = [
             kernel(flat[start : start + block, None], self.radii[None, :]) @ self.increments
             for start in range(0, flat.size, block)
@@ -153,7 +153,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     Parameters
     ----------
     solution
-        The answer to a problem, for one load, on a homogeneous half-space.
+        The solution of a problem, for one load, on a homogeneous half-space.
     count : int
         How many punches follow the shape of the body; one more stands for the flat end of a body that is pinned at
         its rim.  The depth is met exactly, force and outer displacement with an error that falls as 1/count^2.

@@ -1,6 +1,6 @@
 """A *value*: a frozen dataclass that compares and hashes by content, arrays included.
 
-Everything that is asked or answered in winkler is a value.  Two studies with equal content are equal, so a
+Every problem and every solution of winkler is a value.  Two studies with equal content are equal, so a
 value can be a key of a cache, a point of a sweep, or one side of an assertion.  Arrays become read-only copies
 (again after unpickling), lists become tuples, so that nothing changes behind the reader's back.
 """
@@ -15,7 +15,7 @@ from typing import Any, TypeVar, dataclass_transform
 import numpy as np
 
 from winkler.checks.field_checks import checks_of
-from winkler.checks.float_range import guarded, guarded_answer, guarded_stream
+from winkler.checks.float_range import guarded, guarded_result, guarded_stream
 from winkler.checks.outline import refuse_outline, refuse_relaxing
 from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
@@ -28,7 +28,7 @@ T = TypeVar("T")
 
 def frozen_array(array: Any) -> np.ndarray:
     """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
-    masked = hasattr(array, "mask") and isinstance(array, np.ma.MaskedArray)  # numpy loads what it is asked for
+    masked = hasattr(array, "mask") and isinstance(array, np.ma.MaskedArray)  # numpy loads its parts on demand
     if masked and array.dtype.kind in "iuf":
         array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none
     result = np.array(array)
@@ -38,12 +38,12 @@ def frozen_array(array: Any) -> np.ndarray:
     return result
 
 
-PLAIN = frozenset((float, int, str, bool))
+FROZEN_TYPES = frozenset((float, int, str, bool))
 """What is frozen already; a sweep has a million of them."""
 
 
 def _frozen(content: Any) -> Any:
-    if type(content) is tuple and PLAIN.issuperset(map(type, content)):
+    if type(content) is tuple and FROZEN_TYPES.issuperset(map(type, content)):
         return content
     if isinstance(content, np.ndarray):
         return float(content) if content.ndim == 0 and content.dtype.kind in "iuf" else frozen_array(content)
@@ -99,8 +99,8 @@ def value(cls: type[T]) -> type[T]:
 
     The fields are frozen and compared with their types (`winkler.checks`); then a class's own ``__post_init__`` runs,
     the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
-    properties of a solution, say in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
-    takes a few lines (`winkler.display`), and a wrong name is answered by the right one (`winkler.wrong_names`).
+    properties of a solution, state in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
+    takes a few lines (`winkler.display`), and a wrong name raises an error with the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
@@ -111,7 +111,7 @@ def value(cls: type[T]) -> type[T]:
         contents = self.__dict__
         for name, checked in given():
             content = contents[name]
-            kept = content if type(content) in PLAIN else _frozen(content)
+            kept = content if type(content) in FROZEN_TYPES else _frozen(content)
             if checked is not None:
                 kept = checked(kept)
             if kept is not content:
@@ -139,10 +139,10 @@ def value(cls: type[T]) -> type[T]:
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
         if callable(vars(cls).get(name)):  # a field may have the same name
             setattr(cls, name, guard(vars(cls)[name]))
-    if "problem" in vars(cls).get("__annotations__", {}):  # a solution: what it tells is computed when it is asked
+    if "problem" in vars(cls).get("__annotations__", {}):  # a solution: its properties are computed on demand
         for name, member in list(vars(cls).items()):
             if isinstance(member, property) and member.fget is not None:
-                setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
+                setattr(cls, name, property(guarded_result(member.fget), doc=member.__doc__))
     made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
     made.__init__ = checked_arguments(made, made.__init__)
     given = functools.cache(functools.partial(checks_of, made))

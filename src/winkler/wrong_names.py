@@ -1,4 +1,4 @@
-"""A wrong name of an attribute or an argument of a value, answered by the right one.
+"""A wrong name of an attribute or an argument of a value, with the right one suggested.
 
 What is right costs nothing more: ``__getattr__`` is called for attributes only that are not there, and arguments are
 compared with the signature only after Python has refused them.
@@ -45,7 +45,7 @@ def _public(cls: type) -> frozenset[str]:
 
 
 def checked_arguments(cls: type, construct: Callable[..., None]) -> Callable[..., None]:
-    """Return the ``__init__`` of a class, which says of an unknown argument which one was probably meant.
+    """Return the ``__init__`` of a class, which suggests for an unknown argument the one that was probably meant.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from winkler.media.pile import MEMBERS, pile
+from winkler.media.pile import FEWEST_MEMBERS, pile
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def test_the_inverse_square_root_is_gone():
 
 def test_clusters_carry_the_moments_of_their_panels():
     root = pile(Root()).root
-    assert len(root.panels) >= MEMBERS
+    assert len(root.panels) >= FEWEST_MEMBERS
     a, b = 1.0, 0.3
     for power, above in (
         (0, math.sqrt(a * a - b * b)),

@@ -18,7 +18,7 @@ __all__ = ["Bed", "Pressed", "Stretched"]
 
 @offered("a bed, such as Foundation(profile, medium)")
 class Bed(Protocol):
-    """The contract of a foundation, spoken to its implementer.
+    """The contract of a foundation, written for its implementer.
 
     Lengths [m], x >= 0 (everything is even in x); arrays in, arrays of the same shape out.
     """
@@ -54,7 +54,7 @@ class Bed(Protocol):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2), or what `Medium.kinks` says."""
+        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2), or as `Medium.kinks` states."""
         ...
 
     @property
@@ -64,12 +64,12 @@ class Bed(Protocol):
 
     @property
     def certain(self) -> bool:
-        """Whether every contact is known to be one disc, so that none need be looked at."""
+        """Whether every contact is known to be one disc, so that none need be checked."""
         ...
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be said about shape and medium."""
+        """What must be stated about shape and medium."""
         ...
 
     def height(self, r: Array) -> Array:
@@ -133,7 +133,7 @@ class Pressed:
 
     @property
     def blunted(self) -> Pressed:
-        """The same springs, as fields below the surface take them: without what is too fine to be felt there."""
+        """The same springs, as fields below the surface take them: without detail too fine to matter there."""
         return self
 
     @property

@@ -15,7 +15,7 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.errors import OutsideValidity
 from winkler.footprint import DISC, Ellipse, Round
 from winkler.foundation.on_medium import UnderProfile
@@ -33,7 +33,7 @@ __all__ = ["EllipticFoundation"]
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 4.2 and 7.2, doi:10.1017/CBO9781139171731"
 
 
-HOMOGENEOUS = Such(
+HOMOGENEOUS_MEDIUM = Condition(
     lambda medium: isinstance(medium, HomogeneousMedium),
     "Hertz's ellipse is known on homogeneous half-spaces alone, give HalfSpace or ViscoelasticHalfSpace",
 )
@@ -41,7 +41,7 @@ HOMOGENEOUS = Such(
 
 @value
 class EllipticFoundation(UnderProfile):
-    """The springs that stand for bodies of two curvatures, in problems that ask for force, depth and stiffness.
+    """The springs that stand for bodies of two curvatures, in problems that need force, depth and stiffness.
 
     Problems that need a disc (adhesion, wear, heating, rolling, torsion, yield, the fields) refuse it.
 
@@ -73,7 +73,7 @@ class EllipticFoundation(UnderProfile):
     """
 
     bodies: CurvedBodies
-    medium: Annotated[Medium, HOMOGENEOUS]
+    medium: Annotated[Medium, HOMOGENEOUS_MEDIUM]
 
     def __post_init__(self) -> None:
         _ = self.bodies.slenderness

@@ -1,6 +1,6 @@
 r"""The springs of a sheared contact: how far each is stretched along the surface.
 
-Told apart by the depth :math:`\gamma=g(x)` at which they touch, springs of one kind are stretched by
+Distinguished by the depth :math:`\gamma=g(x)` at which they touch, springs of one kind are stretched by
 
 .. math:: u_t(\gamma) = \sum_j B_j\,(\gamma_j-\gamma)_+ + \sum_j J_j\,[\gamma<\gamma_j] .
 

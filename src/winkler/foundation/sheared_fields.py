@@ -53,7 +53,7 @@ class BodyFields:
     Parameters
     ----------
     x, y, z : ndarray
-        Where [m]; z as it was asked for: positive in the first body, negative in the second.
+        Where [m]; z as requested: positive in the first body, negative in the second.
     xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
         [Pa], tension positive.
     x_displacement, y_displacement, z_displacement : ndarray
@@ -196,7 +196,7 @@ def _pressed(pressed: Pressed, x: Array, y: Array, z: Array, *, below: bool) -> 
 
 
 def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bool) -> Array:
-    """Return the rows of `BodyFields` under the traction; on the second body it acts the other way."""
+    """Return the rows of `BodyFields` under the traction; on the second body it acts in the opposite direction."""
     medium = _half_space(sheared.pressed)
     body, sign = (medium.first, 1.0) if below else (medium.second, -1.0)
     if not isinstance(body, Elastic):
@@ -217,7 +217,7 @@ def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bo
         for part in parts:
             if axis == 0:
                 total += field(part, x, y)
-            else:  # along y: the same field, seen in axes turned by a right angle
+            else:  # along y: the same field, in axes rotated by a right angle
                 xx, yy, zz, xy, xz, yz, u, v, w = field(part, y, -x)
                 total += [yy, xx, zz, -xy, -yz, xz, -v, u, w]
     return total

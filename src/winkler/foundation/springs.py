@@ -1,4 +1,4 @@
-r"""Springs: a bed as a row of separate springs, for problems in which every spring remembers.
+r"""Springs: a bed as a row of separate springs, for problems in which every spring has a history.
 
 Springs stand at places :math:`x_i`, under the gaps :math:`g_i`; together, pressed to a depth d, they bear
 
@@ -135,5 +135,5 @@ def _flat_end(bed: Bed, reach: float) -> float:
 
 
 def _off_axis(x: Array) -> Array:
-    """Return places to ask for stiffnesses, which at the axis itself may vanish or diverge."""
+    """Return the places at which stiffnesses are evaluated; at the axis itself they may vanish or diverge."""
     return np.where(x > 0.0, x, 0.5 * x[min(1, x.size - 1)])

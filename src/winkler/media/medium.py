@@ -10,7 +10,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
 
-__all__ = ["CALM", "Displacement", "Medium", "PunchFacts"]
+__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts"]
 
 
 class PunchFacts(NamedTuple):
@@ -21,7 +21,7 @@ class PunchFacts(NamedTuple):
     `telling` is whether springs beyond the edge tell the separation: it is then an integral of g - d with a positive
     kernel.  In other media the separation at r is that of :math:`g'(x)(1-u_1(r;x))` from the edge to r, u1 the
     displacement of the surface outside a flat punch of radius x, which lies between `least` and `most`.  Farther than
-    `calm` [m] from the edge of the punch it lies above `CALM`.
+    `calm` [m] from the edge of the punch it lies above `LEAST_SURFACE_RISE`.
     """
 
     pulls: bool
@@ -31,7 +31,7 @@ class PunchFacts(NamedTuple):
     calm: float = 0.0
 
 
-CALM = -0.25
+LEAST_SURFACE_RISE = -0.25
 """A surface that rises by less than this part of the depth of a punch is not asked whether it meets the body."""
 
 

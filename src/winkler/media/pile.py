@@ -28,16 +28,16 @@ SAMPLES = 24
 """Samples of H on a panel; its series then ends at this order, less one."""
 TOLERANCE = 1e-12
 """Largest last coefficients of a series that is accepted, relative to the largest H."""
-NEGLIGIBLE = 1e-20
+NEGLIGIBLE_TOLERANCE = 1e-20
 """The same times width over contact radius: below it a panel is accepted as it is (the very tip of a pointed g)."""
-ROUGH = 1e-8
+ROUNDING_TOLERANCE = 1e-8
 """A series whose last coefficients do not fall on halving the panel, but are below this, ends in rounding noise."""
 MOST_PANELS = 40_000
-MEMBERS = 4
+FEWEST_MEMBERS = 4
 """Fewest panels that are worth a cluster."""
-PUNCHES = 26
-"""Punches that stand for a cluster; at a distance of ln(rho) = `FAR` they are good to 3.2^-26 = 7e-14."""
-FAR = math.log(3.2)
+PUNCHES_PER_CLUSTER = 26
+"""Punches that stand for a cluster; at a distance of ln(rho) = `CLUSTER_DISTANCE` they are good to 3.2^-26 = 7e-14."""
+CLUSTER_DISTANCE = math.log(3.2)
 
 
 class Panel(NamedTuple):
@@ -105,14 +105,14 @@ def _pile(given: Hashable) -> Pile:
 def _cluster(panels: tuple[Panel, ...], t: Array, parts: Array) -> Cluster:
     lower = math.hypot(panels[0].base, panels[0].lower)
     upper = math.hypot(panels[-1].base, panels[-1].upper)
-    if len(panels) < MEMBERS:
+    if len(panels) < FEWEST_MEMBERS:
         return Cluster(panels, (), lower, upper, np.zeros(0), np.zeros(0))
     # Lagrange's polynomials on Chebyshev points, integrated over the punches
-    order, angle = np.arange(PUNCHES), np.pi * (np.arange(PUNCHES) + 0.5) / PUNCHES
+    order, angle = np.arange(PUNCHES_PER_CLUSTER), np.pi * (np.arange(PUNCHES_PER_CLUSTER) + 0.5) / PUNCHES_PER_CLUSTER
     place = np.clip((2.0 * t.ravel() - (lower + upper)) / (upper - lower), -1.0, 1.0)
     moments = np.cos(np.outer(order, np.arccos(place))) @ parts.ravel()
     moments[0] *= 0.5
-    weights = (2.0 / PUNCHES) * (np.cos(np.outer(angle, order)) @ moments)
+    weights = (2.0 / PUNCHES_PER_CLUSTER) * (np.cos(np.outer(angle, order)) @ moments)
     half = len(panels) // 2
     children = (_cluster(panels[:half], t[:half], parts[:half]), _cluster(panels[half:], t[half:], parts[half:]))
     return Cluster(panels, children, lower, upper, lower + (upper - lower) * np.cos(0.5 * angle) ** 2, weights)
@@ -135,10 +135,10 @@ def _panels(displacement: Displacement) -> list[Panel]:
         size = max(size, float(np.max(np.abs(series))))
         error = np.max(np.abs(series[:, -3:]), axis=1)
         width = np.hypot(base, upper) - np.hypot(base, lower)
-        noise = (error > 0.5 * parents) & (error < ROUGH * size)
+        noise = (error > 0.5 * parents) & (error < ROUNDING_TOLERANCE * size)
         if np.isfinite(parents[0]):
             noise &= noise[np.arange(len(waiting)) ^ 1]  # in both halves of the parent
-        ready = (error <= TOLERANCE * size) | (error * width <= NEGLIGIBLE * size * a) | noise
+        ready = (error <= TOLERANCE * size) | (error * width <= NEGLIGIBLE_TOLERANCE * size * a) | noise
         for i in np.flatnonzero(ready):
             last = np.flatnonzero(np.abs(series[i]) > 1e-16 * size)
             done.append(Panel(*waiting[i], series[i, : last[-1] + 1 if last.size else 1]))

@@ -26,13 +26,13 @@ from winkler.values import value
 
 __all__ = ["Behind", "Tabulated", "springs_behind"]
 
-WIDEST = 500.0
+LARGEST_RADIUS_RATIO = 500.0
 """Greatest contact radius for which layers are asked, in their total thickness."""
-STANDING = 1e-5
+LEAST_RADIUS_RISE = 1e-5
 """Rise of the contact radius with the variable of the curve, relative to the greatest radius, that is none."""
-NEAREST = 1e-4
+LEAST_RADIUS_RATIO = 1e-4
 """Panels closer to the axis, relative to the greatest radius, are too small to be followed."""
-FLAT = 1e-9
+FLAT_END_RATIO = 1e-9
 """A contact starts with a flat end if its first radius is more than this part of the last."""
 
 
@@ -104,7 +104,7 @@ class Tabulated:
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """Where panels meet: they are narrow where g bends much, and rules for integrals must follow them."""
         edges = self.slopes.edges
-        return tuple((float(b), 0.0) for b in edges[1:-1] if b > NEAREST * edges[-1])
+        return tuple((float(b), 0.0) for b in edges[1:-1] if b > LEAST_RADIUS_RATIO * edges[-1])
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
@@ -128,15 +128,15 @@ def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tupl
     knots = curve.panels.edges
     radii = _radii(medium, curve.stiffness(knots))
     growth = np.diff(radii) / np.diff(knots)
-    if np.any(growth <= STANDING * radii[-1]):
-        still = int(np.flatnonzero(growth <= STANDING * radii[-1])[0])
+    if np.any(growth <= LEAST_RADIUS_RISE * radii[-1]):
+        still = int(np.flatnonzero(growth <= LEAST_RADIUS_RISE * radii[-1])[0])
         low, high = curve.depth_at(knots[still : still + 2])
         raise OutsideValidity(
             f"dF/dd hardly rises between the depths {low:.6g} m and {high:.6g} m, so the contact would stand still at "
             "a vertical wall; give a curve whose slope rises, or use CappedCylinder."
         )
     end = float(radii[-1])
-    flat = float(radii[0]) if radii[0] > FLAT * end else 0.0
+    flat = float(radii[0]) if radii[0] > FLAT_END_RATIO * end else 0.0
     joints = _radii(medium, curve.stiffness(np.append(curve.joints, 1.0)))[:-1]
     exact = Behind(curve, medium, flat, end, tuple(float(b) for b in joints))
     if exact.singular:
@@ -172,9 +172,9 @@ def _wide_enough(medium: LayeredMedium, stiffness: float) -> float:
         except NotConverged:
             radius = math.inf
         radius *= 2.0
-        if radius > WIDEST * whole:
+        if radius > LARGEST_RADIUS_RATIO * whole:
             raise OutsideValidity(
-                f"dF/dd reaches {stiffness:.6g} N/m, the stiffness of a contact more than {WIDEST:g} times as wide as "
-                f"the layers are thick ({whole:.6g} m), where they cannot be carried; give smaller forces, or the "
+                f"dF/dd reaches {stiffness:.6g} N/m, the stiffness of a contact more than {LARGEST_RADIUS_RATIO:g} "
+                f"times as wide as the layers are thick ({whole:.6g} m), where they cannot be carried; give smaller forces, or the "
                 "medium below the layers."
             )

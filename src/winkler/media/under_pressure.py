@@ -38,13 +38,13 @@ DEGREE = 48
 """Of the one polynomial that is tried for them first: it has no joints, which the layers would feel."""
 SHARE_TOLERANCE = 1e-11
 """Error of K phi, relative to the deepest spring."""
-COUNT = 200
+PRESSURE_NODES = 200
 """Nodes of the integral over that pressure, of which only a cubic spline is known."""
-RULES = (16, 32, 64)
-SETTLED, LAST = 1e-12, 1e-9
-STEP = 2.0
+RULE_NODES = (16, 32, 64)
+SETTLED_TOLERANCE, LAST_TOLERANCE = 1e-12, 1e-9
+FIRST_DISTANCE = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
-CHUNK = 400_000
+PAIRS_PER_CHUNK = 400_000
 
 
 @value
@@ -137,7 +137,7 @@ def _bulge(t: Array, p: Array, k: float) -> Panels:
 
     angle = np.arcsin(t[:-1])
     shape = CubicSpline(angle, p[:-1] / np.cos(angle) ** (1.0 + k), bc_type=((1, 0.0), "not-a-knot"))
-    nodes, weights = gauss_jacobi(COUNT, -k)
+    nodes, weights = gauss_jacobi(PRESSURE_NODES, -k)
     phi = 0.5 * math.pi * nodes
     weight = weights * 0.5 * math.pi * (np.sin(phi) / nodes) ** -k * np.cos(phi) ** (2.0 + k)
 
@@ -157,14 +157,14 @@ def _share(response: Response, bare: PressedIn) -> Panels:
     """Return K phi on the disc."""
     a = bare.radius
     kernel = transform(response, 2.0 * a)
-    first = STEP * response.length
+    first = FIRST_DISTANCE * response.length
     steps = first * 2.0 ** np.arange(max(1, math.ceil(math.log2(max(2.0 * a / first, 1.0))) + 1))
     size = float(bare.springs(np.zeros(1))[0])
 
     def sums(count: int, x: Array) -> Array:
         nodes, weights = gauss_legendre(count)
         result = np.empty(x.size)
-        width = max(1, CHUNK // (count * (2 * steps.size + 2)))
+        width = max(1, PAIRS_PER_CHUNK // (count * (2 * steps.size + 2)))
         for start in range(0, x.size, width):
             part = x[start : start + width, None]
             ends = np.full(part.shape, a)
@@ -185,14 +185,14 @@ def _settling(sums: Callable[[int, Array], Array], size: float) -> Callable[[Arr
 
     def settled(x: Array) -> Array:
         flat = np.ravel(x)
-        last, change = sums(RULES[0], flat), math.inf
-        for count in RULES[1:]:
+        last, change = sums(RULE_NODES[0], flat), math.inf
+        for count in RULE_NODES[1:]:
             current = sums(count, flat)
             change = float(np.max(np.abs(current - last))) / max(size, float(np.max(np.abs(current))))
             last = current
-            if change <= SETTLED:
+            if change <= SETTLED_TOLERANCE:
                 break
-        if change > LAST:
+        if change > LAST_TOLERANCE:
             raise NotConverged(
                 f"The sinking of the layers under the pressure still moves by {change:.1e}; give a smoother pressure."
             )

@@ -32,9 +32,9 @@ __all__ = ["Kernel", "compiled"]
 P = ParamSpec("P")
 R = TypeVar("R")
 
-FREEDOMS = frozenset({"reassoc", "contract", "nsz"})
+FAST_MATH_FLAGS = frozenset({"reassoc", "contract", "nsz"})
 """What the compiler may do to arithmetic; never to assume that there is no infinity and no not-a-number."""
-NUMBERS = int, float, np.ndarray
+GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
 INTERPRETED = sys.platform == "emscripten"
 """Whether kernels run as plain Python, where numba does not exist."""
@@ -68,8 +68,8 @@ class Kernel(Generic[P, R]):
         assert isinstance(source, types.FunctionType)
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
-        own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, NUMBERS)]
-        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FREEDOMS)]
+        own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, GLOBAL_KINDS)]
+        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS)]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
 
@@ -95,7 +95,7 @@ class Kernel(Generic[P, R]):
         cells = (*cells, types.CellType(self.content))
         copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
-        machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FREEDOMS), error_model="numpy")(copy)
+        machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FAST_MATH_FLAGS), error_model="numpy")(copy)
         if cached:
             with contextlib.suppress(RuntimeError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]

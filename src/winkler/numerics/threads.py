@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 __all__ = ["shared_out"]
 
-FEWEST = 256
+FEWEST_PIECES = 256
 """Pieces that are not worth a thread of their own."""
 
 
@@ -34,7 +34,7 @@ def shared_out(work: Callable[[slice], None], count: int) -> None:
     array([ 0.,  1.,  4.,  9., 16.])
     """
     work(slice(0, 0))
-    cores = 1 if sys.platform == "emscripten" else min(os.cpu_count() or 1, max(count // FEWEST, 1))
+    cores = 1 if sys.platform == "emscripten" else min(os.cpu_count() or 1, max(count // FEWEST_PIECES, 1))
     if cores == 1:
         work(slice(0, count))
         return

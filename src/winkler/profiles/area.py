@@ -30,14 +30,14 @@ __all__ = ["AreaFunction"]
 
 Kernel = Callable[[Array, Array, Array], Array]
 
-NOTHING = 1e-150
+LEAST_HEIGHT = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
-HEIGHTS = np.geomspace(1e-12, 1e6, 3000)
+SEARCHED_HEIGHTS = np.geomspace(1e-12, 1e6, 3000)
 """Heights, in terms of that above which the first term is the greatest, at which the area function is searched for a
 maximum, and for places where it is not log-concave."""
-BENDS = np.geomspace(1e-9, 1e3, 13)
+SEARCHED_BENDS = np.geomspace(1e-9, 1e3, 13)
 """The same, between which one term of a blunt tip takes over from the next."""
-LAST = 6.3
+LARGEST_ROOT = 6.3
 """Largest sqrt(w): exp(-w) is then 6e-18."""
 
 
@@ -89,7 +89,7 @@ class AreaFunction(Shape):
                 "least one is not zero."
             )
         object.__setattr__(self, "coefficients", tuple(float(number) for number in numbers))
-        first = self._derivatives(self._unit * HEIGHTS[:1])
+        first = self._derivatives(self._unit * SEARCHED_HEIGHTS[:1])
         if first[0][0] <= 0.0 or first[1][0] <= 0.0:
             raise InvalidInput(
                 f"AreaFunction: with the coefficients {self.coefficients} the area does not grow from the apex on; the "
@@ -137,7 +137,7 @@ class AreaFunction(Shape):
     @property
     def rising(self) -> bool:
         """Whether r f' = 2 A / A' rises with h everywhere, so that g does."""
-        heights = self._unit * HEIGHTS
+        heights = self._unit * SEARCHED_HEIGHTS
         heights = heights[heights < self._top]
         area, first, second = self._derivatives(heights)
         return bool(np.all(first**2 - area * second >= -1e-13 * first**2))
@@ -147,7 +147,7 @@ class AreaFunction(Shape):
         """Radii at which one term takes over from the next: smooth, but bent, sharply where the tip is blunt."""
         if len(self._terms) < 2:
             return ()
-        heights = self._unit * (BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
+        heights = self._unit * (SEARCHED_BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
         heights = heights[heights < self._top]
         radii = np.sqrt(self._derivatives(heights)[0] / math.pi)
         return tuple((float(radius), 0.0) for radius in radii)
@@ -187,7 +187,7 @@ class AreaFunction(Shape):
         return invert(
             lambda h: self._derivatives(h)[:2],
             math.pi * r * r,
-            lower=NOTHING,
+            lower=LEAST_HEIGHT,
             upper=top,
             guess=0.5 * top if math.isfinite(top) else self._unit,
         )
@@ -258,13 +258,13 @@ class AreaFunction(Shape):
         """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h; `against` as in `settled`."""
 
         def integrand(node: Array, index: Array) -> Array:
-            v = LAST * node  # w = v^2, because D vanishes like w
+            v = LARGEST_ROOT * node  # w = v^2, because D vanishes like w
             fall, steep = np.zeros((index.size, node.size)), np.zeros((index.size, node.size))
             for c, n in self._terms:
                 part = (c / math.pi * h[index] ** n)[:, None] * -np.expm1(-n * v * v)
                 fall += part
                 steep += n * part
-            return kernel(h[index, None], fall, steep) * (2.0 * LAST * v * np.exp(-v * v))
+            return kernel(h[index, None], fall, steep) * (2.0 * LARGEST_ROOT * v * np.exp(-v * v))
 
         # where terms of opposite signs nearly cancel, as close to the reach, A' is not better known than that
         parts = [c * n * h**n for c, n in self._terms]
@@ -294,7 +294,7 @@ def _known_of(profile: AreaFunction) -> _Known:
     top = profile._top
     blunt, reach = (
         math.inf if h == math.inf else math.sqrt(profile._derivatives(np.array([h]))[0][0] / math.pi)
-        for h in (NOTHING, top)
+        for h in (LEAST_HEIGHT, top)
     )
     # at the reach g is singular: tables end an octave before
     unit, high = (profile._unit, math.inf) if reach == math.inf else (0.5 * reach, 0.5 * reach)
@@ -304,7 +304,7 @@ def _known_of(profile: AreaFunction) -> _Known:
 
 @functools.lru_cache(maxsize=64)
 def _summit(profile: AreaFunction) -> float:
-    heights = profile._unit * HEIGHTS
+    heights = profile._unit * SEARCHED_HEIGHTS
     growth = profile._derivatives(heights)[1]
     (shrinking,) = np.nonzero(growth <= 0.0)
     if not shrinking.size:

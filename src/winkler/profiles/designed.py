@@ -25,9 +25,9 @@ __all__ = ["Designed"]
 
 GAP_TOLERANCE = 1e-10
 """Error of g' on its panels, relative to the steepest slope."""
-CROWDED = 1e-6, 1e-8
+NARROW_PANEL_LIMITS = 1e-6, 1e-8
 """Panels narrower than this, of the reach, hold a singular point, where g' has this error from rounding."""
-FAINT = 1e-7
+LEAST_GAP_RATIO = 1e-7
 """Part of the greatest g below which rounding is felt: from there to the axis g goes on as a power of x."""
 SMALLEST_JUMP = 1e-7
 """A jump of the slope between panels, relative to the steepest slope, from which on it counts as a kink."""
@@ -103,8 +103,8 @@ class Designed(Shape):
     def gap_tolerance(self) -> float:
         """Absolute error [-] to which g' can be known."""
         steepest = float(np.max(np.abs(self.slope(np.linspace(0.0, self.reach, 1001)))))
-        crowded = float(np.min(np.diff(self.edges))) < CROWDED[0] * self.reach
-        return steepest * (CROWDED[1] if crowded else GAP_TOLERANCE)
+        crowded = float(np.min(np.diff(self.edges))) < NARROW_PANEL_LIMITS[0] * self.reach
+        return steepest * (NARROW_PANEL_LIMITS[1] if crowded else GAP_TOLERANCE)
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
@@ -184,6 +184,6 @@ def _gap(profile: Designed) -> Transformed:
         return Transformed(slope, gap, gap.integral, 0.0, 0.0, 1.0)  # a flat end
     x = profile.reach * np.geomspace(1e-6, 1.0, 601)
     g = gap(x)
-    start = x[np.flatnonzero(g <= FAINT * g[-1])[-1] + 1] if g[0] <= FAINT * g[-1] else x[0]
+    start = x[np.flatnonzero(g <= LEAST_GAP_RATIO * g[-1])[-1] + 1] if g[0] <= LEAST_GAP_RATIO * g[-1] else x[0]
     value, rise = float(gap(start[None])[0]), float(slope(start[None])[0])
     return Transformed(slope, gap, gap.integral, float(start), value, max(rise * float(start) / value, 1.0))

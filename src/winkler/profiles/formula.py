@@ -24,8 +24,8 @@ from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.formula_parts import (
-    BESIDE,
-    ROUNDING,
+    CORNER_OFFSETS,
+    ROUNDING_RATIO,
     last_finite,
     law_of,
     powers_of,
@@ -40,7 +40,7 @@ from winkler.values import value
 
 __all__ = ["Formula"]
 
-FARTHEST = 1.0
+LARGEST_TRIED_RADIUS = 1.0
 """How far a formula without a reach is tried out [m]."""
 
 
@@ -116,7 +116,7 @@ class Formula(Shape):
 
     def _try_out(self) -> None:
         """Refuse a height that is not finite, negative, or zero everywhere."""
-        end = FARTHEST if self.reach == math.inf else self.reach
+        end = LARGEST_TRIED_RADIUS if self.reach == math.inf else self.reach
         trial = np.unique(np.concatenate([np.geomspace(1e-12 * end, end, 481), np.linspace(0.0, end, 257)[1:]]))
         height = self._law.taylor(trial)[0] - start_of(self._law)
         bad = np.flatnonzero(~np.isfinite(height))
@@ -126,7 +126,7 @@ class Formula(Shape):
                 f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; say how "
                 f"far it holds, as reach={last:.6g} or less."
             )
-        noise = ROUNDING * self._law.magnitude(trial)
+        noise = ROUNDING_RATIO * self._law.magnitude(trial)
         (below,) = np.nonzero(height < -noise)
         if below.size:
             raise InvalidInput(
@@ -185,7 +185,7 @@ class Formula(Shape):
         return slope
 
     def _curvature_of_rest(self, r: Array) -> Array:
-        curvature = rest_of(self._law, np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r))[2]
+        curvature = rest_of(self._law, np.where(np.isin(r, self.corners), (1.0 - CORNER_OFFSETS[-1]) * r, r))[2]
         self._refuse("curvature", r, np.isnan(curvature))
         return curvature
 

@@ -2,7 +2,7 @@ r"""Rebound of a ball from a Kelvin-Voigt solid by the force law that many parti
 
 .. math:: F = \tfrac43E^*\sqrt R\,d^{3/2} + 2\eta^*\sqrt{Rd}\,\dot d ,
 
-right while the contact grows, too weak on the way back: springs let go one by one and are not pulled.  The law is cut
+right while the contact grows, too weak on the return: springs let go one by one and are not pulled.  The law is cut
 off where it would pull.
 
 References

@@ -9,7 +9,7 @@ from scipy.special import ellipe, ellipk, gamma, jn_zeros, jv
 
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
-from winkler.numerics.fields.filmed_disc import UNIFORM, spreading
+from winkler.numerics.fields.filmed_disc import UNIFORM_FLUX_RATIO, spreading
 from winkler.numerics.fields.flux_tube import relief
 
 
@@ -45,9 +45,9 @@ def test_a_film_moves_between_one_voltage_and_uniform_flux():
     assert np.all(np.diff(found) >= 0.0)
     assert spreading(np.array(0.0)) == 1.0
     assert found[0] == pytest.approx(1.0, abs=1e-5)
-    assert found[-1] == pytest.approx(UNIFORM, rel=1e-9)
+    assert found[-1] == pytest.approx(UNIFORM_FLUX_RATIO, rel=1e-9)
     # uniform flux over a disc: mean voltage 8 q a / (3 pi lambda) of two bodies
-    assert float(32 / (3 * mp.pi**2)) == UNIFORM
+    assert float(32 / (3 * mp.pi**2)) == UNIFORM_FLUX_RATIO
 
 
 @pytest.mark.parametrize("ratio", [0.05, 0.3, 0.6, 0.85])

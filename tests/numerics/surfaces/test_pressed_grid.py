@@ -132,7 +132,7 @@ def test_a_contact_nearby_is_a_good_beginning():
 
 
 def test_what_does_not_converge_says_so(monkeypatch):
-    monkeypatch.setattr(pressed_box, "MOST", 3)
+    monkeypatch.setattr(pressed_box, "MOST_ITERATIONS", 3)
     heights, pixel, depth, _ = ball(65)
     with pytest.raises(NotConverged, match="65 x 65 pixels still overlaps by"):
         press(heights, pixel, ByDepth(depth), periodic=False, tolerance=1e-10, start=np.zeros((65, 65)))

@@ -12,11 +12,11 @@ from winkler.numerics.types import Array
 
 __all__ = ["Place", "Spot", "greatest", "greatest_around"]
 
-ZOOMS = 14
+REFINEMENTS = 14
 """Rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
 
 
-TURNS = 24
+COARSE_DIRECTIONS = 24
 """Directions about the axis of the coarse search."""
 
 
@@ -44,7 +44,7 @@ def greatest(
     top: float = 0.0,
     bottom: float = math.inf,
     both_sides: bool = False,
-    zooms: int = ZOOMS,
+    zooms: int = REFINEMENTS,
 ) -> Place:
     """Return the greatest value of `field` below a contact.
 
@@ -106,7 +106,7 @@ def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float
         on the surface as well as the one below it.
     """
     r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 1.0, 1.05, 1.2]]) * radius
-    turn = np.arange(TURNS) / TURNS
+    turn = np.arange(COARSE_DIRECTIONS) / COARSE_DIRECTIONS
     c, s = np.cos(2.0 * np.pi * turn), np.sin(2.0 * np.pi * turn)
     c[np.abs(s) < 1e-12] = np.sign(c[np.abs(s) < 1e-12])
     s[np.abs(s) < 1e-12] = 0.0
@@ -118,7 +118,7 @@ def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float
 
 def _zoomed(field: Callable[[Array, Array, Array], Array], best: Spot, radius: float) -> Spot:
     wide, high = 0.15 * radius, max(0.3 * best.z, 0.02 * radius)
-    for _ in range(ZOOMS):
+    for _ in range(REFINEMENTS):
         line = np.linspace(-1.0, 1.0, 5)
         x, y = (part.ravel() for part in np.meshgrid(best.x + wide * line, best.y + wide * line))
         found = _spot(field, x, y, np.unique(np.clip(best.z + high * line, 0.0, None)))

@@ -30,11 +30,11 @@ from winkler.numerics.types import Array
 
 __all__ = ["TwistBelow", "Twisted", "twist_below", "twist_constants", "twist_displacement", "twist_traction"]
 
-NEAR = 0.02
+SERIES_DISTANCE = 0.02
 """Nearer to the axis than this part of the distance from the disc's edge, series replace differences."""
 TOLERANCE = 1e-11
 """Of the sum over discs."""
-NOISE = 1e-11
+ROUNDING_RATIO = 1e-11
 """A slope that changes the load by no more than this part of it is rounding."""
 SAMPLES = 33
 
@@ -105,7 +105,7 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
     def slope(x: Array) -> Array:
         # where all springs stick the slope is rounding, which no rule of integration resolves near the axis
         found = twisted.slope(x)
-        return np.asarray(np.where(np.abs(found) * x <= NOISE * size, 0.0, found))
+        return np.asarray(np.where(np.abs(found) * x <= ROUNDING_RATIO * size, 0.0, found))
 
     turned = abel.pressure(slope, twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
     return np.where(r > 0.0, 0.5 * r * turned, 0.0)
@@ -185,7 +185,7 @@ def _disc(r: Array, z: Array, b: Array) -> tuple[Array, Array, Array]:
     """Return G u_theta, tau_theta-z and tau_r-theta of a disc of radius b with q = x."""
     zeta = z + 1j * b
     rho = np.sqrt(r * r + zeta * zeta)
-    small = r < NEAR * np.abs(zeta)
+    small = r < SERIES_DISTANCE * np.abs(zeta)
     safe = np.where(small, 1.0, r)
     with np.errstate(all="ignore"):
         turned = (-b * rho.real + 0.5 * (zeta * rho).imag + 0.5 * safe**2 * np.log(zeta + rho).imag) / safe

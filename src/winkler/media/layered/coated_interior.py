@@ -22,15 +22,15 @@ from winkler.media.layered import layers as stack
 from winkler.media.layered.coated_load import Carried
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
-from winkler.numerics.transforms.cosine_transform import DEEP, LOWEST, wave_numbers
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
 from winkler.numerics.types import Array
 
 __all__ = ["State", "Waves", "field", "half_space_decay", "superposed", "waves_of"]
 
-PHASE = 10.0
+LARGEST_PHASE = 10.0
 """Largest phase of a wave over one panel of the quadrature."""
-CHUNK = 1_000_000
-MOST = 1e9
+PAIRS_PER_CHUNK = 1_000_000
+MOST_PAIRS = 1e9
 """More pairs of wave numbers and springs than this are refused: the contact is too wide for the uppermost layer."""
 
 
@@ -76,7 +76,7 @@ def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r
         )
     result = np.zeros((6, r.size))
     if load.radius > 0.0 and r.size:
-        waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DEEP / load.response.length)
+        waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DECAY_SPAN / load.response.length)
         upper = z <= bottoms[0]
         if upper.any():
             top = layers[0].solid
@@ -91,18 +91,18 @@ def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r
 def waves_of(load: Carried, modulus: float, farthest: float, end: float) -> Waves:
     """Return the pressure as a superposition of waves with wave numbers up to `end`, for radii up to `farthest`."""
     response, a = load.response, load.radius
-    xi, weights = wave_numbers(LOWEST / response.span, PHASE / (a + farthest), end)
+    xi, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, LARGEST_PHASE / (a + farthest), end)
     kinks = np.array([b for b, strength in load.kinks if b < a])
-    steps = np.arange(1.0, np.ceil(a * end / PHASE)) * (PHASE / end)
+    steps = np.arange(1.0, np.ceil(a * end / LARGEST_PHASE)) * (LARGEST_PHASE / end)
     edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), steps[steps < a]]))
     x, shares = (part[0] for part in nodes(edges[None], kinks, 24))
-    if xi.size * x.size > MOST:
+    if xi.size * x.size > MOST_PAIRS:
         raise OutsideValidity(
             f"The contact of {a:.3g} m is too wide for the uppermost layer of {response.length:.3g} m to compute the "
             "stresses inside; the surface fields are known, and for the stresses thicker layers can be taken together."
         )
     q = shares * load.value(x)
-    step = max(1, CHUNK // x.size)
+    step = max(1, PAIRS_PER_CHUNK // x.size)
     transform = np.concatenate([np.cos(np.outer(xi[i : i + step], x)) @ q for i in range(0, xi.size, step)])
     return Waves(xi, weights * xi * transform * (modulus / np.pi))
 
@@ -157,7 +157,7 @@ def half_space_decay(x: Array, poisson: float) -> Array:
 
 
 def _enough(xi: Array, distance: float) -> int:
-    return int(np.searchsorted(xi, 2.0 * DEEP / distance))
+    return int(np.searchsorted(xi, 2.0 * DECAY_SPAN / distance))
 
 
 def superposed(state: State, waves: Waves, r: Array) -> Array:
@@ -171,7 +171,7 @@ def superposed(state: State, waves: Waves, r: Array) -> Array:
     n = poisson / (1.0 - poisson)
     common = n * (twice * strain + axial)
     result = np.empty((6, r.size))
-    step = max(1, CHUNK // max(end, 1))
+    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, r.size, step):
         part = slice(start, start + step)
         phase = np.outer(r[part], waves.xi)

@@ -33,14 +33,14 @@ from winkler.values import value
 
 __all__ = ["Carried", "spread", "surface"]
 
-RULES = (16, 32, 64)
-SETTLED = 1e-12
-LAST = 1e-8
-KNOWN = 1e-13
+RULE_NODES = (16, 32, 64)
+SETTLED_TOLERANCE = 1e-12
+LAST_TOLERANCE = 1e-8
+TABLE_TOLERANCE = 1e-13
 """How closely, relative to the greatest, the springs' displacement is tabulated for integrals over it."""
-STEP = 2.0
+FIRST_DISTANCE = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
-CHUNK = 200_000
+PAIRS_PER_CHUNK = 200_000
 
 
 @value
@@ -105,7 +105,7 @@ def surface(displacement: Displacement, response: Response, r: Array) -> Array:
 
 def _steps(response: Response, reach: float) -> Array:
     """Return the distances at which an integral over the kernel is cut."""
-    first = STEP * response.length
+    first = FIRST_DISTANCE * response.length
     return np.asarray(first * 2.0 ** np.arange(max(1, math.ceil(math.log2(max(reach / first, 1.0))) + 1)))
 
 
@@ -132,7 +132,7 @@ def _springs(given: Hashable) -> RootPanels:
     a, kinks = displacement.radius, np.array([b for b, _ in displacement.kinks if b < displacement.radius])
 
     def tolerances(values: Array) -> Array:
-        return np.asarray(KNOWN * np.max(np.abs(values), axis=1))
+        return np.asarray(TABLE_TOLERANCE * np.max(np.abs(values), axis=1))
 
     edges = np.concatenate([[0.0], kinks, [a]])
     return fit(lambda x: displacement.value(x)[None], np.unique(edges), kinks, tolerances)
@@ -163,26 +163,26 @@ def _tabulated(given: Hashable) -> RootPanels:
 
 def _aim(load: Carried) -> float:
     """Return the relative error aimed at: not less than that of the response."""
-    return max(SETTLED, load.response.precision)
+    return max(SETTLED_TOLERANCE, load.response.precision)
 
 
 def _smooth(load: Carried) -> float:
     """Return how smooth, relative to its size, what is tabulated can be expected to be."""
-    return max(SETTLED, 1e-3 * load.response.precision)
+    return max(SETTLED_TOLERANCE, 1e-3 * load.response.precision)
 
 
 def _settled(sums: Callable[[int, Array], Array], x: Array, least: Array, aim: float) -> Array:
     """Return sums ``(functions, n)`` by rules fine enough, against their size or `least`, what they add to."""
-    last = sums(RULES[0], x)
+    last = sums(RULE_NODES[0], x)
     change = math.inf
-    for count in RULES[1:]:
+    for count in RULE_NODES[1:]:
         current = sums(count, x)
         size = np.maximum(np.max(np.abs(current), axis=1), least)[:, None]
         change = float(np.max(np.abs(current - last) / size))
         if change <= aim:
             return np.asarray(current)
         last = current
-    if change > max(LAST, 100.0 * aim):
+    if change > max(LAST_TOLERANCE, 100.0 * aim):
         raise NotConverged(
             f"The pressure on the layers still moves by {change:.1e}: the springs' displacement is not smooth between "
             "its kinks."
@@ -194,7 +194,7 @@ def _rho_sums(load: Carried, x: Array, kinks: Array, count: int) -> Array:
     a, response, springs = load.radius, load.response, _springs(cast(Hashable, load.displacement))
     steps, fixed = _steps(response, a), doubled(list(kinks), a)
     result = np.empty((2, x.size))
-    width = max(1, CHUNK // (count * (steps.size + fixed.size + 5)))
+    width = max(1, PAIRS_PER_CHUNK // (count * (steps.size + fixed.size + 5)))
     for start in range(0, x.size, width):
         part = x[start : start + width]
         t, weights = nodes(_rows(fixed, part[:, None] + steps, part, a), kinks, count)
@@ -232,7 +232,7 @@ def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
 
     def sums(count: int, x: Array) -> Array:
         result = np.empty((1, x.size))
-        width = max(1, CHUNK // (count * (4 * steps.size + panels.size + 5)))
+        width = max(1, PAIRS_PER_CHUNK // (count * (4 * steps.size + panels.size + 5)))
         for start in range(0, x.size, width):
             part = x[start : start + width, None]
             near = np.concatenate([part - steps, part, part + steps, steps - part], axis=1)

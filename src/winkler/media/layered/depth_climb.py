@@ -29,19 +29,19 @@ from winkler.numerics.types import Array, ComplexArray
 
 __all__ = ["Mesh", "Rung", "ascend", "ascend_across", "descend", "mesh", "shallowest"]
 
-CUTS = np.arange(1, 5)
-WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
+STEP_DIVISIONS = np.arange(1, 5)
+EXTRAPOLATION_WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
 """Of the ladders with c = 1, 2, 3, 4: what is left of the error is of order 1/c^8."""
-FEWER = np.array([1.0 / 24.0, -16.0 / 15.0, 81.0 / 40.0, 0.0])
+LOWER_WEIGHTS = np.array([1.0 / 24.0, -16.0 / 15.0, 81.0 / 40.0, 0.0])
 """The same without the finest: the difference tells the error of this one, far above that of the other."""
-COARSEST = 0.35
+COARSEST_CELL = 0.35
 """Thickness of a cell over its depth, and change of ln E across it, to begin with."""
-FINER = 0.65
-MOST = 3000
-WAVES = 48
-HEARD = 18.0
+REFINEMENT_RATIO = 0.65
+MOST_CELLS = 3000
+SAMPLED_WAVES = 48
+SURFACE_DECAY = 18.0
 """A wave that starts at the surface is followed down to this depth over xi: what comes back has decayed twice."""
-FELT = 70.0
+INTERIOR_DECAY = 70.0
 """The same if the field at depth is asked for: it has decayed once."""
 
 
@@ -92,15 +92,15 @@ def mesh(given: Hashable, tolerance: float, shortest: float, depths: tuple[float
     """
     grading = cast(DepthGrading, given)
     reach = grading.settled_at(0.1 * tolerance)
-    part = COARSEST
-    xi = np.geomspace(1e-3 / reach, 1.0 / shortest, WAVES)
+    part = COARSEST_CELL
+    xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)
     while True:
         cells = _cells(grading, _edges(grading, reach, part, shortest, depths), reach)
-        ladders = _climbed(cells, xi, HEARD, False)[0][2]
-        error = float(np.max(np.abs((FEWER @ ladders) / (WEIGHTS @ ladders) - 1.0)))
+        ladders = _climbed(cells, xi, SURFACE_DECAY, False)[0][2]
+        error = float(np.max(np.abs((LOWER_WEIGHTS @ ladders) / (EXTRAPOLATION_WEIGHTS @ ladders) - 1.0)))
         if error <= tolerance:
             return cells
-        part *= FINER
+        part *= REFINEMENT_RATIO
 
 
 def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, depths: tuple[float, ...]) -> Array:
@@ -119,18 +119,18 @@ def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, de
         middle = 0.5 * (low[~good] + high[~good])
         low, high = np.concatenate([low[~good], middle]), np.concatenate([middle, high[~good]])
         count += int(np.count_nonzero(good))
-        if count + low.size > MOST:
+        if count + low.size > MOST_CELLS:
             raise NotConverged(
-                f"DepthGradedHalfSpace: more than {MOST} cells would be needed for the tolerance; ask for less, or "
-                "smooth the grading."
+                f"DepthGradedHalfSpace: more than {MOST_CELLS} cells would be needed for the tolerance; ask for less, "
+                "or smooth the grading."
             )
     return np.append(np.sort(np.concatenate(done)), reach)
 
 
 def _cells(grading: DepthGrading, edges: Array, reach: float) -> Mesh:
     """Tell the moduli of all layers ``(cells, c, place from below)``; those that do not exist are those of a middle."""
-    place = np.minimum(np.arange(4), CUTS[:, None] - 1)
-    z = edges[1:, None, None] - np.diff(edges)[:, None, None] * (place + 0.5) / CUTS[:, None]
+    place = np.minimum(np.arange(4), STEP_DIVISIONS[:, None] - 1)
+    z = edges[1:, None, None] - np.diff(edges)[:, None, None] * (place + 0.5) / STEP_DIVISIONS[:, None]
     young, poisson = grading.young_at(z), grading.poisson_at(z)
     deep = np.array(reach * 1e3)
     low = float(grading.poisson_at(deep))
@@ -178,7 +178,7 @@ def _climbed(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[Co
         end = int(np.searchsorted(real, felt / bottom))
         shear, poisson = cells.shear[cell, :, :, None], cells.poisson[cell, :, :, None]
         y[:, :, end:] = _started(float(shear[0, 0, 0]), float(poisson[0, 0, 0]))
-        x = (bottom - top) * xi[:end] / CUTS[:, None]
+        x = (bottom - top) * xi[:end] / STEP_DIVISIONS[:, None]
         decay: ComplexArray | None = None
         for step in range(4):
             rows = slice(step, None)
@@ -212,7 +212,7 @@ def ascend(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     ndarray, (3, m)
         Entries along, mixed and normal of ``displacements = Y tractions / xi`` [1/Pa].
     """
-    return np.asarray(np.einsum("c,kcm->km", WEIGHTS, _climbed(cells, xi, HEARD, False)[0]))
+    return np.asarray(np.einsum("c,kcm->km", EXTRAPOLATION_WEIGHTS, _climbed(cells, xi, SURFACE_DECAY, False)[0]))
 
 
 def ascend_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
@@ -223,20 +223,20 @@ def ascend_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     y = np.zeros((4, xi.size), dtype=xi.dtype) + 1.0 / cells.deep_shear
     for cell in range(cells.edges.size - 2, -1, -1):
         top, bottom = cells.edges[cell], cells.edges[cell + 1]
-        end = int(np.searchsorted(real, HEARD / bottom))
+        end = int(np.searchsorted(real, SURFACE_DECAY / bottom))
         shear = cells.shear[cell, :, :, None]
         y[:, end:] = 1.0 / float(shear[0, 0, 0])
-        fall = np.tanh((bottom - top) * xi[:end] / CUTS[:, None])
+        fall = np.tanh((bottom - top) * xi[:end] / STEP_DIVISIONS[:, None])
         for step in range(4):
             rows = slice(step, None)
             own = y[rows, :end] * shear[rows, step]
             y[rows, :end] = (own + fall[rows]) / ((1.0 + own * fall[rows]) * shear[rows, step])
-    return np.asarray((WEIGHTS @ y)[np.argsort(order)])
+    return np.asarray((EXTRAPOLATION_WEIGHTS @ y)[np.argsort(order)])
 
 
 def descend(cells: Mesh, xi: Array) -> Iterator[Rung]:
     """Yield, edge by edge from the surface, what a pressure wave does; xi real, ``(m,)``."""
-    y, kept = _climbed(cells, xi, FELT, True)
+    y, kept = _climbed(cells, xi, INTERIOR_DECAY, True)
     shear, axial = np.zeros((4, xi.size)), np.full((4, xi.size), -1.0)
     deep = np.broadcast_to(_started(cells.deep_shear, cells.deep_poisson), y.shape)
     faces = [y, *(block[:3] for block in kept[1:]), deep]
@@ -246,4 +246,4 @@ def descend(cells: Mesh, xi: Array) -> Iterator[Rung]:
             shear, axial = a * shear + b * axial, c * shear + d * axial
         along, mixed, normal = here
         parts = (along * shear + mixed * axial, mixed * shear + normal * axial, shear, axial)
-        yield Rung(float(depth), *(np.asarray(WEIGHTS @ part) for part in parts))
+        yield Rung(float(depth), *(np.asarray(EXTRAPOLATION_WEIGHTS @ part) for part in parts))

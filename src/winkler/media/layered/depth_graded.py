@@ -27,7 +27,7 @@ from winkler.values import value
 __all__ = ["DepthGradedHalfSpace"]
 
 RIGID = Rigid()
-TIGHTEST, LOOSEST = 1e-7, 1e-2
+LEAST_TOLERANCE, LARGEST_TOLERANCE = 1e-7, 1e-2
 
 
 @value
@@ -61,7 +61,7 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     grading: DepthGrading
     second: Solid = RIGID
-    tolerance: Annotated[float, between(TIGHTEST, LOOSEST)] = 1e-6
+    tolerance: Annotated[float, between(LEAST_TOLERANCE, LARGEST_TOLERANCE)] = 1e-6
 
     @functools.cached_property
     def response(self) -> NormalDepthResponse:

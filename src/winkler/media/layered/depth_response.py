@@ -27,12 +27,12 @@ from winkler.values import value
 
 __all__ = ["NormalDepthResponse", "TangentialDepthResponse", "solid_at"]
 
-SHORT = 100.0
+SERIES_WAVE_NUMBER = 100.0
 """xi_1 times the depth across which the surface changes."""
-SPREAD = 16.0
+SERIES_SPAN = 16.0
 """The series is fitted up to this many xi_1."""
-TERMS = 6
-ROUNDED = 0.434
+SERIES_TERMS = 6
+STIFFNESS_ERROR_RATIO = 0.434
 """Largest change of a stiffness, over |A| delta (a quadrature over the punches of a homogeneous half-space)."""
 
 
@@ -43,7 +43,7 @@ def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
 
 
 def _cells(grading: DepthGrading, tolerance: float) -> Mesh:
-    return mesh(cast(Hashable, grading), tolerance, shallowest(grading) / (SHORT * SPREAD))
+    return mesh(cast(Hashable, grading), tolerance, shallowest(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
 
 
 class _Response:
@@ -87,7 +87,7 @@ class _Response:
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         xi = np.asarray(xi)
-        limit = SHORT / shallowest(self.grading)
+        limit = SERIES_WAVE_NUMBER / shallowest(self.grading)
         short = np.abs(xi) > limit
         result = np.empty_like(xi)
         result[~short] = self._own(xi[~short])
@@ -101,21 +101,23 @@ class _Response:
 def _series(given: Hashable) -> Array:
     """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
     response = cast(_Response, given)
-    angle = np.pi * (np.arange(4 * TERMS) + 0.5) / (4 * TERMS)
-    shorter = 1.0 / SPREAD + (1.0 - 1.0 / SPREAD) * np.cos(0.5 * angle) ** 2
-    own = response._own(SHORT / shallowest(response.grading) / shorter)
-    return np.asarray(np.linalg.lstsq(np.vander(shorter, TERMS, increasing=True), own / shorter, rcond=None)[0])
+    angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
+    shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
+    own = response._own(SERIES_WAVE_NUMBER / shallowest(response.grading) / shorter)
+    return np.asarray(np.linalg.lstsq(np.vander(shorter, SERIES_TERMS, increasing=True), own / shorter, rcond=None)[0])
 
 
 @functools.lru_cache(maxsize=128)
 def _rounding(given: Hashable) -> float:
     response = cast(_Response, given)
-    limit = SHORT / shallowest(response.grading)
+    limit = SERIES_WAVE_NUMBER / shallowest(response.grading)
     fall = abs(float(_series(given)[0])) * limit
     # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
-    xi = limit * np.geomspace(1e-2, SPREAD, 60)
+    xi = limit * np.geomspace(1e-2, SERIES_SPAN, 60)
     fall = max(fall, float(np.max(np.abs(response._own(xi)) * xi)) * 1e-3)
-    return min(0.5 * response.tolerance / (ROUNDED * max(fall, 1e-300)), 1e-2 * shallowest(response.grading))
+    return min(
+        0.5 * response.tolerance / (STIFFNESS_ERROR_RATIO * max(fall, 1e-300)), 1e-2 * shallowest(response.grading)
+    )
 
 
 @value

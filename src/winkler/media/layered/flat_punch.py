@@ -31,12 +31,12 @@ from winkler.profiles.profile import Profile
 
 __all__ = ["gap", "gap_load", "gap_slope", "kinks"]
 
-LOWEST = -60
+LOWEST_OCTAVE = -60
 """Octaves below this are the uppermost layer alone."""
-RULES = (16, 32, 64, 128)
-SETTLED = 2e-13
-LAST = 1e-9
-CHUNK = 200_000
+RULE_NODES = (16, 32, 64, 128)
+SETTLED_TOLERANCE = 2e-13
+LAST_TOLERANCE = 1e-9
+PAIRS_PER_CHUNK = 200_000
 
 
 def gap(response: Response, profile: Profile, x: Array) -> Array:
@@ -117,10 +117,10 @@ def _unit_power(exponent: float) -> PowerLaw:
 def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
     """Return the same of a profile in the lengths of the response."""
     flat = _held(profile, x).ravel()
-    octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
+    octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST_OCTAVE)
     result = np.zeros((3, flat.size))
     waiting = np.ones(flat.size, dtype=bool)
-    whole = (octaves > LOWEST) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
+    whole = (octaves > LOWEST_OCTAVE) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
     tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
     for octave in np.unique(tabled[whole]):
         (members,) = np.nonzero(whole & (tabled == octave))
@@ -129,7 +129,7 @@ def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
         waiting[members[holds]] = False
     for octave in np.unique(octaves[waiting]):
         (members,) = np.nonzero(waiting & (octaves == octave))
-        if octave == LOWEST:
+        if octave == LOWEST_OCTAVE:
             result[2, members] = profile.gap_integral(flat[members])
             continue
         steep = flat[members] > _tame(cast(Hashable, profile))
@@ -167,12 +167,15 @@ def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
     kinks = np.array([b for b, _ in profile.kinks if b < high])
     steps = [table.high for table in punch_tables.tables(response, octave) if low < table.high < high]
     edges = np.unique(np.concatenate([[low, high], kinks[kinks > low], steps]))
-    noise = _noise(profile) / SETTLED
+    noise = _noise(profile) / SETTLED_TOLERANCE
 
     def tolerances(values: Array) -> Array:
         size = float(np.max(np.abs(profile.gap(edges[:-1])))) + float(np.max(np.abs(values[0]))) + noise
         whole = np.max(np.abs(values[2])) + noise * high
-        return np.array([SETTLED * size, 10.0 * SETTLED * size / low, SETTLED * whole]) + 1e-300
+        return (
+            np.array([SETTLED_TOLERANCE * size, 10.0 * SETTLED_TOLERANCE * size / low, SETTLED_TOLERANCE * whole])
+            + 1e-300
+        )
 
     panels = punch_tables.tables(response, octave)[-1].panels
     return fit(lambda a: _integrated(response, profile, a, panels), edges, kinks, tolerances)
@@ -193,11 +196,13 @@ def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -
         inner = np.concatenate([inner, end * (1.0 - 0.5 ** np.arange(1, 49))])
     edges = np.concatenate([np.minimum(inner, a[:, None]), a[:, None] * panels], axis=1)
     edges.sort(axis=1)
-    most = float(np.max(np.abs(profile.gap(np.minimum(a, np.nextafter(end, 0.0)))))) + _noise(profile) / SETTLED
+    most = (
+        float(np.max(np.abs(profile.gap(np.minimum(a, np.nextafter(end, 0.0)))))) + _noise(profile) / SETTLED_TOLERANCE
+    )
     last: Array | None = None
     change = math.inf
-    for count in RULES:
-        step = max(1, CHUNK // (edges.shape[1] * count))
+    for count in RULE_NODES:
+        step = max(1, PAIRS_PER_CHUNK // (edges.shape[1] * count))
         current = np.concatenate(
             [
                 _sums(response, profile, a[i : i + step], edges[i : i + step], kinks, count)
@@ -208,13 +213,13 @@ def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -
         if last is not None:
             size = np.maximum(
                 np.max(np.abs(current), axis=1),
-                np.array([most, most / np.min(a), _noise(profile) / SETTLED * np.max(a)]),
+                np.array([most, most / np.min(a), _noise(profile) / SETTLED_TOLERANCE * np.max(a)]),
             )[:, None]
             change = float(np.max(np.abs(current - last) / np.where(size > 0.0, size, 1.0)))
-            if change <= SETTLED:
+            if change <= SETTLED_TOLERANCE:
                 return current
         last = current
-    if change > LAST or last is None:
+    if change > LAST_TOLERANCE or last is None:
         raise NotConverged(
             f"The transform of the profile for this medium still moves by {change:.1e} at a contact radius of "
             f"{float(np.max(a)):.3g} m: the shape is not smooth between its stated kinks: state them."

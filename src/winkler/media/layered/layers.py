@@ -28,11 +28,11 @@ from winkler.values import value
 
 __all__ = ["Climb", "NormalResponse", "TangentialResponse", "climb", "half_space", "rise"]
 
-THIN = 1.0
+THIN_LAYER_LIMIT = 1.0
 """Up to this |xi h| a layer is climbed by its propagator."""
 
 
-FAINT = 44.0
+DECAY_DEPTH = 44.0
 """A layer whose top lies this deep, times xi, is not felt: exp(-44) is nothing."""
 
 
@@ -84,7 +84,7 @@ def climb(below: ComplexArray, x: ComplexArray, poisson: float) -> Climb:
     Climb
         2 G Y at its upper face and the decay, ``(m, 2, 2)`` both.
     """
-    thin = np.abs(x) <= THIN
+    thin = np.abs(x) <= THIN_LAYER_LIMIT
     upper, decay = np.empty_like(below), np.empty_like(below)
     for chosen, way in ((thin, _propagated), (~thin, _split)):
         if chosen.any():
@@ -159,7 +159,7 @@ def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:
     for layer in reversed(layers):
         twice, own = 2.0 * layer.solid.shear, half_space(layer.solid.poisson)
         bottom -= layer.thickness
-        felt = np.real(xi) * bottom < FAINT
+        felt = np.real(xi) * bottom < DECAY_DEPTH
         upper, decay = np.empty_like(below), np.zeros_like(below)
         upper[~felt] = own
         upper[felt], decay[felt] = climb(twice * below[felt], xi[felt] * layer.thickness, layer.solid.poisson)

@@ -20,7 +20,7 @@ from typing import cast
 
 import numpy as np
 
-from winkler.media.medium import CALM, PunchFacts
+from winkler.media.medium import LEAST_SURFACE_RISE, PunchFacts
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.transforms import fredholm, punch_tables
@@ -29,16 +29,16 @@ from winkler.numerics.transforms.punch_tables import Punches
 
 __all__ = ["facts"]
 
-RADII = 16
+RADII_PER_TABLE = 16
 """Radii of a table at which sigma is sampled."""
-PLACES = 17
+POINTS_PER_PANEL = 17
 """Places of a panel of r/a at which it is."""
-ROUNDING = 1e-9
+LEAST_PULL_RATIO = 1e-9
 """A pull of this part of the greatest push is none."""
-NARROW = 0.05
+SMALL_KERNEL_INTEGRAL = 0.05
 """Where the integral of K cannot be more than this, phi and sigma differ from one by little, and no punch pulls."""
-OUTSIDE = 160
-FAR = 16.0
+OUTER_POINTS = 160
+OUTER_DISTANCE = 16.0
 """How far outside the surface is looked at, in radii or lengths over which the stack answers."""
 
 
@@ -46,9 +46,9 @@ def facts(response: Response, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
     response, unit = in_own_lengths(response)
     radius /= unit
-    pull, least, most, calm = math.inf, CALM, 1.0, 0.0
+    pull, least, most, calm = math.inf, LEAST_SURFACE_RISE, 1.0, 0.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
-        if _weight_of_octave(cast(Hashable, response), octave) < NARROW:
+        if _weight_of_octave(cast(Hashable, response), octave) < SMALL_KERNEL_INTEGRAL:
             break  # and so are all narrower ones
         first, low, high, far = _octave(cast(Hashable, response), octave)
         pull, least, most, calm = min(pull, first), min(least, low), max(most, high), max(calm, far)
@@ -79,10 +79,10 @@ def _weight(response: Response, a: float) -> float:
 def _first_pull(table: Punches) -> float:
     """Return the last sampled radius before one whose punch pulls; infinite if none does."""
     cheb = np.polynomial.chebyshev
-    s = np.linspace(-1.0, 1.0, RADII + 1)
-    inner = cheb.chebvander(np.cos(np.linspace(0.0, math.pi, PLACES)), table.push.shape[2] - 1)
+    s = np.linspace(-1.0, 1.0, RADII_PER_TABLE + 1)
+    inner = cheb.chebvander(np.cos(np.linspace(0.0, math.pi, POINTS_PER_PANEL)), table.push.shape[2] - 1)
     sigma = np.einsum("ak,kpi,ri->apr", cheb.chebvander(s, table.push.shape[0] - 1), table.push, inner)
-    pulling = np.min(sigma, axis=(1, 2)) < -ROUNDING * np.max(np.abs(sigma), axis=(1, 2))
+    pulling = np.min(sigma, axis=(1, 2)) < -LEAST_PULL_RATIO * np.max(np.abs(sigma), axis=(1, 2))
     if not pulling.any():
         return math.inf
     before = max(int(np.argmax(pulling)) - 1, 0)
@@ -96,10 +96,10 @@ def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
     width = np.diff(table.panels)[:, None]
     t = a * (table.panels[:-1, None] + width * nodes).ravel()
     phi = fredholm.punches(response, t, np.full(t.size, a))
-    if _weight(response, a) * np.max(np.abs(phi)) < -CALM:
-        return CALM, 1.0, 0.0
-    far = FAR * max(a, response.span)
-    x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTSIDE)])
+    if _weight(response, a) * np.max(np.abs(phi)) < -LEAST_SURFACE_RISE:
+        return LEAST_SURFACE_RISE, 1.0, 0.0
+    far = OUTER_DISTANCE * max(a, response.span)
+    x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTER_POINTS)])
     kernel = transform(response, far + 2.0 * a)
     both = 0.5 * (kernel(x[:, None] - t) + kernel(x[:, None] + t))
     psi = 1.0 - both @ (a * (width * weights).ravel() * phi)
@@ -111,7 +111,7 @@ def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
     shares = np.arcsin(stop) - np.arcsin(start)
     legs = y[1:, None] * (np.sqrt((1.0 - start) * (1.0 + start)) - np.sqrt((1.0 - stop) * (1.0 + stop)))
     moved = 1.0 - (2.0 / math.pi) * (shares @ (v[:-1] - rise * y[:-1]) + legs @ rise)
-    heaved = np.flatnonzero(moved < CALM)
+    heaved = np.flatnonzero(moved < LEAST_SURFACE_RISE)
     calm = 0.0
     if heaved.size:  # moved[i] stands at x[i + 1]
         calm = float(x[heaved[-1] + 2]) - a if heaved[-1] + 2 < x.size else math.inf

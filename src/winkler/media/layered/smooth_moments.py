@@ -27,9 +27,9 @@ from winkler.profiles.profile import Profile
 __all__ = ["smooth_moments"]
 
 SAMPLES = 32
-LAST = 4
+LAST_COEFFICIENTS = 4
 """Coefficients at the end of a Legendre series that must have vanished."""
-VANISHED = 1e-14
+VANISHED_RATIO = 1e-14
 """The same, relative to the largest sample."""
 
 
@@ -89,14 +89,14 @@ def smooth_moments(response: Response, profile: Profile, octave: int, a: Array) 
 def _resolved(values: Array) -> Array:
     """Return which rows are samples of polynomials."""
     tail = np.max(np.abs(values @ _tail()), axis=1)
-    return np.asarray(tail <= VANISHED * np.max(np.abs(values), axis=1))
+    return np.asarray(tail <= VANISHED_RATIO * np.max(np.abs(values), axis=1))
 
 
 @functools.cache
 def _tail() -> Array:
     """Return the matrix from samples to the last coefficients of their Legendre series."""
     xi, weights = gauss_legendre(SAMPLES)
-    order = np.arange(SAMPLES - LAST, SAMPLES)
+    order = np.arange(SAMPLES - LAST_COEFFICIENTS, SAMPLES)
     basis = np.polynomial.legendre.legvander(2.0 * xi - 1.0, SAMPLES - 1)[:, order]
     return np.asarray(weights[:, None] * basis * (2.0 * order + 1.0))
 

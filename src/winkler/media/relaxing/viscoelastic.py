@@ -31,7 +31,7 @@ from winkler.values import value
 __all__ = ["ViscoelasticHalfSpace"]
 
 RIGID = Rigid()
-UNIT = HalfSpace(Elastic(0.75, 0.5))
+UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 """E* = 1 Pa."""
 
 
@@ -79,7 +79,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     @property
     def elastic(self) -> HalfSpace:
         """Half-spaces with E* = 1 Pa: g does not know the modulus."""
-        return UNIT
+        return UNIT_HALF_SPACE
 
     @property
     def creep(self) -> CreepSeries:

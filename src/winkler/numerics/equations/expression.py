@@ -38,20 +38,24 @@ from winkler.values import value
 
 __all__ = ["CONSTANTS", "Expression"]
 
-LONGEST, DEEPEST = 1000, 100  # characters, levels within each other
+MOST_CHARACTERS, MOST_LEVELS = 1000, 100  # characters, levels within each other
 
 CONSTANTS = {"pi": math.pi, "e": math.e}
 
-KINKED = "its kink must be stated: write sqrt((...)**2), and give the radius where that vanishes among the corners"
-PIECES = "it has kinks or jumps; give the pieces as profiles of their own"
-REFUSED = {
-    **dict.fromkeys(("abs", "fabs"), KINKED),
-    **dict.fromkeys(["max", "min", "maximum", "minimum", "sign", "floor", "ceil", "round", "mod", "where"], PIECES),
+KINK_REFUSAL = (
+    "its kink must be stated: write sqrt((...)**2), and give the radius where that vanishes among the corners"
+)
+PIECES_REFUSAL = "it has kinks or jumps; give the pieces as profiles of their own"
+REFUSED_FUNCTIONS = {
+    **dict.fromkeys(("abs", "fabs"), KINK_REFUSAL),
+    **dict.fromkeys(
+        ["max", "min", "maximum", "minimum", "sign", "floor", "ceil", "round", "mod", "where"], PIECES_REFUSAL
+    ),
     **dict.fromkeys(("asin", "acos", "atan"), "write arcsin, arccos or arctan"),
     **dict.fromkeys(("ln", "log10", "log2"), "write log, the natural logarithm"),
     "pow": "write powers with **",
 }
-HINTS = {
+SPELLING_HINTS = {
     **dict.fromkeys("^²³", "write powers with **, as r**2"),
     **dict.fromkeys("<>=!", "comparisons are not allowed; give the pieces as profiles of their own"),
     ".": "a point belongs inside a number; attributes are not allowed",
@@ -71,7 +75,7 @@ def _tokens(text: str) -> list[str]:
         kind = str(match.lastgroup)
         word = match[kind]
         if kind == "other":
-            raise Refused(HINTS.get(word, f"the character {word!r} is not allowed; operators are + - * / **"))
+            raise Refused(SPELLING_HINTS.get(word, f"the character {word!r} is not allowed; operators are + - * / **"))
         if keyword.iskeyword(word):
             raise Refused(f"'{word}' is a reserved word; conditions are not allowed, and constants need other names")
         if before in ("number", "name", ")") and (kind != "mark" or (word == "(" and before != "name")):
@@ -102,8 +106,8 @@ class _Walk(NamedTuple):
     x: Array
 
     def node(self, tree: ast.expr, depth: int = 0) -> Series:
-        if depth > DEEPEST:
-            raise Refused(f"it is nested more than {DEEPEST} deep; write it more simply")
+        if depth > MOST_LEVELS:
+            raise Refused(f"it is nested more than {MOST_LEVELS} deep; write it more simply")
         match tree:
             case ast.Constant(value=float() as number):
                 return constant(self.x, number)
@@ -148,7 +152,7 @@ class _Walk(NamedTuple):
         if name == self.variable or name in self.numbers:
             return f"'{name}' is not a function; write {name}*(...)"
         unknown = f"the function is unknown{suggest(name, FUNCTIONS)}; known are {', '.join(FUNCTIONS)}"
-        return f"{name}(...) is not allowed: {REFUSED.get(name, unknown)}"
+        return f"{name}(...) is not allowed: {REFUSED_FUNCTIONS.get(name, unknown)}"
 
 
 @value
@@ -182,8 +186,10 @@ class Expression:
     constants: tuple[tuple[str, float], ...] = ()
 
     def __post_init__(self) -> None:
-        if len(self.text) > LONGEST:
-            raise InvalidInput(f"a formula of {len(self.text)} characters is too long; at most {LONGEST} are allowed.")
+        if len(self.text) > MOST_CHARACTERS:
+            raise InvalidInput(
+                f"a formula of {len(self.text)} characters is too long; at most {MOST_CHARACTERS} are allowed."
+            )
         for name, number in self.constants:
             self._check(name, number)
         self._at(np.zeros(0))

@@ -18,7 +18,7 @@ from winkler.numerics.types import Array
 __all__ = ["Condition", "Marched", "Stop", "march"]
 
 MOST_RATES = 200_000
-TINY = 1e-300
+ZERO_SUBSTITUTE = 1e-300
 """Given for zero: to start from a condition is not to pass it."""
 
 Condition = Callable[[float, Array], float]
@@ -133,7 +133,7 @@ def _event(stop: Stop, unit: float) -> Condition:
     condition, direction = stop
 
     def passed(time: float, state: Array) -> float:
-        return condition(time * unit, state) or -direction * TINY
+        return condition(time * unit, state) or -direction * ZERO_SUBSTITUTE
 
     passed.terminal = True  # type: ignore[attr-defined]
     passed.direction = direction  # type: ignore[attr-defined]

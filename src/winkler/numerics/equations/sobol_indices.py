@@ -27,9 +27,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["Estimate", "sobol_indices"]
 
-RESAMPLED = 1000
+RESAMPLINGS = 1000
 """How often pairs are drawn again."""
-LEVEL = 0.95
+CONFIDENCE_LEVEL = 0.95
 """Probability of the intervals."""
 
 
@@ -60,11 +60,11 @@ def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> E
     f_a, f_b, f_ab = first - middle, second - middle, mixed - middle
     best = _indices(f_a, f_b, f_ab)
     generator, pairs = np.random.default_rng(seed), len(first)
-    drawn = np.empty((RESAMPLED, 2, len(mixed)))
+    drawn = np.empty((RESAMPLINGS, 2, len(mixed)))
     for again in drawn:
         chosen = generator.integers(pairs, size=pairs)
         again[:] = _indices(f_a[chosen], f_b[chosen], f_ab[:, chosen])
-    low, high = np.quantile(drawn, [(1.0 - LEVEL) / 2.0, (1.0 + LEVEL) / 2.0], axis=0)
+    low, high = np.quantile(drawn, [(1.0 - CONFIDENCE_LEVEL) / 2.0, (1.0 + CONFIDENCE_LEVEL) / 2.0], axis=0)
     return Estimate(best[0], low[0], high[0], best[1], low[1], high[1])
 
 

@@ -17,7 +17,7 @@ __all__ = ["streamed"]
 T = TypeVar("T")
 R = TypeVar("R")
 
-PATIENCE = 2.0
+GRACE_SECONDS = 2.0
 """How long a routine whose reader has left may go on until it next hands something over [s]."""
 
 
@@ -80,4 +80,4 @@ def streamed(routine: Callable[[Callable[[T], None]], R]) -> Iterator[T | R]:
     finally:
         left.set()
         turn.release()
-        thread.join(PATIENCE)
+        thread.join(GRACE_SECONDS)

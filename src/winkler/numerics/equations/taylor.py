@@ -28,7 +28,7 @@ __all__ = [
     "times",
 ]
 
-STEEPEST = 100.0  # exponent
+LARGEST_EXPONENT = 100.0  # exponent
 
 Terms = tuple[tuple[float, float], ...]  # (c, p) of each power c x^p in a sum
 Derivatives = tuple[Array, Array, Array]
@@ -48,7 +48,7 @@ FUNCTIONS: dict[str, Callable[[Array], Derivatives]] = {
     "tanh": lambda u: (t := np.tanh(u), s := np.cosh(u) ** -2.0, -2.0 * t * s),
 }
 """Name -> the function and its two derivatives."""
-SINGULAR = frozenset({"log", "arcsin", "arccos"})
+SINGULAR_FUNCTIONS = frozenset({"log", "arcsin", "arccos"})
 
 
 class Refused(Exception):
@@ -164,8 +164,8 @@ def _raised(base: Series, exponent: Series) -> Series:
     n = exponent.constant
     if n is None:
         return called("exp", times(exponent, called("log", base)))
-    if abs(n) > STEEPEST:
-        raise Refused(f"the exponent {n:g} is too large; at most {STEEPEST:g} is allowed")
+    if abs(n) > LARGEST_EXPONENT:
+        raise Refused(f"the exponent {n:g} is too large; at most {LARGEST_EXPONENT:g} is allowed")
     if n == 0.0 or n == 1.0:
         return base if n == 1.0 else constant(base.x, 1.0)
     if base.single is None:
@@ -192,7 +192,7 @@ def called(name: str, inner: Series) -> Series:
         return _raised(inner, constant(inner.x, 0.5))
     if inner.constant is None:
         jet = inner.jet
-        return Series(inner.x, (), _chain(FUNCTIONS[name](jet.value), jet, name in SINGULAR))
+        return Series(inner.x, (), _chain(FUNCTIONS[name](jet.value), jet, name in SINGULAR_FUNCTIONS))
     known = float(FUNCTIONS[name](np.array(inner.constant))[0])
     if not math.isfinite(known):
         raise Refused(f"{name}({inner.constant:g}) is not a finite, real number")

@@ -33,17 +33,17 @@ TOLERANCE = 1e-11
 MEAN_NODES = 10
 """Nodes on every piece, in every one of the three integrals of a mean."""
 TIME_NODES = 20
-ROUGH = 1e-6
+ROUGH_TOLERANCE = 1e-6
 """Of the greatest line load, to which circles are compared before the warmest are computed in full."""
-FIRST = 9
+FIRST_POINTS = 9
 """Places along the centre line where the greatest temperature is looked for first."""
-ROUNDS = 3
-PARTS = np.array([1.0, 2.0]) / 3.0
+REFINEMENT_ROUNDS = 3
+CUT_PARTS = np.array([1.0, 2.0]) / 3.0
 """Where the stretches on both sides of the warmest place are cut."""
-SAMPLES = 65
-AROUND = (0.3, 0.6, 0.8, 0.95, 1.0)
+CIRCLE_SAMPLES = 65
+CIRCLE_RADII = (0.3, 0.6, 0.8, 0.95, 1.0)
 """Circles on which a greater one beside the centre line is looked for, in contact radii."""
-SMALL = 1e-8
+LEAST_TEMPERATURE_GAIN = 1e-8
 """Part by which a place beside the centre line must be warmer to count."""
 
 
@@ -109,10 +109,10 @@ class LineSource:
         than w(a) (r/a)^2.  That is told by q as a function of x^2.  The warmest place is then on the centre line, since
         what the kernel is folded with falls to both sides of it.
         """
-        load = self.load(self.radius * np.sqrt(np.linspace(0.0, 1.0, SAMPLES))) / self.scale
-        last = (load[-2] - load[-1]) * (SAMPLES - 1)
-        bend = np.max(-np.diff(load, 2)) * (SAMPLES - 1) ** 2
-        return bool(load[-1] <= SMALL and 2.0 * bend <= last)
+        load = self.load(self.radius * np.sqrt(np.linspace(0.0, 1.0, CIRCLE_SAMPLES))) / self.scale
+        last = (load[-2] - load[-1]) * (CIRCLE_SAMPLES - 1)
+        bend = np.max(-np.diff(load, 2)) * (CIRCLE_SAMPLES - 1) ** 2
+        return bool(load[-1] <= LEAST_TEMPERATURE_GAIN and 2.0 * bend <= last)
 
     def surface(self, wave: float, x: Array, y: Array) -> Array:
         """Return lambda T [W/m] on a body that moves along x past the source.
@@ -146,20 +146,20 @@ class LineSource:
         if wave == 0.0 or self.fading:
             return on_line
         turn = np.linspace(0.0, np.pi, 9)[1:-1]
-        x, y = (np.outer(AROUND, each(turn)).ravel() * self.radius for each in (np.cos, np.sin))
+        x, y = (np.outer(CIRCLE_RADII, each(turn)).ravel() * self.radius for each in (np.cos, np.sin))
         beside = self.surface(wave, x, y)
         best = int(np.argmax(beside))
-        if beside[best] > on_line.height * (1.0 + SMALL):
+        if beside[best] > on_line.height * (1.0 + LEAST_TEMPERATURE_GAIN):
             return self._beside(wave, Peak(float(beside[best]), float(x[best]), float(y[best])))
         return on_line
 
     def _along_centre(self, wave: float) -> Peak:
-        places = -self.radius * np.cos(np.linspace(0.0, np.pi, FIRST))
-        heights = self.surface(wave, places, np.zeros(FIRST))
-        for _ in range(ROUNDS):
+        places = -self.radius * np.cos(np.linspace(0.0, np.pi, FIRST_POINTS))
+        heights = self.surface(wave, places, np.zeros(FIRST_POINTS))
+        for _ in range(REFINEMENT_ROUNDS):
             best = int(np.argmax(heights))
             near = places[max(best - 1, 0) : best + 2]
-            between = np.concatenate([low + (high - low) * PARTS for low, high in pairwise(near)])
+            between = np.concatenate([low + (high - low) * CUT_PARTS for low, high in pairwise(near)])
             kept = np.isin(places, near)
             order = np.argsort(np.concatenate([places[kept], between]))
             found = np.concatenate([heights[kept], self.surface(wave, between, np.zeros(between.size))])
@@ -172,7 +172,7 @@ class LineSource:
     def _beside(self, wave: float, start: Peak) -> Peak:
         x, y, step, best = start.x, start.y, 0.2 * self.radius, start.height
         corners = np.array([(i, j) for i in (-1.0, 0.0, 1.0) for j in (-1.0, 0.0, 1.0) if i or j])
-        while step > SMALL**0.5 * self.radius:
+        while step > LEAST_TEMPERATURE_GAIN**0.5 * self.radius:
             near_x, near_y = x + step * corners[:, 0], np.abs(y + step * corners[:, 1])
             off = np.maximum(np.hypot(near_x, near_y) / self.radius, 1.0)  # what lies outside is put onto the rim
             near_x, near_y = near_x / off, near_y / off
@@ -206,9 +206,9 @@ class LineSource:
             places = place_on(place, self.joints)
             return self._spread(length / self.radius, np.ravel(places)).reshape(places.shape) / self.scale
 
-        table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH)
+        table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH_TOLERANCE)
         heights = self._around(r, lambda places: self.scale * table(turned_on(places, self.joints)))
-        close = heights >= np.max(heights) - 10.0 * ROUGH * self.scale
+        close = heights >= np.max(heights) - 10.0 * ROUGH_TOLERANCE * self.scale
         return float(np.max(self.risen(length, np.ravel(r)[close])))
 
     def _around(self, r: Array, spread: Curve) -> Array:

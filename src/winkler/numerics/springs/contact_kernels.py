@@ -23,9 +23,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["impact_balls", "move_balls", "turn_balls"]
 
-CLOSE = 1e-14
+BOUND_TOLERANCE = 1e-14
 """Part of the squared bound by which a spring that stands on it may seem to be within."""
-LEAST = 1e-300
+ZERO_SUBSTITUTE = 1e-300
 """Instead of nothing, below a fraction bar."""
 
 
@@ -42,10 +42,10 @@ def _slip(ux: float, uy: float, bound: float, last: float, mx: float, my: float)
     slope = ux * mx + uy * my - bound * fall
     inside = ux * ux + uy * uy - bound * bound
     part = 0.0
-    if slope < 0.0 or inside < -CLOSE * bound * bound:
+    if slope < 0.0 or inside < -BOUND_TOLERANCE * bound * bound:
         # one that stands on its bound may turn back, and meet it on the other side
         root = math.sqrt(max(slope * slope - square * inside, 0.0))
-        part = -inside / (slope + root) if slope > 0.0 else (root - slope) / max(square, LEAST)
+        part = -inside / (slope + root) if slope > 0.0 else (root - slope) / max(square, ZERO_SUBSTITUTE)
         part = min(max(part, 0.0), 1.0)
     size = math.sqrt(size)
     inverse = 1.0 / size

@@ -22,9 +22,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["borne", "sunk"]
 
-MOST = 60
-CLOSE = 1e-13
-ALIKE = 1e-10
+MOST_TERMS = 60
+ROOT_TOLERANCE = 1e-13
+STEP_TOLERANCE = 1e-10
 """Steps that differ by less share what is computed for one of them."""
 
 
@@ -112,7 +112,7 @@ def borne(
         d0 = depth[n - 1] if n > 0 else min(place[0], 0.0)
         phi0 = phi[n - 1] if n > 0 else 0.0
         stiff, rest = relaxed, 0.0
-        if not abs(dt - last) <= ALIKE * dt:
+        if not abs(dt - last) <= STEP_TOLERANCE * dt:
             last = dt
             for i in range(terms):
                 fade[i] = math.exp(-dt / times[i])
@@ -125,14 +125,14 @@ def borne(
         if not shrinking:
             d, low, high = place[n], -1e300, place[n]
             f, p = 0.0, 0.0
-            for _ in range(MOST):
+            for _ in range(MOST_TERMS):
                 p, s = _shape(d, deepest, table, slopes)
                 f = stiff * p + rest + damp * s * (d - d0)
                 steep = (stiff + damp) * s
                 if f < 0.0:
                     f, steep = 0.0, 0.0
                 excess = d - place[n] + compliance * f
-                if compliance == 0.0 or abs(excess) <= CLOSE * deepest:
+                if compliance == 0.0 or abs(excess) <= ROOT_TOLERANCE * deepest:
                     break
                 if excess > 0.0:
                     high = min(high, d)
@@ -180,11 +180,11 @@ def borne(
                 part = 1.0
                 if next_ < 0.0:
                     side = 0
-                    for _ in range(MOST):
+                    for _ in range(MOST_TERMS):
                         part = (low * g_high - high * g_low) / (g_high - g_low)
                         f, moved, d1 = _past(at, part, n, time, depth, phi, times, moduli, relaxed, drift, load)
                         g = known * (place[n] - compliance * f) + carried - moved
-                        if abs(g) <= CLOSE * known * deepest or high - low < 1e-14:
+                        if abs(g) <= ROOT_TOLERANCE * known * deepest or high - low < 1e-14:
                             break
                         if g < 0.0:
                             high, g_high = part, g
@@ -233,7 +233,7 @@ def sunk(
         dt = time[n] - time[n - 1] if n > 0 else 0.0
         flowed += 0.5 * dt * (force[n] + before)
         phi = glassy * force[n] + fluidity * flowed
-        if not abs(dt - last) <= ALIKE * dt:
+        if not abs(dt - last) <= STEP_TOLERANCE * dt:
             last = dt
             for k in range(terms):
                 x = dt / times[k]
@@ -251,7 +251,7 @@ def sunk(
         j = min(max(np.searchsorted(table, phi) - 1, 0), pieces - 1)
         low, high = j / pieces, (j + 1) / pieces
         root = low + (high - low) * (phi - table[j]) / (table[j + 1] - table[j])
-        for _ in range(MOST):
+        for _ in range(MOST_TERMS):
             p, s = _shape(root * root * deepest, deepest, table, slopes)
             if p > phi:
                 high = root

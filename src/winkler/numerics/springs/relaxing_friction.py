@@ -19,7 +19,7 @@ from winkler.numerics.springs.relaxing_spring import turned
 
 __all__ = ["drag"]
 
-FULL = 1e-9
+BOUND_TOLERANCE = 1e-9
 """A spring that bears its bound but for this part is on it."""
 
 
@@ -108,7 +108,7 @@ def drag(law, weights, before, after, share, dt, moved, u, memory, free, loads, 
             travel, load, wanted, own, gone = _go(law, span, factors, u[j], mine, trial, after[j])
             u[j] += travel
             loads[j] = load
-            stuck[j] = abs(load) < (1.0 - FULL) * after[j]
+            stuck[j] = abs(load) < (1.0 - BOUND_TOLERANCE) * after[j]
             work += weights[j] * own
             bulk += weights[j] * gone
             force += weights[j] * load

@@ -12,12 +12,12 @@ from winkler.numerics.jit import compiled
 
 __all__ = ["carry", "jump", "turned"]
 
-EVENTS = 64
+MOST_EVENTS = 64
 """More within one step are rounding: a line and m exponentials vanish together m + 1 times at most."""
-TRIALS = 200
-CLOSE = 1e-15
+MOST_TRIALS = 200
+TIME_TOLERANCE = 1e-15
 """Part of its time, or of the shortest relaxation time, to which an event is found."""
-FEW = 1e-3
+FIRST_TRIAL_RATIO = 1e-3
 """Part of a bracket that is tried next where nothing is known of its beginning."""
 
 
@@ -80,21 +80,25 @@ def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ign
     left, place, impulse, lost, caught, quick = dt, depth, 0.0, 0.0, False, dt
     for i in range(times.size):
         quick = min(quick, times[i])
-    for events in range(EVENTS + 1):
+    for events in range(MOST_EVENTS + 1):
         begin = _allowance(law, gap, place, rate, u, mine, pressed, 0.0)
         # what has just been caught bears nothing yet; below zero is rounding
         begin = max(begin, 0.0) if caught else begin
         end = _allowance(law, gap, place, rate, u, mine, pressed, left)
-        turns = (end < 0.0 or (pressed and begin < 0.0)) and events < EVENTS
+        turns = (end < 0.0 or (pressed and begin < 0.0)) and events < MOST_EVENTS
         span = left
         if turns:
             low, high, f_low, f_high = 0.0, left if begin > 0.0 else 0.0, begin, end
-            for trial in range(TRIALS):
-                if high - low <= CLOSE * max(high, quick):
+            for trial in range(MOST_TRIALS):
+                if high - low <= TIME_TOLERANCE * max(high, quick):
                     break
                 middle = low + (high - low) * f_low / (f_low - f_high)
                 if trial % 3 == 2:  # what fades may be over in a tiny part of the step
-                    middle = FEW * high if low < FEW * FEW * high else np.sqrt(low * high)
+                    middle = (
+                        FIRST_TRIAL_RATIO * high
+                        if low < FIRST_TRIAL_RATIO * FIRST_TRIAL_RATIO * high
+                        else np.sqrt(low * high)
+                    )
                 if not low < middle < high:
                     middle = 0.5 * (low + high)
                 f = _allowance(law, gap, place, rate, u, mine, pressed, middle)

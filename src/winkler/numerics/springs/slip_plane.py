@@ -32,7 +32,7 @@ Three = tuple[Array, Array, Array]
 LOG1, LOG2, LOG3, LOG4 = -1.0 / 3.0, -4.0 / 45.0, -44.0 / 945.0, -428.0 / 14175.0
 LOG5, LOG6, LOG7 = -10196.0 / 467775.0, -10719068.0 / 638512875.0, -25865068.0 / 1915538625.0
 """Of w / artanh w in powers of w^2."""
-ROW = 128
+SPRINGS_PER_ROW = 128
 """Springs that are moved together, all of one kind where none of them slips."""
 
 
@@ -256,9 +256,9 @@ def march_plane(
     in between; one that does not slip holds on until `hold` times that.  shift (steps + 1, 2), force (steps, 2).
     """
     force[:, :], stored[:], lost[:] = 0.0, 0.0, 0.0
-    work = np.empty((3, ROW))
-    for start in range(0, gap.size, ROW):
-        size = min(ROW, gap.size - start)
+    work = np.empty((3, SPRINGS_PER_ROW))
+    for start in range(0, gap.size, SPRINGS_PER_ROW):
+        size = min(SPRINGS_PER_ROW, gap.size - start)
         cut = slice(start, start + size)
         g, k, s, pair = gap[cut], stiffness[cut], slips[cut], (u[0, cut], u[1, cut])
         new = (work[0, :size], work[1, :size], work[2, :size])

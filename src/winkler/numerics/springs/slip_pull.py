@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.numerics.jit import compiled
-from winkler.numerics.springs.slip_kernels import CLOSE, MOST, march_line
+from winkler.numerics.springs.slip_kernels import FORCE_TOLERANCE, MOST_STEPS, march_line
 from winkler.numerics.types import Array
 
 __all__ = ["pull_line"]
@@ -46,7 +46,7 @@ def _wanted(
     low = -most
     high = most
     moved = 0.0
-    for _ in range(MOST):
+    for _ in range(MOST_STEPS):
         pull, rise = _pull(u, gap, stiffness, slope, first, depth, moved)
         short = target - pull
         if abs(short) <= close:
@@ -87,7 +87,7 @@ def pull_line(
         scale = abs(target[t])
         for i in range(gap.size):
             scale += stiffness[i] * abs(u[i])
-        moved = _wanted(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], CLOSE * scale)
+        moved = _wanted(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], FORCE_TOLERANCE * scale)
         if math.isnan(moved):
             return t
         shift[t + 1] = shift[t] + moved

@@ -10,7 +10,7 @@ from winkler.numerics.jit import compiled
 __all__ = ["travel"]
 
 NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
-TURNS = 64
+MOST_DROPS = 64
 """How often a spring may drop from its static to its kinetic bound within one step."""
 
 
@@ -84,7 +84,7 @@ def travel(
     loss = 0.0
     left = 1.0
     fall = last - bound
-    for _ in range(TURNS):
+    for _ in range(MOST_DROPS):
         if slips and hold > 1.0 and ux * mx + uy * my < fall * bound:
             slips = False
         if not slips or hold == 1.0:

@@ -21,11 +21,11 @@ from winkler.numerics.types import Array
 __all__ = ["work_on_springs"]
 
 NODES, WEIGHTS = gauss_legendre(12)
-WIDE = 2.0
+INTERVAL_WIDTH = 2.0
 """So much of y is integrated at once."""
-FADED = 20.0
+DECAY_SPAN = 20.0
 """By how much y grows until nothing is left to turn."""
-DROPS = 64
+MOST_DROPS = 64
 """How often a spring may drop from its static to its kinetic bound within one step."""
 
 
@@ -72,7 +72,7 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
     work, left = np.zeros(share.size), np.ones(share.size)
     at, now, sliding = u.copy(), first.copy(), slips & (hold > 1.0)
     rows = np.arange(share.size)
-    for _ in range(DROPS):
+    for _ in range(MOST_DROPS):
         if not rows.size:
             break
         travel, fall = share[rows, None] * move, last[rows] - first[rows]
@@ -131,8 +131,8 @@ def _slipped(u: Array, bound: Array, last: Array, move: Array) -> Array:
     with np.errstate(divide="ignore"):
         slowed = np.where(growth != 0.0, np.log1p(growth) / np.where(growth != 0.0, growth, 1.0), 1.0)
     far = length / b * slowed
-    far = np.minimum(far, FADED + 0.5 * np.log1p(slope))
-    parts = int(np.ceil(far.max() / WIDE)) or 1
+    far = np.minimum(far, DECAY_SPAN + 0.5 * np.log1p(slope))
+    parts = int(np.ceil(far.max() / INTERVAL_WIDTH)) or 1
     nodes = ((np.arange(parts)[:, None] + NODES) / parts).ravel()
     weights = np.tile(WEIGHTS / parts, parts)
     y = far[:, None] * nodes

@@ -8,7 +8,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["bridged", "spikes"]
 
-AROUND = 9
+WINDOW_PIXELS = 9
 """Along the side of the square that a spike must stand out of; it may fill a quarter of it."""
 
 
@@ -72,7 +72,7 @@ def spikes(numbers: Array, times: float, periodic: bool) -> Array:
 
     holes = np.isnan(numbers)
     whole = bridged(numbers, periodic)
-    around = np.zeros((AROUND, AROUND), dtype=bool)
+    around = np.zeros((WINDOW_PIXELS, WINDOW_PIXELS), dtype=bool)
     around[::2, ::2] = True  # every second one tells as much
     quarter, mode = int(np.count_nonzero(around)) // 4, "wrap" if periodic else "reflect"
     low, high = (rank_filter(whole, rank, footprint=around, mode=mode) for rank in (quarter, 3 * quarter))

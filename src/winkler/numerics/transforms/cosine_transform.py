@@ -24,18 +24,18 @@ from winkler.values import value
 
 __all__ = ["Response", "Stretched", "in_own_lengths", "stretched", "transform", "wave_numbers"]
 
-ANGLES = (math.pi / 12.0, math.pi / 17.0)
+PATH_ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
 NODES = 24
-DEEP = 21.0
+DECAY_SPAN = 21.0
 """Where exp(-2 xi length) has vanished, xi in units of 1 / length."""
-LOWEST = 1e-3
+FIRST_WAVE_NUMBER = 1e-3
 """First panel of wave numbers, in units of 1 / span: M is a power series there."""
-ROUNDING = 1e-14
+ROUNDING_RATIO = 1e-14
 """Rounding of M, what C may be wrong by, times x."""
-LEAST = 0.03
+LEAST_RESPONSE = 0.03
 """An M smaller than this need not be any more precise."""
-AGREE = 300.0
+AGREEMENT_RATIO = 300.0
 """How well both angles must agree, in units of the precision of M, relative to the largest M over x."""
 
 
@@ -178,10 +178,10 @@ def _joined(response: Hashable, octave: int) -> Panels:
 
 def _path(response: Response, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
     """Return wave numbers and weights times M for x between `low` and `high`; on the real axis for angle zero."""
-    end = DEEP / response.length
+    end = DECAY_SPAN / response.length
     if angle > 0.0:
         end = min(end / math.cos(angle), 40.0 / (low * math.sin(angle)))
-    s, weights = wave_numbers(LOWEST / response.span, 10.0 / high, end)
+    s, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, 10.0 / high, end)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     return s * turn, _ray(cast(Hashable, response), angle)(s) * (weights * turn * (2.0 / math.pi))
 
@@ -191,8 +191,8 @@ def _ray(given: Hashable, angle: float) -> Panels:
     """Return M along a ray from the origin: a stack of many layers is climbed once, not once for every octave."""
     response = cast(Response, given)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
-    end = DEEP / (response.length * math.cos(angle))
-    edges = [0.0, min(LOWEST / response.span, end)]
+    end = DECAY_SPAN / (response.length * math.cos(angle))
+    edges = [0.0, min(FIRST_WAVE_NUMBER / response.span, end)]
     while edges[-1] < end:
         edges.append(min(2.0 * edges[-1], end))
     size = float(np.max(np.abs(response.excess(np.array(edges) * turn))))
@@ -200,7 +200,7 @@ def _ray(given: Hashable, angle: float) -> Panels:
     def along(s: Array) -> ComplexArray:
         return response.excess((s * turn).ravel()).reshape(s.shape)
 
-    return fit_panels(along, np.array(edges), response.precision * (size + LEAST))
+    return fit_panels(along, np.array(edges), response.precision * (size + LEAST_RESPONSE))
 
 
 def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
@@ -215,13 +215,13 @@ def _octave(given: Hashable, octave: int) -> Panels:
     response = cast(Response, given)
     high = response.length * 2.0**octave
     low = 0.5 * high if octave else 0.0
-    xi, weights = _path(response, low, high, ANGLES[0] if octave else 0.0)
+    xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)
     size = float(np.sum(np.abs(weights * np.exp(1j * xi * low))))
-    floor = max(ROUNDING, LEAST * response.precision) / high
+    floor = max(ROUNDING_RATIO, LEAST_RESPONSE * response.precision) / high
     if octave:
         x = np.array([low])
-        misfit = float(np.abs(_sum(xi, weights, x) - _sum(*_path(response, low, low, ANGLES[1]), x))[0])
-        if misfit > AGREE * response.precision * size + 100.0 * floor:
+        misfit = float(np.abs(_sum(xi, weights, x) - _sum(*_path(response, low, low, PATH_ANGLES[1]), x))[0])
+        if misfit > AGREEMENT_RATIO * response.precision * size + 100.0 * floor:
             raise NotConverged(
                 f"The kernel of the stack is not resolved at {low:.3g} m: two paths differ by {misfit / size:.1e}; "
                 "its contrasts are beyond what winkler can carry."

@@ -37,7 +37,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["Pairs", "area", "edge", "edge_slope", "on_pieces", "punches", "push", "resolvent", "slopes"]
 
-BLOCK = 4096
+POINTS_PER_BLOCK = 4096
 """Places at which a series is summed at once: what fits into a processor's cache."""
 
 
@@ -172,8 +172,8 @@ def _table(response: Response, x: Array, a: Array, part: str, derivatives: bool)
             low, high = table.panels[panel], table.panels[panel + 1]
             place = (2.0 * ratio - low - high) / (high - low)
             scales = np.array([1.0, 2.0 / (table.high - table.low), 2.0 / (high - low)])[: len(result), None]
-            for start in range(0, own.size, BLOCK):
-                part_ = own[start : start + BLOCK]
+            for start in range(0, own.size, POINTS_PER_BLOCK):
+                part_ = own[start : start + POINTS_PER_BLOCK]
                 result[:, members[part_]] = scales * _both(series[:, panel], s[part_], place[part_], derivatives)
     return result
 

@@ -24,17 +24,17 @@ from winkler.numerics.types import Array, Curve
 
 __all__ = ["halving_panels", "kernel_matrix", "legendre_to_chebyshev", "panel_nodes"]
 
-NEAR = 3.0
+WIDEST_REGULAR_PANEL = 3.0
 """A panel wider than this many lengths of the kernel is integrated piece by piece where the kernel is near."""
-APART = 0.6
+FAR_DISTANCE_RATIO = 0.6
 """A panel is far from a point if its distance is more than this part of its width."""
 SAMPLES = 32
 """Of C(x + t) where both are beyond the first panel: distances from a to 2 a, over which C is smooth."""
-POINTS = 16
-LOGARITHMIC = 30
+NODES_PER_PIECE = 16
+LOGARITHMIC_NODES = 30
 """Nodes on the piece where C has a logarithm."""
-POWER = 5
-ROUNDED = 8.0
+VARIABLE_POWER = 5
+ROUNDED_LENGTHS = 8.0
 """Up to this many lengths C is seen to be rounded off."""
 
 
@@ -136,9 +136,9 @@ def _hook(response: Response, count: int, a: float, halvings: int) -> tuple[Arra
 def _correct(matrix: Array, response: Response, kernel: Curve, place: Array, low: float, high: float, n: int) -> None:
     """Replace, in place, rows that nodes on the panel from `low` to `high` integrate badly."""
     width = high - low
-    if width <= NEAR * response.length:
+    if width <= WIDEST_REGULAR_PANEL * response.length:
         return
-    (near,) = np.nonzero(np.maximum(low - place, place - high) <= APART * width)
+    (near,) = np.nonzero(np.maximum(low - place, place - high) <= FAR_DISTANCE_RATIO * width)
     if near.size == 0:
         return
     distance, weights = _towards(place[near], low, high, response)
@@ -155,8 +155,8 @@ def _towards(place: Array, low: float, high: float, response: Response) -> tuple
     steps = step * 2.0 ** np.arange(count)
     first = [(np.array([0.0, step]), 1)]
     if response.smooth > response.length:
-        rounded = min(ROUNDED * response.length, step)
-        first = [(np.array([0.0, rounded]), 1), (np.array([rounded, step]), POWER)]
+        rounded = min(ROUNDED_LENGTHS * response.length, step)
+        first = [(np.array([0.0, rounded]), 1), (np.array([rounded, step]), VARIABLE_POWER)]
     signs = [sign for sign, wide in ((1.0, high - np.min(place)), (-1.0, np.max(place) - low)) if wide > 0.0]
     parts = [_pieces(place, low, high, sign * edges, p) for sign in signs for edges, p in [*first, (steps, 1)]]
     distance, weights = (np.concatenate(part, axis=1) for part in zip(*parts, strict=True))
@@ -167,7 +167,7 @@ def _pieces(place: Array, low: float, high: float, steps: Array, power: int) -> 
     """Return Gauss-Legendre nodes in a root of the distance, and weights, between steps clipped to [low, high]."""
     edges = np.clip(steps, (low - place)[:, None], (high - place)[:, None])
     edges = edges[:, np.concatenate([[True], np.any(np.diff(edges, axis=1) != 0.0, axis=0)])]
-    nodes, rule = gauss_legendre(POINTS if power == 1 else LOGARITHMIC)
+    nodes, rule = gauss_legendre(NODES_PER_PIECE if power == 1 else LOGARITHMIC_NODES)
     sign = 1.0 if steps[-1] > 0.0 else -1.0
     # a panel on the other side of the place leaves nothing of these pieces
     roots = np.maximum(sign * edges, 0.0) ** (1.0 / power)

@@ -23,22 +23,22 @@ from winkler.numerics.types import Array
 
 __all__ = ["Punches", "first_radius", "octave_of", "tables"]
 
-RADII, FEWER_RADII = 18, 12
+RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 12
 """Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
-COUNTS = (12, 16, 24, 32)
+NODE_COUNTS = (12, 16, 24, 32)
 """Nodes per panel, raised until the results settle; the fewest only for a response that is not known to all digits."""
-SETTLED = 1e-12
-LAST = 1e-9
+SETTLED_TOLERANCE = 1e-12
+LAST_TOLERANCE = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
-ROUNDED = 1e-16
+ROUNDING_RATIO = 1e-16
 """What rounding leaves of the end of a series, over the largest phi: it does not get shorter on halving the octave."""
-FINEST = 1.5
+EDGE_PANEL_WIDTH = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
-FINEST_ROUNDED = 4.0
+EDGE_PANEL_WIDTH_ROUNDED = 4.0
 """The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 IN_LENGTHS = "times the thickness of the uppermost layer (or the length over which moduli change)"
 """The unit in which sentences tell radii: tables know no metres."""
-HALVINGS = 4
+MOST_HALVINGS = 4
 """How often an octave of radii may be halved."""
 
 
@@ -106,9 +106,9 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
     while waiting:
         low, high, depth = waiting.pop()
         table, tail = _solve(response, low, high)
-        rounded = ROUNDED * float(np.max(np.abs(table.phi)))
-        if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
-            if tail > max(LAST, 100.0 * _settled(response)):
+        rounded = ROUNDING_RATIO * float(np.max(np.abs(table.phi)))
+        if tail <= max(10.0 * _settled(response), rounded) or depth == MOST_HALVINGS:
+            if tail > max(LAST_TOLERANCE, 100.0 * _settled(response)):
                 raise NotConverged(
                     f"Flat punches with radii of {low / response.length:.3g} to {high / response.length:.3g} "
                     f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
@@ -123,8 +123,11 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
 
 def _panels(response: Response, high: float) -> Array:
     """Return panels of x/a that halve towards the edge."""
-    finest = min((FINEST_ROUNDED if response.smooth > response.length else FINEST) * response.length, response.smooth)
-    halvings = max(0, math.ceil(math.log2(high / max(finest, FINEST * response.length))))
+    finest = min(
+        (EDGE_PANEL_WIDTH_ROUNDED if response.smooth > response.length else EDGE_PANEL_WIDTH) * response.length,
+        response.smooth,
+    )
+    halvings = max(0, math.ceil(math.log2(high / max(finest, EDGE_PANEL_WIDTH * response.length))))
     return halving_panels(halvings)
 
 
@@ -132,7 +135,7 @@ def _solve(response: Response, low: float, high: float) -> tuple[Punches, float]
     """Return the punches between two radii, and how far their series in a is from its end."""
     panels = _panels(response, high)
     count = _enough(response, high, panels)
-    many = RADII if _settled(response) == SETTLED else FEWER_RADII
+    many = RADII_PER_OCTAVE if _settled(response) == SETTLED_TOLERANCE else FEWER_RADII_PER_OCTAVE
     angle = np.pi * (np.arange(many) + 0.5) / many
     radii = low + (high - low) * np.cos(0.5 * angle) ** 2
     solved = [_punch(response, float(a), panels, count) for a in radii]
@@ -184,28 +187,28 @@ def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: 
 
 def _settled(response: Response) -> float:
     """Return the relative change below which nothing is learnt any more."""
-    return max(SETTLED, response.precision)
+    return max(SETTLED_TOLERANCE, response.precision)
 
 
 def _enough(response: Response, high: float, panels: Array) -> int:
     """Return how many nodes a panel needs for the widest punch to settle."""
     settled = _settled(response)
-    counts = COUNTS if settled > SETTLED else COUNTS[1:]
+    counts = NODE_COUNTS if settled > SETTLED_TOLERANCE else NODE_COUNTS[1:]
     last = _punch(response, high, panels, counts[0])
     change = math.inf
     for fewer, more in itertools.pairwise((*counts, 48)):
         finer = _punch(response, high, panels, more)
         before = change
         change = max(abs(float(new / old) - 1.0) for new, old in zip(finer[:2], last[:2], strict=True))
-        if change <= settled or (change <= LAST and change > 0.1 * before):
+        if change <= settled or (change <= LAST_TOLERANCE and change > 0.1 * before):
             return int(fewer)
         last = finer
-    if change > max(LAST, 100.0 * settled):
+    if change > max(LAST_TOLERANCE, 100.0 * settled):
         raise NotConverged(
             f"A flat punch with a radius of {high / response.length:.3g} {IN_LENGTHS} still moves by {change:.1e}; the "
             "contrasts of the stack are beyond what winkler can carry: ask for a narrower contact."
         )
-    return COUNTS[-1]
+    return NODE_COUNTS[-1]
 
 
 def _punch(response: Response, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:

@@ -30,7 +30,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
-from winkler.media.interior.peak import ZOOMS, greatest
+from winkler.media.interior.peak import REFINEMENTS, greatest
 from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.media.layered.coated import LayeredMedium
@@ -104,7 +104,7 @@ def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -
         top=part.top * (1.0 + BELOW_FACE),
         bottom=part.bottom,
         both_sides=friction > 0.0,
-        zooms=COARSE if layered else ZOOMS,
+        zooms=COARSE if layered else REFINEMENTS,
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 

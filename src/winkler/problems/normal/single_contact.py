@@ -21,7 +21,7 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed, Pressed
 from winkler.foundation.plane import PlaneFoundation
-from winkler.media.medium import CALM
+from winkler.media.medium import LEAST_SURFACE_RISE
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
@@ -218,7 +218,9 @@ def _lowest_rise(bed: Bed, depth: float, radius: float, end: float) -> float:
     far = min(1e3 * radius, end)
     r = np.geomspace(radius, far, 400)
     height = bed.height(r)
-    high = (height >= (1.0 + bulge) * depth) | ((r >= radius + beside.calm) & (height >= (1.0 - CALM) * depth))
+    high = (height >= (1.0 + bulge) * depth) | (
+        (r >= radius + beside.calm) & (height >= (1.0 - LEAST_SURFACE_RISE) * depth)
+    )
     if not high.any() and far < end:
         return np.inf
     return float(r[np.argmax(high)]) if high.any() else far
@@ -232,7 +234,7 @@ def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
     with np.errstate(over="ignore", invalid="ignore"):
         height = bed.height(places)
         high = (height >= depth + _bulge(bed, radius, facts.least)) | (
-            (places >= radius + facts.calm) & (height >= depth + _bulge(bed, radius, CALM))
+            (places >= radius + facts.calm) & (height >= depth + _bulge(bed, radius, LEAST_SURFACE_RISE))
         )
     low = places[~high]
     if not low.size:

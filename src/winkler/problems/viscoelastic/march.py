@@ -14,7 +14,7 @@ from winkler.foundation.springs import Springs
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
-from winkler.numerics.springs.relaxing_springs import NUMBERS, march, seek
+from winkler.numerics.springs.relaxing_springs import STEP_NUMBERS, march, seek
 from winkler.numerics.types import Array
 
 __all__ = ["Carried", "Row", "elastic_like", "refuse_rings", "relaxation_of"]
@@ -109,7 +109,7 @@ class Row:
 
     def march(self, changes: Array, spans: Array) -> Carried:
         """Carry the row through changes of depth [m] at steady rates, or suddenly where a span [s] is zero."""
-        numbers = np.empty((changes.size, NUMBERS))
+        numbers = np.empty((changes.size, STEP_NUMBERS))
         march(self.law, self.row, self._state, self.motion, changes, spans, numbers)
         return Carried.of(self, np.divide(changes, spans, out=np.zeros(changes.size), where=spans > 0.0), numbers)
 

@@ -19,17 +19,17 @@ from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
-from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
+from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.values import value
 
 __all__ = ["LineScan", "spectrum_of_lines"]
 
 NODES = 16
 """Of Gauss's rule between two numbers."""
-LEAST_STEEP = 1.0
+LEAST_FALL_EXPONENT = 1.0
 """The continuation falls at least with 1/q, as that of the roughest surface, H = 0."""
 
-FEWEST = 64
+FEWEST_HEIGHTS = 64
 """Heights of which less is said than a spectrum needs."""
 
 
@@ -57,8 +57,8 @@ class LineScan:
     70.7
     """
 
-    position: Annotated[Array, Numbers(fewest=FEWEST, order="rising")]
-    heights: Annotated[Array, Numbers(fewest=FEWEST)]
+    position: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS, order="rising")]
+    heights: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS)]
 
     def __post_init__(self) -> None:
         if self.position.size != self.heights.size:
@@ -137,7 +137,7 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
     steep = -np.diff(np.log(line)) / np.diff(logs)
     last = logs > logs[-1] - 0.5 * np.log(10.0)  # its slope from half a decade, or from two numbers
     last[-2:] = True
-    tail = max(-float(np.polyfit(logs[last], np.log(line[last]), 1)[0]), LEAST_STEEP)
+    tail = max(-float(np.polyfit(logs[last], np.log(line[last]), 1)[0]), LEAST_FALL_EXPONENT)
     nodes, weights = gauss_legendre(NODES)
     density = np.empty(q.size)
     for k, low in enumerate(q):
@@ -151,7 +151,7 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
 
 def _thinned(q: Array, density: Array) -> tuple[Array, Array]:
     """Return means over bins that are equal on a logarithmic axis, where numbers lie closer than these."""
-    which = np.floor(np.log10(q / q[0]) * PER_DECADE + 1e-9).astype(int)
+    which = np.floor(np.log10(q / q[0]) * POINTS_PER_DECADE + 1e-9).astype(int)
     _, where, counts = np.unique(which, return_inverse=True, return_counts=True)
     return np.exp(np.bincount(where, np.log(q)) / counts), np.bincount(where, density) / counts
 

@@ -19,29 +19,29 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
+from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.profiles.rough.topography import Topography
 
 __all__ = ["spectrum_of"]
 
-FEWEST = 4
+FEWEST_WAVE_NUMBERS = 4
 """Different wave numbers in a ring, unless the map has fewer."""
-EARLY, LATE = 0.7, 1.3
+LEAST_RING_WIDTH, LARGEST_RING_WIDTH = 0.7, 1.3
 """Where a ring may end, in widths of a ring."""
-BESIDE = 0.15
+END_MARGIN = 0.15
 """Power so close to the end of a ring, in widths of a ring, speaks against ending it there."""
-STEEPEST = 5.0
+LARGEST_LOG_CHANGE = 5.0
 """A density that changes within a ring by more than exp(STEEPEST) gives way to a narrower ring."""
-NOTHING = 1e-26
+ROUNDING_RATIO = 1e-26
 """Part of the sums that is rounding: rings with less at either end of the spectrum are left out."""
-FAINT = 1e-40
+LEAST_DENSITY_RATIO = 1e-40
 """Density between rings, over the greatest one."""
-JUMP = 1e-13
+JUMP_WIDTH = 1e-13
 """Relative distance of two wave numbers between which the density jumps."""
-HALVINGS = 60
-SHIFTED = 0.5
+MOST_HALVINGS = 60
+LARGEST_SLOPE_SHIFT = 0.5
 """More than this much steeper rings may not become together."""
-LONGEST, MANY = 3.0, 4096
+LARGEST_LATTICE_STEPS, MANY_WAVES = 3.0, 4096
 """In steps of the lattice; the exponent of a ring beyond, with fewer waves than so many, is that of its waves."""
 
 
@@ -115,7 +115,7 @@ def _waves(topography: Topography) -> _Waves:
     count, power = np.add.reduceat(count, new), np.add.reduceat(power, new)
     q = q[new]
     total, steep = float(np.sum(power)), float(np.sum(power * q**2))
-    seen = np.flatnonzero((power > NOTHING * total) | (power * q**2 > NOTHING * steep))
+    seen = np.flatnonzero((power > ROUNDING_RATIO * total) | (power * q**2 > ROUNDING_RATIO * steep))
     last = int(seen[-1]) + 1 if total > 0.0 else 0
     return _Waves(q[:last], count[:last], power[:last] * unit**2)
 
@@ -137,17 +137,19 @@ def _ends(waves: _Waves, cell: float, nyquist: float) -> list[int]:
     filled = np.sqrt(cell * (1.0 + np.cumsum(waves.members)) / math.pi)
     summed = np.concatenate(([0.0], np.cumsum(waves.power)))
     while start < last:
-        wide = waves.q[start] * 10.0 ** (np.array([EARLY, LATE, LATE + BESIDE]) / PER_DECADE)
+        wide = waves.q[start] * 10.0 ** (
+            np.array([LEAST_RING_WIDTH, LARGEST_RING_WIDTH, LARGEST_RING_WIDTH + END_MARGIN]) / POINTS_PER_DECADE
+        )
         first, final, beyond = np.searchsorted(waves.q, wide, side="right").tolist()
-        first, final = max(first, start + FEWEST), max(final, start + FEWEST)
+        first, final = max(first, start + FEWEST_WAVE_NUMBERS), max(final, start + FEWEST_WAVE_NUMBERS)
         stop = whole if start < whole else last
         if final >= stop:
             end = stop
         else:
             places = np.arange(first, final + 1)
             low, high = waves.q[places - 1], waves.q[places]
-            uneven = np.abs(np.log(np.clip(filled[places - 1], low, high) / filled[places - 1])) * PER_DECADE
-            reach = 10.0 ** (BESIDE / PER_DECADE)
+            uneven = np.abs(np.log(np.clip(filled[places - 1], low, high) / filled[places - 1])) * POINTS_PER_DECADE
+            reach = 10.0 ** (END_MARGIN / POINTS_PER_DECADE)
             near = summed[np.searchsorted(waves.q, high * reach)] - summed[np.searchsorted(waves.q, low / reach)]
             most = max(float(summed[min(beyond, last)] - summed[start]), np.finfo(float).tiny)
             end = int(places[np.argmin(uneven + near / most)])
@@ -170,23 +172,23 @@ def _borders(waves: _Waves, ends: list[int], cell: float) -> Array:
 def _spectrum(waves: _Waves, ends: list[int], borders: Array, cell: float) -> PowerSpectrum:
     starts = [0, *ends[:-1]]
     power, square = (np.add.reduceat(waves.power * waves.q**n, starts) for n in (0, 2))
-    there = power > NOTHING * float(np.sum(power))
-    rings, total = _rings(waves, ends, borders, there, LONGEST**2 * cell), float(np.sum(square[there]))
+    there = power > ROUNDING_RATIO * float(np.sum(power))
+    rings, total = _rings(waves, ends, borders, there, LARGEST_LATTICE_STEPS**2 * cell), float(np.sum(square[there]))
     more = _shift(rings, total)
-    if abs(more) > SHIFTED:  # a line among waves that are faint beside it
+    if abs(more) > LARGEST_SLOPE_SHIFT:  # a line among waves that are faint beside it
         rings = _rings(waves, ends, borders, there, math.inf)
         more = _shift(rings, total)
     places, heights = [], []
     for ring in rings:
-        low, high = math.sqrt(ring.inner) * (1.0 + JUMP), math.sqrt(ring.outer) * (1.0 - JUMP)
+        low, high = math.sqrt(ring.inner) * (1.0 + JUMP_WIDTH), math.sqrt(ring.outer) * (1.0 - JUMP_WIDTH)
         shape = PowerSpectrum(np.array([low, high]), np.array([1.0, (high / low) ** (2.0 * ring.steeper(more) - 2.0)]))
         places.append((low, high))
         heights.append(ring.power / shape.rms_height**2 * shape.densities)
-    faint = FAINT * float(np.max(heights))
+    faint = LEAST_DENSITY_RATIO * float(np.max(heights))
     q, density = list(places[0]), list(heights[0])
     for (low, high), (begin, end) in zip(places[1:], heights[1:], strict=True):
-        if low > q[-1] * (1.0 + 10.0 * JUMP):  # nothing between two rings
-            q += [q[-1] * (1.0 + JUMP), low * (1.0 - JUMP)]
+        if low > q[-1] * (1.0 + 10.0 * JUMP_WIDTH):  # nothing between two rings
+            q += [q[-1] * (1.0 + JUMP_WIDTH), low * (1.0 - JUMP_WIDTH)]
             density += [faint, faint]
         q += [low, high]
         density += [max(begin, faint), max(end, faint)]
@@ -199,7 +201,7 @@ def _rings(waves: _Waves, ends: list[int], borders: Array, there: Array, least: 
     for start, end, inner, outer in zip([0, *ends[:-1]], ends, borders[:-1], borders[1:], strict=True):
         u, power, members = (part[start:end] for part in (waves.q**2, waves.power, waves.members))
         whole = float(np.sum(power))
-        known = inner > least and end - start <= MANY
+        known = inner > least and end - start <= MANY_WAVES
         rings.append(_ring(whole, float(np.sum(power * u)), (inner, outer), u, members if known else np.empty(0)))
     return [ring for ring, seen in zip(rings, there, strict=True) if seen]
 
@@ -229,7 +231,7 @@ def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, m
     """
     inner, outer = borders
     square = moment / power if power > 0.0 else outer
-    most = STEEPEST / math.log(outer / inner)
+    most = LARGEST_LOG_CHANGE / math.log(outer / inner)
 
     def even(steep: float) -> float:
         return _mean(steep, inner, outer)
@@ -251,7 +253,7 @@ def _shift(rings: list[_Ring], square: float) -> float:
     def mean(more: float) -> float:
         return sum(ring.power * ring.square(more) for ring in rings)
 
-    return _rooted(mean, square, STEEPEST)
+    return _rooted(mean, square, LARGEST_LOG_CHANGE)
 
 
 def _mean(steep: float, inner: float, outer: float) -> float:
@@ -264,7 +266,7 @@ def _mean(steep: float, inner: float, outer: float) -> float:
 def _rooted(rising: Callable[[float], float], wanted: float, most: float) -> float:
     """Return where a rising function meets a number, between -most and most."""
     low, high = -most, most
-    for _ in range(HALVINGS):
+    for _ in range(MOST_HALVINGS):
         half = 0.5 * (low + high)
         low, high = (half, high) if rising(half) < wanted else (low, half)
     return 0.5 * (low + high)

@@ -29,9 +29,9 @@ __all__ = ["random_line", "random_lines", "random_topography"]
 
 LONGEST_WAVES = 8
 """Up to this multiple of the lattice a spectrum may change much within one cell."""
-FINE, FINE_OF_LINES, COARSE = 24, 192, 3
+MAP_CELL_POINTS, LINE_CELL_POINTS, OTHER_CELL_POINTS = 24, 192, 3
 """Points on a side of such a cell of maps and of lines, and of all other cells."""
-BYTES = 70
+BYTES_PER_PIXEL = 70
 """Of memory for a pixel, while a map is made."""
 
 
@@ -62,7 +62,7 @@ def random_topography(spectrum: Spectrum, shape: tuple[int, int], lengths: Array
     try:
         return _made(spectrum, shape, (lx, ly), seed)
     except MemoryError:
-        size = shape[0] * shape[1] * BYTES / 1e9
+        size = shape[0] * shape[1] * BYTES_PER_PIXEL / 1e9
         raise InvalidInput(
             f"random_topography: {shape[0]} x {shape[1]} pixels need {size:.3g} GB of memory, which this machine does "
             "not give; ask for fewer."
@@ -117,8 +117,8 @@ def _cells(spectrum: Spectrum, count: tuple[int, int], step: tuple[float, float]
                 power += spectrum.at(np.hypot(qx, qy))
         return power * (step[0] * step[1] / points**2)
 
-    power = summed(0, max(count), COARSE)
-    near = summed(0, LONGEST_WAVES, FINE)
+    power = summed(0, max(count), OTHER_CELL_POINTS)
+    near = summed(0, LONGEST_WAVES, MAP_CELL_POINTS)
     power[: near.shape[0], : near.shape[1]] = near
     power[0, 0] = 0.0
     return power
@@ -167,7 +167,7 @@ def random_lines(spectrum: Spectrum, count: int, length: float, seeds: Iterable[
     """
     step = 2.0 * np.pi / length
     power = np.zeros(count // 2 + 1)
-    for first, last, points in ((1, LONGEST_WAVES, FINE_OF_LINES), (LONGEST_WAVES, power.size, COARSE)):
+    for first, last, points in ((1, LONGEST_WAVES, LINE_CELL_POINTS), (LONGEST_WAVES, power.size, OTHER_CELL_POINTS)):
         for place in (np.arange(points) + 0.5) / points - 0.5:
             q = (np.arange(first, min(last, power.size)) + place) * step
             power[first:last] += np.pi * q * spectrum.at(q) * (step / points)

@@ -23,7 +23,7 @@ from winkler.values import value
 
 __all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 
-PER_DECADE = 20
+POINTS_PER_DECADE = 20
 """Bins of a measured spectrum, equal on a logarithmic axis."""
 
 

@@ -10,14 +10,14 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, Advice, Numbers, affordable
 from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput
-from winkler.limits import HOLES
+from winkler.limits import MOST_HOLES
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spikes import Spikes
 from winkler.values import frozen_array, value
 
 __all__ = ["Topography"]
 
-ORDERS = {0: "its mean", 1: "a plane", 2: "a paraboloid"}
+REMOVED_SURFACES = {0: "its mean", 1: "a plane", 2: "a paraboloid"}
 
 
 @value
@@ -132,7 +132,7 @@ class Topography:
         InvalidInput
             If the order is another one, or the map is periodic and would not be so without its trend.
         """
-        if order not in ORDERS:
+        if order not in REMOVED_SURFACES:
             raise InvalidInput(
                 f"Topography: cannot detrend to the order {order!r}; give 0 for the mean, 1 for a plane, "
                 "2 for a paraboloid."
@@ -228,7 +228,7 @@ class Topography:
             return self
         from winkler.numerics.surfaces.bridging import bridged
 
-        affordable("Topography", "missing heights", self.missing, HOLES)
+        affordable("Topography", "missing heights", self.missing, MOST_HOLES)
         return Topography(bridged(self.heights, self.periodic), self.lengths, self.periodic)
 
     def cropped(self, first: tuple[int, int], count: tuple[int, int]) -> Topography:
