@@ -1,8 +1,8 @@
-r"""The pile of flat punches that a springs' displacement is (Jaeger's picture), tabulated for integration.
+r"""The superposition of flat punches that belongs to a displacement of the springs (Jaeger), tabulated for integration.
 
 The punch of radius t carries ``-du(t)``.  Above a kink s of u the slope starts with an inverse square root; over
 :math:`y = \sqrt{t^2-s^2}` the weight :math:`H(y) = -u'(t)\,y/t`, :math:`-\mathrm du = H\,\mathrm dy`, is smooth.  It
-is tabulated once, on panels short enough for a Chebyshev series.  Seen from afar many panels are few punches: a
+is tabulated once, on panels short enough for a Chebyshev series.  From a distance many panels are few punches: a
 `Cluster` replaces them by punches at fixed radii, so that a shape of a thousand kinks costs little more than a smooth
 one.
 """

@@ -27,7 +27,7 @@ from winkler.values import value
 __all__ = ["Behind", "Tabulated", "springs_behind"]
 
 LARGEST_RADIUS_RATIO = 500.0
-"""Greatest contact radius for which layers are asked, in their total thickness."""
+"""Greatest contact radius for which layers are solved, over their total thickness."""
 LEAST_RADIUS_RISE = 1e-5
 """Rise of the contact radius with the variable of the curve, relative to the greatest radius, that is none."""
 LEAST_RADIUS_RATIO = 1e-4
@@ -175,6 +175,7 @@ def _wide_enough(medium: LayeredMedium, stiffness: float) -> float:
         if radius > LARGEST_RADIUS_RATIO * whole:
             raise OutsideValidity(
                 f"dF/dd reaches {stiffness:.6g} N/m, the stiffness of a contact more than {LARGEST_RADIUS_RATIO:g} "
-                f"times as wide as the layers are thick ({whole:.6g} m), where they cannot be carried; give smaller forces, or the "
+                f"times as wide as "
+                f"the layers are thick ({whole:.6g} m), where they cannot be carried; give smaller forces, or the "
                 "medium below the layers."
             )

@@ -5,7 +5,7 @@ never when winkler is imported.  In a browser (emscripten), where there is no nu
 What is compiled is kept for the next process, where there is a place for it: see `winkler.caches`.
 
 A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
-function alone, is told what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
+function alone, receives what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
 may count on infinities and on what comparisons with not-a-number give: only re-association, contraction and the sign of
 zero are given away for speed.
 Kernels let other threads run.

@@ -1,4 +1,4 @@
-r"""Indenters known by their area function, :math:`A(h) = C_0h^2 + C_1h + C_2h^{1/2} + C_3h^{1/4} + \dots`
+r"""Indenters described by their area function, :math:`A(h) = C_0h^2 + C_1h + C_2h^{1/2} + C_3h^{1/4} + \dots`
 
 A calibrated nanoindenter tip is given by its cross-section A at the distance h from the apex.  The body of
 revolution with the same cross-sections has :math:`f(r)=h` where :math:`A(h)=\pi r^2`.  Its transform is an integral
@@ -103,7 +103,7 @@ class AreaFunction(Shape):
 
     @property
     def _unit(self) -> float:
-        """The height [m] above which the first term is the greatest; one term alone looks alike at all heights."""
+        """The height [m] above which the first term is the greatest; one term alone is self-similar."""
         (c, n), *others = self._terms
         return max((abs(other / c) ** (1.0 / (n - power)) for other, power in others), default=1.0)
 
@@ -154,7 +154,7 @@ class AreaFunction(Shape):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """That the indenter is taken for its axisymmetric equivalent."""
+        """That the indenter is replaced by its axisymmetric equivalent."""
         return (
             Note(
                 Assumption.SHAPE,

@@ -22,7 +22,7 @@ from winkler.values import value
 __all__ = ["ContactEllipse", "CurvedBodies"]
 
 LEAST_AXES_RATIO = 1e-8
-"""Smallest ratio of the semi-axes that is looked for; far beyond what Kalker's table holds."""
+"""Smallest ratio of the semi-axes that is searched for; far beyond Kalker's table."""
 
 
 @value

@@ -58,7 +58,7 @@ class Formula(Shape):
     corners : tuple of float, optional
         Radii where the slope jumps [m], as that of ``sqrt((r - b)**2)`` does at b; ascending after construction.
     constants : mapping or tuple of (name, number), optional
-        The constants in SI units; ``Formula("r**2/(2*R)", R=10e-3)`` says the same.  Named ones come first, so that
+        The constants in SI units; ``Formula("r**2/(2*R)", R=10e-3)`` is the same.  Named ones come first, so that
         ``dataclasses.replace(formula, R=5e-3)`` changes one.
 
     Raises
@@ -123,7 +123,7 @@ class Formula(Shape):
         if bad.size:
             last = last_finite(self._law, trial[max(bad[0] - 1, 0)], trial[bad[0]])
             raise InvalidInput(
-                f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; say how "
+                f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; state how "
                 f"far it holds, as reach={last:.6g} or less."
             )
         noise = ROUNDING_RATIO * self._law.magnitude(trial)

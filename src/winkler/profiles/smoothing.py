@@ -1,4 +1,4 @@
-"""Which curve through measured points: as stiff as the data ask for, decided by cross-validation."""
+"""The smoothing spline through measured points, its stiffness chosen by cross-validation."""
 
 from __future__ import annotations
 

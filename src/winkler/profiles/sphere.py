@@ -116,7 +116,7 @@ class Sphere(_Round):
 
     See Also
     --------
-    Paraboloid : the approximation behind Hertz' formulas; they meet for a << R.
+    Paraboloid : the approximation behind Hertz' formulas; they agree for a << R.
     """
 
     curvature_radius: PositiveNotTiny

@@ -52,7 +52,7 @@ class ElectricalConductors:
     film: SurfaceFilm = NO_FILM
 
     def resistances(self, radius: Array) -> Resistances:
-        """Return what stands in the way of a current [ohm] through discs of the given radii `(m,)` [m]."""
+        """Return the resistances to a current [ohm] through discs of the given radii `(m,)` [m]."""
         return disc_resistances(self.first, self.second, self.film.area_resistance, radius)
 
     @property
@@ -85,7 +85,7 @@ class HeatConductors:
     interface: ThermalInterface = PERFECT_INTERFACE
 
     def resistances(self, radius: Array) -> Resistances:
-        """Return what stands in the way of heat [K/W] through discs of the given radii `(m,)` [m]."""
+        """Return the resistances to heat [K/W] through discs of the given radii `(m,)` [m]."""
         return disc_resistances(self.first, self.second, self.interface.area_resistance, radius)
 
     @property

@@ -1,4 +1,4 @@
-r"""Two conducting bodies that meet in a disc: what stands in the way of a current or of heat.
+r"""Two conducting bodies that meet in a disc: their resistance to a current or to heat.
 
 The equations of conduction are those of a flat punch, :math:`E^* \to 2/(\rho_1+\rho_2)`: voltage for displacement,
 current for force.  A disc of radius a between half-spaces has Holm's resistance :math:`(\rho_1+\rho_2)/(4a)`; a plating
@@ -63,7 +63,7 @@ class Resistances(NamedTuple):
 
 @value
 class PlatedResponse:
-    """How two bodies, plated or not, answer a flux: 1 + M(xi).
+    """The response of two bodies, plated or not, to a flux: 1 + M(xi).
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def _relieved(body: ConductingBody, radius: Array) -> Array:
 def disc_resistances(
     first: ConductingBody, second: ConductingBody, area_resistance: float, radius: Array
 ) -> Resistances:
-    """Return what stands in the way of a current through a disc.
+    """Return the resistance to a current through a disc.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def disc_resistances(
     filmed = bool(area_resistance) and _bare(first, second)
     spread = spreading(2.0 * area_resistance / (sum(rho) * a)) if filmed else np.ones(a.shape)
     if any(isinstance(body, Plated) for body in (first, second)):
-        # both halves of a plated pair are found together; what the plating changes is told body by body
+        # both halves of a plated pair are found together; what the plating changes is returned body by body
         whole = sum(rho) / (
             4.0 * np.where(touching, _surface_resistivity(first, second, np.where(touching, radius, 0.0)), 1.0)
         )
@@ -191,7 +191,7 @@ def _bare(first: ConductingBody, second: ConductingBody) -> bool:
 
 
 def conduction_notes(first: ConductingBody, second: ConductingBody, area_resistance: float) -> tuple[Note, ...]:
-    """Return what must be said of the bodies and of the film."""
+    """Return what must be stated about the bodies and the film."""
     rods = [isinstance(body, Rod) for body in (first, second)]
     plated = [isinstance(body, Plated) for body in (first, second)]
     notes = []

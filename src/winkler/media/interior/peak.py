@@ -1,4 +1,4 @@
-"""Where a stress is greatest below a contact: a coarse search over the meridian or the body, then ever finer ones."""
+"""The place of the greatest stress below a contact: a coarse search over the meridian or the body, then finer ones."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@ r"""The field inside a homogeneous body whose surface is sheared: dragged flat p
 
 As for pressures (`winkler.media.interior.subsurface`) the springs' displacement u(x), now along the surface, is a
 pile of flat punches; each carries the traction of the normal punch, directed along x (Ciavarella, Jaeger).  The field
-of given traction is exact; that the surfaces then slide where and as the springs say is exact for nu = 0, and
+of given traction is exact; that the surfaces then slide where and as the springs predict is exact for nu = 0, and
 otherwise neglects the displacement across the direction of load.
 """
 

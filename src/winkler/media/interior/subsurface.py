@@ -37,7 +37,7 @@ NODE_COUNTS = np.array([6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96
 LONGEST_INTERVAL = 12.0
 """Longest interval of v that one rule covers."""
 LEAST_DEPTH_RATIO = 1e-30
-"""Least depth below the surface, in contact radii, that is told from the next; cubes of it must not underflow."""
+"""Least depth below the surface, in contact radii, that is resolved; cubes of it must not underflow."""
 MAPPING_DISTANCE = math.log(3.0)
 """A panel is mapped by sinh only if the singularity is nearer than this, ln(rho) of its Bernstein ellipse."""
 

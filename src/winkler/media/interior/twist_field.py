@@ -75,7 +75,7 @@ class TwistBelow(NamedTuple):
 
 
 def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[float, float]:
-    """Return the modulus [Pa] that a twist meets, and by how much depths count more than distances along the surface.
+    """Return the modulus [Pa] of a twist, and by how much depths count more than distances along the surface.
 
     For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
     """
@@ -140,7 +140,7 @@ def twist_below(twisted: Twisted, r: Array, z: Array, modulus: float, stretch: f
     r, z : ndarray
         Distance from the axis and depth below the surface [m], broadcast; r not negative, z positive.
     modulus, stretch : float
-        What `twist_constants` says of the body.
+        What `twist_constants` returns for the body.
 
     Returns
     -------

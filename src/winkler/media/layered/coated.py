@@ -1,8 +1,8 @@
 r"""Coated bodies: any number of bonded layers on a half-space or a rigid base.
 
-A stack answers a pressure wave :math:`\hat p\,J_0(\xi r)` with the compliance
+A stack responds to a pressure wave :math:`\hat p\,J_0(\xi r)` with the compliance
 :math:`C(\xi) = \frac{2}{E^*\xi}(1+M(\xi))`, :math:`M\to0` for short waves, which feel the uppermost layer alone.  M is
-all that the method needs to know: from it follow the flat punches (`winkler.numerics.transforms.fredholm`), from these
+all that the method needs: from it follow the flat punches (`winkler.numerics.transforms.fredholm`), from these
 :math:`k(a) = 2E^*\int_0^a\varphi\,\mathrm dx`, the springs :math:`c_N = E^*\varphi(a;a)^2` and g(a).  The equations
 are exact, the numbers good to about ten digits, whatever the thickness; films squeezed to many times their thickness
 lose some of them.
@@ -37,7 +37,7 @@ BARBER = "J. R. Barber, Determining the contact area in elastic-indentation prob
 
 
 class SurfaceResponse(Response, Protocol):
-    """A response that tells what the shortest waves feel."""
+    """A response with the modulus of the shortest waves."""
 
     @property
     def modulus(self) -> float:
@@ -46,18 +46,18 @@ class SurfaceResponse(Response, Protocol):
 
 
 class LayeredMedium:
-    """What all media have in common whose surface compliance is known: subclasses tell it, and what is inside."""
+    """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Solid
 
     @property
     def response(self) -> SurfaceResponse:
-        """How the pair answers a pressure."""
+        """The response of the pair to a pressure."""
         raise NotImplementedError
 
     @property
     def tangential_response(self) -> SurfaceResponse:
-        """How the pair answers a shear load, averaged over its angle with the wave."""
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
         raise NotImplementedError
 
     @property
@@ -197,12 +197,12 @@ class CoatedHalfSpace(LayeredMedium):
 
     @property
     def response(self) -> NormalResponse:
-        """How the pair answers a pressure."""
+        """The response of the pair to a pressure."""
         return NormalResponse(self.layers, self.on, self.second)
 
     @property
     def tangential_response(self) -> TangentialResponse:
-        """How the pair answers a shear load, averaged over its angle with the wave."""
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
         return TangentialResponse(self.layers, self.on, self.second)
 
     @property

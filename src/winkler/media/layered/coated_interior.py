@@ -111,12 +111,12 @@ def _states(
     layers: tuple[Layer, ...], on: Solid, bottoms: Array, depths: Array, xi: Array
 ) -> Iterator[tuple[float, State, int]]:
     """Yield, depth by depth, the amplitudes and how many wave numbers matter."""
-    climbs = stack.rise(layers, on, xi)
+    rungs = stack.rise(layers, on, xi)
     tops = np.concatenate([[0.0], bottoms])
     surface = np.zeros((xi.size, 2, 1))
     surface[:, 1] = -1.0
     arrived = [surface]
-    for step in climbs:
+    for step in rungs:
         arrived.append(step.decay @ arrived[-1])
     for depth in depths:
         index = int(np.searchsorted(bottoms, depth))
@@ -129,7 +129,7 @@ def _states(
             continue
         solid = layers[index].solid
         twice = 2.0 * solid.shear
-        below = _below(climbs, on, index, xi)
+        below = _below(rungs, on, index, xi)
         here = stack.climb(twice * below, xi * (bottoms[index] - depth), solid.poisson)
         loaded = stack.climb(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
         moved = here.compliance @ loaded / twice
@@ -140,10 +140,10 @@ def _states(
         yield float(depth), State(moved[..., 0], loaded[..., 0], solid), end
 
 
-def _below(climbs: list[stack.Climb], on: Solid, index: int, xi: Array) -> Array:
+def _below(rungs: list[stack.Climb], on: Solid, index: int, xi: Array) -> Array:
     """Return the compliance at the lower face of a layer."""
-    if index + 1 < len(climbs):
-        return climbs[index + 1].compliance
+    if index + 1 < len(rungs):
+        return rungs[index + 1].compliance
     if isinstance(on, Elastic):
         return np.broadcast_to(stack.half_space(on.poisson) / (2.0 * on.shear), (xi.size, 2, 2))
     return np.zeros((xi.size, 2, 2))

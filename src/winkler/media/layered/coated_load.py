@@ -5,7 +5,7 @@ On layers the springs' load gives the force, not the pressure.  The pressure com
 .. math:: \frac{q(x)}{E^*} = \varphi(x) = w(x) - \int_x^a \rho(x;t)\,w(t)\,\mathrm dt, \qquad
           w(t) = \varphi(t;t)\,u(t) ,
 
-the superposition of flat punches that the displacement u(t) of the springs asks for.  `Carried` holds it in the form
+the superposition of flat punches that belongs to the displacement u(t) of the springs.  `Carried` holds it in the form
 of a displacement of homogeneous springs, so that every transform of the homogeneous half-space made of the uppermost
 layer can be used: T4 gives the pressure.  The layers' own share of the surface displacement is T3 of
 
@@ -127,7 +127,7 @@ def _size(load: Carried) -> float:
 
 @functools.lru_cache(maxsize=64)
 def _springs(given: Hashable) -> RootPanels:
-    """Return u(x) on panels: the springs are asked for at many more places than it takes to know them."""
+    """Return u(x) on panels: the springs are evaluated at many more places than it takes to tabulate them."""
     displacement = cast(Displacement, given)
     a, kinks = displacement.radius, np.array([b for b, _ in displacement.kinks if b < displacement.radius])
 

@@ -2,7 +2,7 @@ r"""How waves die out in a body graded in depth: compliances and tractions at an
 
 The body is cut into cells no thicker than a part of their depth, across which E changes little; breaks of E are edges
 of cells.  A cell replaced by c equal homogeneous layers, each with the moduli of its middle, errs by a series in
-:math:`1/c^2`; four such ladders, c = 1, 2, 3, 4, climbed side by side, give a result of eighth order in the
+:math:`1/c^2`; four such ladders, c = 1, 2, 3, 4, carried side by side, give a result of eighth order in the
 thickness.  With x = xi times the thickness of a layer, n, m, q = nu/(1-nu), (1-2nu)/(1-nu), 1/(1-nu), and
 :math:`\alpha=\frac q2x\sinh x,\ \beta=\frac q2(x\cosh x-\sinh x)`, the field :math:`(U, W, T, S)` of
 `winkler.media.layered.layers` at the upper face is that at the lower face times
@@ -33,16 +33,16 @@ STEP_DIVISIONS = np.arange(1, 5)
 EXTRAPOLATION_WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
 """Of the ladders with c = 1, 2, 3, 4: what is left of the error is of order 1/c^8."""
 LOWER_WEIGHTS = np.array([1.0 / 24.0, -16.0 / 15.0, 81.0 / 40.0, 0.0])
-"""The same without the finest: the difference tells the error of this one, far above that of the other."""
+"""The same without the finest: the difference gives the error of this one, far above that of the other."""
 COARSEST_CELL = 0.35
 """Thickness of a cell over its depth, and change of ln E across it, to begin with."""
 REFINEMENT_RATIO = 0.65
 MOST_CELLS = 3000
 SAMPLED_WAVES = 48
 SURFACE_DECAY = 18.0
-"""A wave that starts at the surface is followed down to this depth over xi: what comes back has decayed twice."""
+"""A wave that starts at the surface is followed down to this depth over xi: the returning wave has decayed twice."""
 INTERIOR_DECAY = 70.0
-"""The same if the field at depth is asked for: it has decayed once."""
+"""The same if the field at depth is requested: it has decayed once."""
 
 
 class Mesh(NamedTuple):
@@ -66,7 +66,7 @@ class Rung(NamedTuple):
 
 
 def shallowest(grading: DepthGrading) -> float:
-    """Return the depth [m] over which the surface is felt alone."""
+    """Return the depth [m] over which the surface alone matters."""
     return min([grading.finest, *grading.breaks[:1]])
 
 
@@ -128,7 +128,7 @@ def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, de
 
 
 def _cells(grading: DepthGrading, edges: Array, reach: float) -> Mesh:
-    """Tell the moduli of all layers ``(cells, c, place from below)``; those that do not exist are those of a middle."""
+    """Return the moduli of all layers ``(cells, c, place from below)``; missing ones are those of a middle."""
     place = np.minimum(np.arange(4), STEP_DIVISIONS[:, None] - 1)
     z = edges[1:, None, None] - np.diff(edges)[:, None, None] * (place + 0.5) / STEP_DIVISIONS[:, None]
     young, poisson = grading.young_at(z), grading.poisson_at(z)
@@ -166,7 +166,7 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
 
 
 def _climbed(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[ComplexArray, list[ComplexArray]]:
-    """Return Y at the surface, by every ladder ``(3, 4, m)``; if asked for, Y and decay of every cell ``(7, 4, m)``."""
+    """Return Y at the surface, by every ladder ``(3, 4, m)``; if requested, Y and decay of every cell ``(7, 4, m)``."""
     real = np.real(xi)
     order = np.argsort(real)
     xi, real = xi[order], real[order]

@@ -1,4 +1,4 @@
-r"""Half-spaces whose stiffness changes with depth in any way, to a stated tolerance.
+r"""Half-spaces whose stiffness changes with depth by any law, to a stated tolerance.
 
 A stiffness k(a) is a least energy, so it rises wherever the compliance falls: if two bodies differ in
 :math:`C(\xi)` by less than a part :math:`\varepsilon` at every wave number, every k(a) differs by less than
@@ -48,7 +48,7 @@ class DepthGradedHalfSpace(LayeredMedium):
     InvalidInput
         If something is not of these kinds.
     NotConverged
-        When asked for a result: if more than 3000 cells would be needed.
+        When a result is computed: if more than 3000 cells would be needed.
 
     Examples
     --------
@@ -65,12 +65,12 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     @functools.cached_property
     def response(self) -> NormalDepthResponse:
-        """How the pair answers a pressure."""
+        """The response of the pair to a pressure."""
         return NormalDepthResponse(self.grading, self.second, self.tolerance)
 
     @functools.cached_property
     def tangential_response(self) -> TangentialDepthResponse:
-        """How the pair answers a shear load."""
+        """The response of the pair to a shear load."""
         return TangentialDepthResponse(self.grading, self.second, self.tolerance)
 
     @property

@@ -1,10 +1,10 @@
 r"""Stresses and displacements inside a body graded in depth, by Hankel integrals.
 
-The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay on the way down as `winkler.media.layered.depth_climb`
-tells. Near the surface, where short waves count, the field of a homogeneous half-space made of the surface under the
+The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay with depth as `winkler.media.layered.depth_climb`
+computes. Near the surface, where short waves count, the field of a homogeneous half-space made of the surface under the
 same pressure is taken out: it is known without an integral over waves (`winkler.media.interior.subsurface`), and what
 is left of the amplitudes falls like :math:`1/\xi` even on the surface.  Waves shorter than a 3000th of the contact are
-left out, which is felt at depths below a hundredth of the radius.  Against twice as many waves (E three times stiffer
+left out, which matters at depths below a hundredth of the radius.  Against twice as many waves (E three times stiffer
 far below) that cost 1e-7 of the mean pressure under a paraboloid or a cone; under a flat punch 3e-6, and 1e-4 at a
 hundredth of the radius from its edge.
 
@@ -47,9 +47,9 @@ LARGEST_WAVE_NUMBER = 3000.0
 DECAY_DEPTH = 34.0
 """A wave is nothing below this depth over its wave number."""
 LEAST_RADIUS_RATIO = 1e-6
-"""Nearest to the axis that a point of the surface is looked at, over the contact radius."""
+"""Nearest to the axis at which a point of the surface is evaluated, over the contact radius."""
 WAVES_AT_ONCE = 64
-"""Depths for which the body is climbed at once."""
+"""Depths for which the recursion through the body runs at once."""
 LEAST_WAVE_NUMBER = 1e-3
 
 

@@ -1,6 +1,6 @@
-r"""The surface compliance of a body graded in depth, as wave numbers ask for it.
+r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
-Up to :math:`\xi_1`, a few hundred over the depth across which the surface changes, the body is climbed
+Up to :math:`\xi_1`, a few hundred over the depth across which the surface changes, the recursion runs through the body
 (`winkler.media.layered.depth_climb`).  Beyond, 1 + M is a power series in :math:`1/\xi`, whose first terms are taken
 from M just below :math:`\xi_1`.  There :math:`M\approx A/\xi`: the kernel has a logarithm at zero distance, which is
 rounded off over a length :math:`\delta`, M times
@@ -54,7 +54,7 @@ class _Response:
     tolerance: float
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
-        """Return M of the graded body against a rigid one, where it is climbed."""
+        """Return M of the graded body against a rigid one, where the recursion computes it."""
         raise NotImplementedError
 
     @property
@@ -122,7 +122,7 @@ def _rounding(given: Hashable) -> float:
 
 @value
 class NormalDepthResponse(_Response):
-    """How a graded body and its counterpart answer a pressure: 1 + M(xi) = C(xi) E* xi / 2.
+    """The response of a graded body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-r"""What a body of revolution is for a layered medium: the moments of its homogeneous transform with flat punches.
+r"""The springs of a body of revolution on a layered medium: the moments of its homogeneous transform with flat punches.
 
 With h the transform of the profile for a homogeneous half-space, and rho, phi the flat punches of
 `winkler.numerics.transforms.fredholm`
@@ -182,7 +182,7 @@ def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
 
 
 def _noise(profile: Profile) -> float:
-    """Return what rounding may do to g [m]: a shape of many pieces knows g to that of its first piece."""
+    """Return what rounding may do to g [m]: a shape of many pieces has the g of its first piece to rounding."""
     if not profile.kinks:
         return 0.0
     return 4.0 * float(np.finfo(float).eps * np.abs(profile.gap(np.array([profile.kinks[0][0]]))[0]))

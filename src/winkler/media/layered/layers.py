@@ -1,4 +1,4 @@
-r"""A stack of bonded elastic layers, seen from its surface: the compliance that a Hankel transform meets.
+r"""A stack of bonded elastic layers, and its surface compliance as a function of the wave number.
 
 A load :math:`\hat p\,J_0(\xi r)` moves the surface by :math:`C(\xi)\,\hat p\,J_0(\xi r)`.  Inside a layer
 displacements and tractions, :math:`u_r = U J_1`, :math:`u_z = W J_0`, :math:`\tau = 2G\xi\,T J_1`,
@@ -8,10 +8,10 @@ displacements and tractions, :math:`u_r = U J_1`, :math:`u_z = W J_0`, :math:`\t
           n = \frac{\nu}{1-\nu},\quad m = \frac{1-2\nu}{1-\nu},
 
 without a singularity at :math:`\nu=1/2`.  What lies below an interface is known by its compliance Y, displacements =
-Y tractions; `climb` carries Y to the upper face of a layer.  A thin layer (:math:`|\xi h|\le 1`) is climbed by its
+Y tractions; `climb` carries Y to the upper face of a layer.  A thin layer (:math:`|\xi h|\le 1`) is crossed by its
 propagator :math:`e^{-xA}`, closed because :math:`(A^2-1)^2 = 0`; a thick one by splitting its field into a part that
 decays downward and one that decays upward.  No exponential ever grows, nothing cancels in thin layers, and the decay
-of the tractions on the way down comes along, from which the field inside is built.
+of the tractions with depth comes along, from which the field inside is built.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ from winkler.values import value
 __all__ = ["Climb", "NormalResponse", "TangentialResponse", "climb", "half_space", "rise"]
 
 THIN_LAYER_LIMIT = 1.0
-"""Up to this |xi h| a layer is climbed by its propagator."""
+"""Up to this |xi h| a layer is crossed by its propagator."""
 
 
 DECAY_DEPTH = 44.0
-"""A layer whose top lies this deep, times xi, is not felt: exp(-44) is nothing."""
+"""A layer whose top lies this deep, times xi, has no effect: exp(-44) is negligible."""
 
 
 class Climb(NamedTuple):
@@ -86,9 +86,9 @@ def climb(below: ComplexArray, x: ComplexArray, poisson: float) -> Climb:
     """
     thin = np.abs(x) <= THIN_LAYER_LIMIT
     upper, decay = np.empty_like(below), np.empty_like(below)
-    for chosen, way in ((thin, _propagated), (~thin, _split)):
+    for chosen, crossed in ((thin, _propagated), (~thin, _split)):
         if chosen.any():
-            upper[chosen], decay[chosen] = way(below[chosen], x[chosen], poisson)
+            upper[chosen], decay[chosen] = crossed(below[chosen], x[chosen], poisson)
     return Climb(upper, decay)
 
 
@@ -154,18 +154,20 @@ def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:
     below: ComplexArray = np.zeros((xi.size, 2, 2), dtype=xi.dtype)
     if isinstance(on, Elastic):
         below = below + half_space(on.poisson) / (2.0 * on.shear)
-    climbs = []
+    rungs = []
     bottom = sum(layer.thickness for layer in layers)
     for layer in reversed(layers):
         twice, own = 2.0 * layer.solid.shear, half_space(layer.solid.poisson)
         bottom -= layer.thickness
-        felt = np.real(xi) * bottom < DECAY_DEPTH
+        reached = np.real(xi) * bottom < DECAY_DEPTH
         upper, decay = np.empty_like(below), np.zeros_like(below)
-        upper[~felt] = own
-        upper[felt], decay[felt] = climb(twice * below[felt], xi[felt] * layer.thickness, layer.solid.poisson)
+        upper[~reached] = own
+        upper[reached], decay[reached] = climb(
+            twice * below[reached], xi[reached] * layer.thickness, layer.solid.poisson
+        )
         below = upper / twice
-        climbs.append(Climb(below, decay))
-    return climbs[::-1]
+        rungs.append(Climb(below, decay))
+    return rungs[::-1]
 
 
 def _rounded(ratio: float) -> float:
@@ -216,7 +218,7 @@ class _Response:
 
 @value
 class NormalResponse(_Response):
-    """How a coated body and its counterpart answer a pressure: 1 + M(xi) = C(xi) E* xi / 2.
+    """The response of a coated body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
 
     Parameters
     ----------
@@ -236,7 +238,7 @@ class NormalResponse(_Response):
     def own(self) -> tuple[NormalResponse, float]:
         """The same in units of its uppermost layer, contrasts and Poisson's ratios alone; and that layer's thickness.
 
-        Of the second body nothing is felt but how much more it yields: it becomes one without Poisson's ratio.
+        Of the second body only its additional compliance matters: it becomes one without Poisson's ratio.
         """
         second = self.second
         if isinstance(second, Elastic):

@@ -1,9 +1,9 @@
-r"""What flat punches of all sizes do on a layered medium: whether one pulls, and how the surface moves outside it.
+r"""Flat punches of all sizes on a layered medium: whether one pulls, and the surface displacement outside it.
 
 On a homogeneous half-space a flat punch presses everywhere, and the surface outside sinks less than it does.  On
 layers neither goes without saying: a hard coating carries a wide punch at its edge and lifts off in the middle, an
 incompressible film is squeezed out and rises around it.  Under the punch :math:`\sigma(r;a)` of
-`winkler.numerics.transforms.fredholm` tells; outside
+`winkler.numerics.transforms.fredholm` computes; outside
 
 .. math:: 1 - u_1(r;a) = \frac2\pi\int_a^r \frac{\psi(x;a)}{\sqrt{r^2-x^2}}\,\mathrm dx , \qquad
           \psi(x;a) = 1 - \int_0^a K(x,t)\,\varphi(t;a)\,\mathrm dt .
@@ -39,7 +39,7 @@ SMALL_KERNEL_INTEGRAL = 0.05
 """Where the integral of K cannot be more than this, phi and sigma differ from one by little, and no punch pulls."""
 OUTER_POINTS = 160
 OUTER_DISTANCE = 16.0
-"""How far outside the surface is looked at, in radii or lengths over which the stack answers."""
+"""Distance up to which the surface outside is evaluated, in radii or lengths of the response of the stack."""
 
 
 def facts(response: Response, radius: float) -> PunchFacts:
@@ -57,7 +57,7 @@ def facts(response: Response, radius: float) -> PunchFacts:
 
 @functools.lru_cache(maxsize=512)
 def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
-    """Return up to which radius no punch of an octave pulls, and what `_outside` says of its widest."""
+    """Return up to which radius no punch of an octave pulls, and what `_outside` returns for its widest."""
     response = cast(Response, given)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
@@ -72,7 +72,7 @@ def _weight_of_octave(given: Hashable, octave: int) -> float:
 
 
 def _weight(response: Response, a: float) -> float:
-    """Return the radius a of a punch times the largest |C| that it meets."""
+    """Return the radius a of a punch times the largest |C| on it."""
     return a * float(np.max(np.abs(transform(response, 2.0 * a)(np.linspace(0.0, 2.0 * a, 65)))))
 
 

@@ -1,11 +1,11 @@
 r"""Moments of a smooth profile with flat punches: a product of numbers of the medium and samples of the profile.
 
-Where the homogeneous transform h is a polynomial on [0, a], to rounding, its samples at fixed parts of a tell all,
+Where the homogeneous transform h is a polynomial on [0, a], to rounding, its samples at fixed parts of a suffice,
 
 .. math:: \int_0^a \rho(x;a)\,h(x)\,\mathrm dx = \sum_j R_j(a)\,h(a\xi_j) , \qquad
           R_j(a) = \int_0^1 a\rho(a\xi;a)\,\ell_j(\xi)\,\mathrm d\xi ,
 
-with Lagrange's polynomials :math:`\ell_j`.  R and the same of phi belong to the medium, so that a profile never seen
+with Lagrange's polynomials :math:`\ell_j`.  R and the same of phi belong to the medium, so that a new profile
 before costs nothing but its samples.
 """
 

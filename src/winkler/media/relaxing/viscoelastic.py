@@ -39,7 +39,7 @@ UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     """Two homogeneous half-spaces in contact, at least one of them viscoelastic.
 
-    What it answers depends on time: a `winkler.problems.viscoelastic.indentation.ViscoelasticIndentation` asks for
+    Its response depends on time: a `winkler.problems.viscoelastic.indentation.ViscoelasticIndentation` asks for
     it.  Its moduli right after a sudden step, and after all time, are `relaxation.glassy` and `relaxation.relaxed`.
 
     Parameters
@@ -78,7 +78,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
 
     @property
     def elastic(self) -> HalfSpace:
-        """Half-spaces with E* = 1 Pa: g does not know the modulus."""
+        """Half-spaces with E* = 1 Pa: g does not depend on the modulus."""
         return UNIT_HALF_SPACE
 
     @property
@@ -133,7 +133,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         OutsideValidity
             If the body is rigid, or both creep and not in proportion: how much each of them moves is then not known.
         """
-        borne = self.remembered(displacement)
+        borne = self.loads_of(displacement)
         body, other = (self.first, self.second) if below else (self.second, self.first)
         if isinstance(body, Rigid):
             raise OutsideValidity(

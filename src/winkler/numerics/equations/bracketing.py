@@ -73,7 +73,7 @@ def between(function: Callable[[Array, Array], Array], low: Array, high: Array) 
 
 
 def _share(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
-    """Return where to look next, as a part of the way from a to b."""
+    """Return the next trial, as a part of the distance from a to b."""
     with np.errstate(all="ignore"):
         xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         trusted = (phi * phi < xi) & ((1.0 - phi) ** 2 < 1.0 - xi)

@@ -1,6 +1,6 @@
 r"""Formulas of one variable: read safely, differentiated exactly.
 
-`Expression` takes a text such as ``"r**2/(2*R) + h*(1 - cos(k*r))"`` apart by its grammar; nothing of it is ever
+`Expression` parses a text such as ``"r**2/(2*R) + h*(1 - cos(k*r))"`` by its grammar; nothing of it is ever
 executed.  It is evaluated with truncated Taylor series (value, first and second derivative travel together):
 
 .. math:: (uv)'' = u''v + 2u'v' + uv'', \qquad F(u)'' = F''(u)\,u'^2 + F'(u)\,u''
@@ -193,9 +193,9 @@ class Expression:
         for name, number in self.constants:
             self._check(name, number)
         self._at(np.zeros(0))
-        met = {node.id for node in ast.walk(_tree(self.text)) if isinstance(node, ast.Name)}
-        for name in [name for name, _ in self.constants if name not in met]:
-            near = suggest(name, met - FUNCTIONS.keys())
+        named = {node.id for node in ast.walk(_tree(self.text)) if isinstance(node, ast.Name)}
+        for name in [name for name, _ in self.constants if name not in named]:
+            near = suggest(name, named - FUNCTIONS.keys())
             raise InvalidInput(f"the formula {self.text[:60]!r}: the constant '{name}' does not occur in it{near}.")
 
     def _check(self, name: str, number: object) -> None:
@@ -214,7 +214,7 @@ class Expression:
     def _at(self, x: Array) -> Series:
         if np.any(x < 0.0):
             place = f"{self.variable} = {np.min(x):g}"
-            raise InvalidInput(f"the formula {self.text[:60]!r} is asked at {place}, below zero.")
+            raise InvalidInput(f"the formula {self.text[:60]!r} is evaluated at {place}, below zero.")
         try:
             with np.errstate(all="ignore"):
                 return self._walk(x).node(_tree(self.text))

@@ -96,7 +96,7 @@ def _solved(changing: Array, rows: Array, inner: float, right: Array, known: Arr
 
 
 def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> Array:
-    """Return the rates that meet themselves: k = f(base + gamma h k)."""
+    """Return the rates of an implicit stage: k = f(base + gamma h k)."""
 
     def met(rates: Array) -> tuple[float, Array, Array]:
         there = system.rates(base + inner * rates)

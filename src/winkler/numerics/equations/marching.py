@@ -99,10 +99,10 @@ def march(
     """
     from scipy.integrate import solve_ivp
 
-    asked = itertools.count()
+    calls = itertools.count()
 
     def scaled(time: float, state: Array) -> list[float]:
-        if next(asked) > MOST_RATES:
+        if next(calls) > MOST_RATES:
             raise NotConverged(
                 f"The march has come to {time * unit:.6g} s and hardly moves on: stiffness, velocities or friction "
                 "differ by too many orders of magnitude; leave out what hardly counts."

@@ -1,6 +1,6 @@
 """Moments of harmonic oscillations: evenly spaced, and at every turning point.
 
-Time is told in turns: one turn is one cycle.
+Time is counted in turns: one turn is one cycle.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from winkler.numerics.types import Array
 __all__ = ["sine", "swings"]
 
 MOMENT_TOLERANCE = 1e-9
-"""Moments closer than that are one: at a turning point the sine does not tell them apart."""
+"""Moments closer than that are one: at a turning point the sine does not resolve them."""
 
 
 def sine(turns: Array) -> Array:

@@ -18,7 +18,7 @@ STEP_TOLERANCE = 3e-9
 MOST_OCTAVES_PER_STEP = 20.0
 """Octaves of one step of a search, at most."""
 LEAST_POWER = 0.25
-"""Least power of x that is believed: waves come back to where they were."""
+"""Least power of x that is extrapolated: waves return to where they were."""
 MOST_OCTAVES = 100.0
 """Octaves from one: as far as any length is."""
 MOST_TRIALS = 50
@@ -31,7 +31,7 @@ def invert(
 ) -> Array:
     """Return x with function(x) = target, for a function that rises from 0 at `lower`.
 
-    Newton's method in logarithms, log(function) against log(x - lower), which meets a power law in one step;
+    Newton's method in logarithms, log(function) against log(x - lower), which solves a power law in one step;
     every step is kept inside a bracket that only shrinks.
 
     Parameters
@@ -82,7 +82,7 @@ def invert(
     worst = float(np.max(np.abs(function(x)[0] / target - 1.0)))
     if worst < 1e-12:
         return x
-    raise NotConverged(f"No contact radius meets the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
+    raise NotConverged(f"No contact radius bears the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
 
 
 def _newton_step(distance: Array, value: Array, slope: Array, target: Array) -> Array:
@@ -185,14 +185,14 @@ def between(
         raise NotConverged(f"No root lies between {low:.9g} and {high:.9g} ({error}).") from error
 
 
-def rough_root(value: Callable[[Array], Array], asked: float) -> float:
+def rough_root(value: Callable[[Array], Array], target: float) -> float:
     """Return where a power of x reaches a value, whatever the unit of x; only of that order where it is no power.
 
     Parameters
     ----------
     value
         Takes places ``(m,)``, rises from zero.
-    asked
+    target
         Positive.
     """
     octaves = 0.0
@@ -203,7 +203,7 @@ def rough_root(value: Callable[[Array], Array], asked: float) -> float:
         if near == far == 0.0:
             step = MOST_OCTAVES_PER_STEP
         elif 0.0 < near < far < math.inf:
-            step = (math.log2(asked) - math.log2(near)) / max(math.log2(far) - math.log2(near), LEAST_POWER)
+            step = (math.log2(target) - math.log2(near)) / max(math.log2(far) - math.log2(near), LEAST_POWER)
         else:
             step = -0.5 * MOST_OCTAVES_PER_STEP  # towards zero, where it rises
         octaves += min(max(step, -MOST_OCTAVES_PER_STEP), MOST_OCTAVES_PER_STEP)

@@ -1,4 +1,4 @@
-r"""Indices of Sobol: how much of the variance of a function each of its independent arguments makes.
+r"""Indices of Sobol: the part of the variance of a function that each of its independent arguments causes.
 
 The function is known at points A, at as many other points B, and at :math:`A_B^i`, which is A with its argument *i*
 taken from B:

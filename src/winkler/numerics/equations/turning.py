@@ -1,8 +1,8 @@
-r"""How a point climbs along a curve of rises and falls while a level rises, and comes down while it falls.
+r"""The path of a point along a curve of rises and falls while a level rises and falls.
 
 A level that rises from below carries the point from :math:`x_0` to
 :math:`\inf\{x : \max_{[x_0,x]} y > \text{level}\}`: up every rising piece, and from each summit in one leap to the next
-place that is higher.  Where the point stands follows from the highest and lowest levels alone, however finely the way
+place that is higher.  Where the point stands follows from the highest and lowest levels alone, however finely the path
 there is divided.
 """
 
@@ -19,7 +19,7 @@ __all__ = ["Leap", "Slopes"]
 
 
 class Leap(NamedTuple):
-    """One leap: at `level` from `start` to `end`, on the way to the level of the number `aim`."""
+    """One leap: at `level` from `start` to `end`, on the path to the level of the number `aim`."""
 
     level: float
     start: float
@@ -87,7 +87,7 @@ class Slopes(NamedTuple):
         return 0.0 - standing, [Leap(-level, 0.0 - start, 0.0 - end, aim) for level, start, end, aim in leaps]
 
     def _way(self, x: float, here: float, levels: Array) -> tuple[list[_Piece], list[Leap], float]:
-        """Return the pieces that are climbed, the leaps between them, and the last place that can be stood on."""
+        """Return the pieces that are passed, the leaps between them, and the last stable place."""
         pieces: list[_Piece] = []
         leaps: list[Leap] = []
         index = int(np.searchsorted(self.places, x, side="right")) - 1

@@ -1,4 +1,4 @@
-r"""Discs of one voltage in a plane: how they share a current, and what stands in its way.
+r"""Discs of one voltage in a plane: how they share a current, and their resistance to it.
 
 On a disc of radius a the fluxes
 

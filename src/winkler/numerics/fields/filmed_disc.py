@@ -1,12 +1,12 @@
 r"""Conduction through a disc with a film: what the film adds to the constriction by spreading the flux.
 
-Along the line, the flux :math:`q(x)` of two half-spaces that meet in a disc of radius a through a film obeys
+Along the line, the flux :math:`q(x)` of two half-spaces that touch in a disc of radius a through a film obeys
 
 .. math:: q(x) - \frac{\beta a}{2\pi}\,\frac{\mathrm d}{\mathrm dx}
           \int_{-a}^{a} q'(t)\,\ln\frac{1}{|x-t|}\,\mathrm dt = 1, \qquad \beta = \frac{2\sigma_f}{(\rho_1+\rho_2)\,a},
 
 Prandtl's equation of the lifting line.  With :math:`x=a\cos\theta` and :math:`q=\sum_n A_n\sin n\theta`, n odd,
-Galerkin's method weighted with :math:`\sin\theta` makes it symmetric, so that one spectral decomposition answers every
+Galerkin's method weighted with :math:`\sin\theta` makes it symmetric, so that one spectral decomposition solves every
 beta.  The constriction part of the resistance rises from Holm's value, that of a disc without voltage along it, to
 :math:`32/(3\pi^2)` times that, that of a uniform flux.
 """
@@ -25,7 +25,7 @@ UNIFORM_FLUX_RATIO = 32.0 / (3.0 * np.pi**2)
 """What uniform flux costs, over what a disc of one voltage does."""
 MODE_COUNT = 240
 THICK_FILM = 1e3
-"""Beyond this beta the rest of the way to uniform flux goes like 1 / beta."""
+"""Beyond this beta the remaining distance to uniform flux goes like 1 / beta."""
 
 
 @functools.cache

@@ -1,7 +1,7 @@
 r"""The temperature of a surface under a round source of heat: at rest, moving, or just switched on.
 
-A source is told by its line load q(x), the projection of its flux along any line in the surface (T5).  What the body
-does to the flux of a plane wave, it does to every line load; the temperature is the mean over all directions (T3):
+A source is described by its line load q(x), the projection of its flux along any line in the surface (T5).  What the
+body does to the flux of a plane wave, it does to every line load; the temperature is the mean over all directions (T3):
 
 ==================  ============================================================================================
 at rest             q itself
@@ -36,13 +36,13 @@ TIME_NODES = 20
 ROUGH_TOLERANCE = 1e-6
 """Of the greatest line load, to which circles are compared before the warmest are computed in full."""
 FIRST_POINTS = 9
-"""Places along the centre line where the greatest temperature is looked for first."""
+"""Places along the centre line where the greatest temperature is searched for first."""
 REFINEMENT_ROUNDS = 3
 CUT_PARTS = np.array([1.0, 2.0]) / 3.0
 """Where the stretches on both sides of the warmest place are cut."""
 CIRCLE_SAMPLES = 65
 CIRCLE_RADII = (0.3, 0.6, 0.8, 0.95, 1.0)
-"""Circles on which a greater one beside the centre line is looked for, in contact radii."""
+"""Circles on which a greater one beside the centre line is searched for, in contact radii."""
 LEAST_TEMPERATURE_GAIN = 1e-8
 """Part by which a place beside the centre line must be warmer to count."""
 
@@ -106,8 +106,8 @@ class LineSource:
         """Whether the flux is known to fall from the axis on.
 
         With w = -q'/x the flux is the integral of w over the half chord beyond r: it falls if w does, or grows by less
-        than w(a) (r/a)^2.  That is told by q as a function of x^2.  The warmest place is then on the centre line, since
-        what the kernel is folded with falls to both sides of it.
+        than w(a) (r/a)^2.  That follows from q as a function of x^2.  The warmest place is then on the centre line,
+        since what the kernel is folded with falls to both sides of it.
         """
         load = self.load(self.radius * np.sqrt(np.linspace(0.0, 1.0, CIRCLE_SAMPLES))) / self.scale
         last = (load[-2] - load[-1]) * (CIRCLE_SAMPLES - 1)
@@ -199,7 +199,7 @@ class LineSource:
     def warmest(self, length: float, r: Array) -> float:
         """Return the greatest lambda T [W/m] on circles r [m] within the contact; `length` as in `risen`.
 
-        A table of q_t of a few digits says which circles come near to it; only those are computed in full.
+        A table of q_t of a few digits shows which circles come near to it; only those are computed in full.
         """
 
         def spread(place: Array) -> Array:
@@ -212,7 +212,7 @@ class LineSource:
         return float(np.max(self.risen(length, np.ravel(r)[close])))
 
     def _around(self, r: Array, spread: Curve) -> Array:
-        """Return the mean of q_t, told by `spread` at places in contact radii, over the circles r [m]."""
+        """Return the mean of q_t, given by `spread` at places in contact radii, over the circles r [m]."""
         r = np.asarray(r, dtype=float)
         part = np.ravel(r)[:, None] / self.radius
         node, weight = turned_rule(TIME_NODES)

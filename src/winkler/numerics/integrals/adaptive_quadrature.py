@@ -111,7 +111,8 @@ def settled(
     if np.any(moved[waiting] > np.maximum(LAST_TOLERANCE, floor[waiting])):
         raise NotConverged(
             f"The integral for the {what} still moves by {np.max(moved[waiting]):.1e} of its size at "
-            f"{RULE_LADDER[-1][1]} points; the shape is not smooth between its stated kinks: state them, or give the shape as measured "
+            f"{RULE_LADDER[-1][1]} points; the shape is not "
+            "smooth between its stated kinks: state them, or give the shape as measured "
             "points."
         )
     return result

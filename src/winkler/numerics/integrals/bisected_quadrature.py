@@ -1,12 +1,12 @@
 """Integrals of functions that are smooth but for kinks at unknown places: panels halved where they matter.
 
 Springs that begin to slide leave a kink in whatever is summed over them, and where it lies is only known once the sum
-is half done.  A panel is halved until its two halves add up to what it said itself; all integrals and panels that are
+is half done.  A panel is halved until its two halves add up to its own value; all integrals and panels that are
 still open are evaluated together.
 
 A kink may hide where the rule happens to be right before and after halving: the halves must agree on the first and
 second moments too, which costs nothing more.  And it may hide beside the end of a panel: the rule is Lobatto's, which
-looks at the ends.
+evaluates the ends.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ __all__ = ["along_springs", "refined", "towards"]
 NODES_PER_PANEL = 13
 """Nodes on each panel."""
 AXIS_OFFSET = 1e-9
-"""How far from zero a panel is looked at that begins there, in its width: at zero a function may not be known."""
+"""Offset from zero of a panel that begins there, over its width: at zero a function may not be defined."""
 VARIABLE_POWER = 4
 """Springs are counted by the fourth root of their place: their stiffness may diverge towards the axis."""
 MOST_HALVINGS = 60
@@ -32,7 +32,7 @@ MOST_HALVINGS = 60
 MOST_PANELS = 200_000
 """Largest number of open panels."""
 LEAST_WIDTH_RATIO = 32.0 * np.finfo(float).eps
-"""Width of a panel, in terms of its place, within which rounding leaves nothing to be seen."""
+"""Width of a panel, in terms of its place, within which rounding dominates."""
 Integrand = Callable[[Array, Array], Array]
 
 

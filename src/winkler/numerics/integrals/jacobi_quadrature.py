@@ -19,7 +19,7 @@ __all__ = ["gauss_jacobi", "settled_power"]
 
 RULE_NODES = (10, 20, 40, 80)
 LARGEST_INVERSE_POWER = 40.0
-"""The largest 1 / (1 + power) with which s still sees where the integrand changes."""
+"""The largest 1 / (1 + power) with which s still resolves where the integrand changes."""
 
 
 @functools.lru_cache(maxsize=256)

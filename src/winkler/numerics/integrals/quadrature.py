@@ -7,7 +7,7 @@ integrands.  `tanh_sinh` is the trapezoidal rule in `s` after
 
 whose nodes crowd double exponentially towards both ends: it integrates algebraic and logarithmic end-point
 singularities, up to the inverse square root, without knowing them.  Both ends can only be resolved if the distance
-of a node to the *far* end is not formed as ``1 - x``; the rule therefore hands out the complements as well.
+of a node to the *far* end is not formed as ``1 - x``; the rule therefore returns the complements as well.
 
 References
 ----------

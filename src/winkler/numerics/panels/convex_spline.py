@@ -36,7 +36,7 @@ MOST_EXPONENTS = 3
 """How many exponents are tried with many pieces."""
 CUBIC, QUINTIC = 3, 5
 QUINTIC_PIECES = 4
-"""From so many pieces on the splines are quintic: data that ask for them are clean."""
+"""From so many pieces on the splines are quintic: data that need them are clean."""
 MOST_GROUPS = 500
 FLAT_GAIN_RATIO = 2.0
 """By how much a flat end must lower the score: it must earn its keep."""
@@ -67,7 +67,7 @@ class ConvexCurve:
 
     @property
     def joints(self) -> Array:
-        """Where in s one polynomial visibly meets the next; quintic ones do so too smoothly to be seen."""
+        """Where in s one polynomial visibly joins the next; quintic ones do so too smoothly to be visible."""
         return self.panels.edges[1:-1] if self.panels.coefficients.shape[1] == CUBIC + 1 else np.zeros(0)
 
     def stiffness(self, s: Array) -> Array:

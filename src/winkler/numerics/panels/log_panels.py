@@ -1,7 +1,7 @@
-r"""Positive functions of a positive variable that are nearly powers of it, tabulated where they are asked for.
+r"""Positive functions of a positive variable that are nearly powers of it, tabulated where they are evaluated.
 
 Over :math:`\ln x` the logarithm of such a function is nearly straight: blocks of a few octaves of x are fitted by
-`fit_panels` when one of their places is asked for first, and serve from then on.
+`fit_panels` when one of their places is evaluated first, and serve from then on.
 """
 
 from __future__ import annotations

@@ -96,7 +96,7 @@ class RootPanels:
     edges : ndarray, (panels + 1,)
         Ascending.
     base : ndarray, (panels,)
-        The kink whose root is felt.
+        The kink whose root matters.
     coefficients : ndarray, (functions, panels, degree + 1)
     """
 

@@ -50,7 +50,7 @@ class Recovery:
         return cls(rates, displaced, -residues[:, None] * weights, back)
 
     def law(self, series: RelaxationSeries) -> Law:
-        """Return what the kernels of `winkler.numerics.springs.relaxing_springs` ask for.
+        """Return what the kernels of `winkler.numerics.springs.relaxing_springs` need.
 
         The last of it is what the modes of free recovery store, each by the square of its w_k: modes of different
         rates share no energy.

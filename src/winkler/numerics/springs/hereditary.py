@@ -1,4 +1,4 @@
-r"""A contact that has memory, told by its elastic answer: forces of a motion, and motions of a force.
+r"""A contact with memory, from its elastic response: forces of a motion, and motions of a force.
 
 With :math:`\Phi(d)` the force of the bed at :math:`E^*=1`, a contact that does not shrink (Lee and Radok), and one that
 shrinks after it has grown (Ting), bear
@@ -6,7 +6,7 @@ shrinks after it has grown (Ting), bear
 .. math:: F(t) = \int_0^{t_1} E^*(t-s)\,\mathrm d\Phi(d(s)) , \qquad \int_{t_1}^{t} E^*(t-s)\,\mathrm dd(s) = 0 ,
 
 where :math:`t_1=t` while it grows.  Sums of exponentials carry both integrals along, so that n moments with m
-terms cost n m; :math:`\Phi` and d change evenly between two moments.  A machine that gives way, :math:`d=D-cF`, is met
+terms cost n m; :math:`\Phi` and d change evenly between two moments.  A compliant machine, :math:`d=D-cF`, is solved
 in every step.
 """
 
@@ -64,15 +64,15 @@ def _past(
     The force that it bears, what it adds to the second integral, and the depth then.
     """
     dt = time[at + 1] - time[at]
-    rise, climb = depth[at + 1] - depth[at], phi[at + 1] - phi[at]
+    rise, rise_phi = depth[at + 1] - depth[at], phi[at + 1] - phi[at]
     elapsed = time[now] - time[at] - part * dt
-    d1, phi1 = depth[at] + part * rise, phi[at] + part * climb
+    d1, phi1 = depth[at] + part * rise, phi[at] + part * rise_phi
     force, moved = relaxed * phi1, relaxed * d1
     for i in range(times.size):
         fade = math.exp(-part * dt / times[i])
         fresh = part * first(part * dt / times[i])
         left = moduli[i] * math.exp(-elapsed / times[i])
-        force += left * (load[at, i] * fade + climb * fresh)
+        force += left * (load[at, i] * fade + rise_phi * fresh)
         moved += left * (drift[at, i] * fade + rise * fresh)
     return force, moved, d1
 
@@ -100,9 +100,9 @@ def borne(
     force, depth, edge : ndarray, (n,)
         F [N], d and the depth at which an elastic contact is as wide [m]; written.
     drift, load : ndarray, (n, m)
-        What the terms remember of d and of Phi; room.
+        The memories of the terms of d and of Phi; work space.
     phi : ndarray, (n,)
-        Room.
+        Work space.
     """
     count, terms = time.size, times.size
     fade, fresh = np.empty(terms), np.empty(terms)

@@ -1,6 +1,6 @@
 r"""One relaxing spring under a rigid body, carried from event to event: exact within a step, however long.
 
-What it takes and what it is, `winkler.numerics.springs.relaxing_springs` tells, which carries rows of them.
+Its arguments are those of `winkler.numerics.springs.relaxing_springs`, which carries rows of them.
 """
 
 from __future__ import annotations

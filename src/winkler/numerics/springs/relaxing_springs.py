@@ -76,7 +76,7 @@ def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def
 
 @compiled
 def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch, keep, sums):  # type: ignore[no-untyped-def]
-    """Carry the springs through a surveyed step, or only tell what it would do; return how many are pressed after it.
+    """Carry the springs through a surveyed step, or only compute its effect; return how many are pressed after it.
 
     `sums` gets force at the end, impulse, work, and by what force and impulse grow with the depth at the end.
     """
@@ -203,7 +203,7 @@ def _load(law, state, j, rate):  # type: ignore[no-untyped-def]
 def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def]
     """Return the contact radius, between the last spring that is pressed and the first that is free.
 
-    Where the contact widens, the gap under the free springs tells the edge; where it shrinks, the loads of the
+    Where the contact widens, the gap under the free springs gives the edge; where it shrinks, the loads of the
     pressed ones.
     """
     gaps, _, x = springs

@@ -1,8 +1,8 @@
 r"""A line of springs that rolls to and fro, step by step: each step carries every spring on by one place.
 
-Seen from the contact the springs come in at one end with no load and leave at the other, so that one array over the
-places of the contact is all that is remembered.  In a step a spring gains what the bodies shift, times its stiffness,
-and is cut back to its bound; one that has come in within the step gains only its part of it.
+In the frame of the contact the springs come in at one end with no load and leave at the other, so that one array over
+the places of the contact is the whole state.  In a step a spring gains what the bodies shift, times its stiffness, and
+is cut back to its bound; one that has come in within the step gains only its part of it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def moved(load: Array, bound: Array, part: float, direction: int, gain: float, r
     gain
         What a spring gains that sticks all along.
     result : ndarray, (n,)
-        Receives the answer.
+        Receives the result.
     """
     last = load.size - 1
     for k in range(load.size):

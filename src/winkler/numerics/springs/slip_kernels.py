@@ -7,7 +7,7 @@ shift U change in proportion to each other it does the following, and this is fo
 - in contact all the time, it moves by the whole change of U, and is held back by the bound at the end of the step: a
   spring that reaches the bound stays on it, since both move at constant rates;
 - coming into contact, it moves by what is left of the step from then on;
-- leaving, its bound closes upon it; it ends at rest, and what it stored is lost, but for what it gives back on the way.
+- leaving, its bound closes upon it; it ends at rest, and what it stored is lost, but for what it gives back before.
 
 A spring that is held back by s loses :math:`s\,(b_1-\tfrac12\beta\,\Delta d\,s/\sigma)` per stiffness,
 :math:`\sigma=|\Delta U|-\beta\,\Delta d` being the rate at which motion and bound close upon each other.
@@ -156,11 +156,11 @@ def _leave(u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, s
     loss = 0.0
     for i in range(u.size):
         closing = slope[i] * (gap[i] - depth)
-        way = moved * ((gap[i] - depth) / sunk)
-        trial = u[i] + way
+        step = moved * ((gap[i] - depth) / sunk)
+        trial = u[i] + step
         u[i] = 0.0
         s = abs(trial)
-        rate = (way if trial > 0.0 else -way) - closing
+        rate = (step if trial > 0.0 else -step) - closing
         rate = rate if rate > s else s + ZERO_SUBSTITUTE
         loss -= 0.5 * stiffness[i] * closing * s * (s / rate)
     return loss

@@ -61,7 +61,7 @@ def _wanted(
             if guess in (low, high):
                 break
         moved = guess
-    # the force is a rising line with corners: what is left is what the last digits of the way decide
+    # the force is a rising line with corners: what is left is what the last digits of the distance decide
     pull, rise = _pull(u, gap, stiffness, slope, first, depth, moved)
     return moved if abs(target - pull) <= 1e3 * close else math.nan
 
@@ -81,7 +81,7 @@ def pull_line(
 ) -> int:
     """Do what `march_line` does for prescribed forces `target` (steps,); shift (steps + 1,) is filled after its first.
 
-    Returns the number of steps that could be done; one less than asked for where the springs bear no such force.
+    Returns the number of steps that could be done; one less than requested where the springs bear no such force.
     """
     for t in range(target.size):
         scale = abs(target[t])

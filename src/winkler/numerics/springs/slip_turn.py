@@ -16,22 +16,22 @@ MOST_DROPS = 64
 
 @compiled
 def _turn(
-    ux: float, uy: float, bound: float, last: float, mx: float, my: float, way: float
+    ux: float, uy: float, bound: float, last: float, mx: float, my: float, distance: float
 ) -> tuple[float, float, float]:
-    """Let a spring slip on a circle that goes from radius `bound` to `last` while the bodies move by m, |m| = way."""
+    """Let a spring slip on a circle that goes from radius `bound` to `last` while the bodies move by m."""
     mean = 0.5 * (bound + last)
-    loss = mean * (way + bound - last)
-    if way == 0.0 or bound == 0.0:
+    loss = mean * (distance + bound - last)
+    if distance == 0.0 or bound == 0.0:
         share = last / bound if bound > 0.0 else 0.0
         return ux * share, uy * share, loss
-    ex, ey = mx / way, my / way
+    ex, ey = mx / distance, my / distance
     cosine = (ux * ex + uy * ey) / bound
     cosine = min(max(cosine, -1.0), 1.0)
     sine = (ex * uy - ey * ux) / bound
-    # the logarithmic mean of the bound on the way
+    # the logarithmic mean of the bound on the path
     change = last / bound - 1.0
     middle = bound * change / math.log1p(change) if change != 0.0 and last > 0.0 else last
-    shrink = math.exp(-way / middle) if middle > 0.0 else 0.0
+    shrink = math.exp(-distance / middle) if middle > 0.0 else 0.0
     square = shrink * shrink
     half = (1.0 + cosine) + (1.0 - cosine) * square
     turned = 0.0
@@ -41,21 +41,21 @@ def _turn(
         ahead = ((1.0 + cosine) - (1.0 - cosine) * square) / half
     if abs(bound - last) <= 1e-12 * bound:
         loss -= mean * middle * math.log(2.0 / half)
-    elif way < 4.0 * abs(bound - last):
-        # what is not lost because the spring does not yet point ahead, by Gauss-Legendre quadrature over the way
-        power = 2.0 * way / (bound - last)
+    elif distance < 4.0 * abs(bound - last):
+        # what is not lost because the spring does not yet point ahead, by Gauss-Legendre quadrature over the path
+        power = 2.0 * distance / (bound - last)
         for k in range(len(NODES)):
             radius = bound + NODES[k] * (last - bound)
             left = (1.0 - cosine) * math.exp(power * math.log(radius / bound))
-            loss -= WEIGHTS[k] * way * radius * 2.0 * left / ((1.0 + cosine) + left)
+            loss -= WEIGHTS[k] * distance * radius * 2.0 * left / ((1.0 + cosine) + left)
     elif cosine <= -1.0:
-        loss -= 2.0 * mean * way
+        loss -= 2.0 * mean * distance
     else:
         # the same of b^2 over ln(1 + tan^2(theta / 2)), where b changes little, as exp((b_1 - b_0) y / |dU|)
         slope = (1.0 - cosine) / (1.0 + cosine)
         end = math.log1p(slope * square)
         width = math.log1p(slope) - end
-        power = (bound - last) / way
+        power = (bound - last) / distance
         for k in range(len(NODES)):
             so_far = slope / math.expm1(end + NODES[k] * width) if width > 0.0 else 1.0
             loss -= WEIGHTS[k] * width * bound * bound * so_far**-power
@@ -64,7 +64,7 @@ def _turn(
 
 @compiled
 def _hit(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
-    """Return the part of the way after which a spring that moves by m meets a circle that goes to radius `last`."""
+    """Return the part of the path after which a spring that moves by m reaches a circle that goes to radius `last`."""
     scale = max(bound, last, abs(ux), abs(uy), abs(mx), abs(my))
     x, y, dx, dy = ux / scale, uy / scale, mx / scale, my / scale
     b, db = bound / scale, (last - bound) / scale
@@ -102,8 +102,8 @@ def travel(
                 ux, uy = ux / hold, uy / hold
                 if ux * mx + uy * my < fall * bound:
                     continue
-        way = left * math.sqrt(mx * mx + my * my)
-        tx, ty, waste = _turn(ux, uy, bound, last, left * mx, left * my, way)
+        distance = left * math.sqrt(mx * mx + my * my)
+        tx, ty, waste = _turn(ux, uy, bound, last, left * mx, left * my, distance)
         return tx, ty, loss + waste, True
     # a static bound that closes upon a spring lets it drop again and again: what is left of it is let go
     size = math.sqrt(ux * ux + uy * uy)

@@ -82,16 +82,16 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
         stuck = ~sliding[rows]
         ends = stuck & (np.sum(aim**2, axis=1) <= (hold * last[rows]) ** 2)
         work[rows[ends]] += 0.5 * np.sum(rest * (at[rows] + aim), axis=1)[ends]
-        meets = stuck & ~ends
-        hit = rows[meets]
+        hits = stuck & ~ends
+        hit = rows[hits]
         if hit.size:
-            part = _met(at[hit], hold * now[hit], hold * last[hit], rest[meets])
-            reached = at[hit] + part[:, None] * rest[meets]
+            part = _met(at[hit], hold * now[hit], hold * last[hit], rest[hits])
+            reached = at[hit] + part[:, None] * rest[hits]
             work[hit] += 0.5 * np.sum((reached - at[hit]) * (at[hit] + reached), axis=1)
             left[hit] *= 1.0 - part
             at[hit] = reached / hold
             now[hit] = np.hypot(*at[hit].T)
-        again = meets & (hold > 1.0) & (np.sum(at[rows] * travel, axis=1) < fall * now[rows])
+        again = hits & (hold > 1.0) & (np.sum(at[rows] * travel, axis=1) < fall * now[rows])
         slide = ~ends & ~again
         goes = rows[slide]
         work[goes] += _slipped(at[goes], now[goes], last[goes], left[goes, None] * travel[slide])
@@ -100,7 +100,7 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
 
 
 def _met(u: Array, bound: Array, last: Array, move: Array) -> Array:
-    """Return the part of the travel after which springs meet a circle whose radius goes from `bound` to `last`."""
+    """Return the part of the travel after which springs reach a circle whose radius goes from `bound` to `last`."""
     scale = np.maximum(np.maximum(bound, last), np.maximum(np.abs(u).max(axis=1), np.abs(move).max(axis=1)))
     scale = np.where(scale > 0.0, scale, 1.0)
     u, move, bound, fall = u / scale[:, None], move / scale[:, None], bound / scale, (last - bound) / scale

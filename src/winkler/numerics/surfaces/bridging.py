@@ -73,7 +73,7 @@ def spikes(numbers: Array, times: float, periodic: bool) -> Array:
     holes = np.isnan(numbers)
     whole = bridged(numbers, periodic)
     around = np.zeros((WINDOW_PIXELS, WINDOW_PIXELS), dtype=bool)
-    around[::2, ::2] = True  # every second one tells as much
+    around[::2, ::2] = True  # every second one is enough
     quarter, mode = int(np.count_nonzero(around)) // 4, "wrap" if periodic else "reflect"
     low, high = (rank_filter(whole, rank, footprint=around, mode=mode) for rank in (quarter, 3 * quarter))
     distance = np.maximum(high - low, np.median(high - low))

@@ -18,7 +18,7 @@ from winkler.numerics.types import Array
 __all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around", "overlap_and_work", "shared"]
 
 MOST_ITERATIONS = 2000
-"""Iterations after which a grid is given up; ten to forty are usual."""
+"""Iterations after which a grid has not converged; ten to forty are usual."""
 MARGIN_RATIO, LEAST_MARGIN = 16, 4
 """The box is wider than the contact by this part of it, and by this many pixels, on every side."""
 STEPS_WITHOUT_GAIN = 30
@@ -182,6 +182,6 @@ class BoxContact:
             self.p, self.u = scale * self.p, scale * self.u
         elif abs(scale - 1.0) > 1e-13:
             gap = self.u + self.heights - self.depth
-            # what is settled changes when the others have to be raised, or lowered, by more than its own gap asks for
+            # what is settled changes when the others have to be raised, or lowered, by more than its own gap requires
             wanted = np.where(self._unsettled(gap), self.p, self.p - gap)
             self._change(shared(wanted, self.ceiling, self.load))

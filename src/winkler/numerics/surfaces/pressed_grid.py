@@ -29,7 +29,7 @@ LARGEST_DEPTH_RATIO = 0.99
 FIRST_CONTACT_RATIO = 0.01
 """Part of the pixels, the highest ones, under which a load begins."""
 MOST_ROUNDS = 20
-"""How often the whole surface is looked at before it is given up; two are usual."""
+"""How often the whole surface is checked before it has not converged; two are usual."""
 INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
@@ -140,7 +140,7 @@ def _pressed(
     tolerance: float,
     start: Array,
 ) -> Pressed:
-    """Return the contact: solved where it may be, then looked at everywhere, until nothing is left to be done."""
+    """Return the contact: solved where it may be, then checked everywhere, until nothing changes."""
     shape = heights.shape[0], heights.shape[1]
     begun = start if len(start) else _from_coarser(heights, pixel, drive, periodic, ceiling)
     p = _first(heights, drive, pixel, ceiling, begun)
@@ -187,7 +187,7 @@ def _from_coarser(
     coarse = _halved(heights)
     lowest = float(np.min(coarse))
     easier = ByDepth(drive.depth - lowest) if isinstance(drive, ByDepth) else ByLoad(drive.load / 4.0)
-    if float(np.ptp(coarse)) == 0.0:  # a fine grating: its means do not know it
+    if float(np.ptp(coarse)) == 0.0:  # a fine grating: its means do not resolve it
         return nothing
     most = float(np.mean(coarse)) - lowest if periodic else math.inf
     if isinstance(easier, ByDepth) and not 0.0 < easier.depth < LARGEST_DEPTH_RATIO * most:
@@ -195,6 +195,6 @@ def _from_coarser(
     twice = 2.0 * pixel[0], 2.0 * pixel[1]
     try:
         found = _pressed(coarse - lowest, twice, easier, periodic, ceiling, COARSE_TOLERANCE, np.empty(0))
-    except NotConverged:  # nobody asked for the coarse grid
+    except NotConverged:  # the coarse grid is only a first guess
         return nothing
     return _doubled(found.pressure, heights.shape)

@@ -16,7 +16,7 @@ from winkler.numerics.types import Array
 __all__ = ["punch"]
 
 MOST_ITERATIONS = 2000
-"""Iterations after which a punch is given up; ten are usual."""
+"""Iterations after which a punch has not converged; ten are usual."""
 MOST_ROUNDS = 20
 SINGLE_DIGITS_TOLERANCE = 1e-5
 """Tolerance above which single digits are enough for all."""

@@ -23,7 +23,7 @@ __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
 ARRAY_COPIES = 5
 """How many arrays of the size of the transform are alive at once."""
 MEAN_WAVE_RATIO = 0.5
-"""What the preconditioner takes for the wave number of the mean, over the smallest other one."""
+"""What the preconditioner uses as the wave number of the mean, over the smallest other one."""
 LARGEST_CACHED_PIXELS = 2**20
 """Pixels up to which grids are kept for the next contact; larger ones would hold too much memory."""
 SINGLE_THREAD_PIXELS = 2**14
@@ -47,7 +47,7 @@ def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
 
 
 class SurfaceGrid(NamedTuple):
-    """A grid, and how it answers to pressures.
+    """A grid, and its response to pressures.
 
     Parameters
     ----------
@@ -111,9 +111,9 @@ class SurfaceGrid(NamedTuple):
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
         import scipy.fft
 
-        seen = scipy.fft.rfft2(displacement, workers=self.workers)
-        seen *= self.wave_numbers
-        return np.asarray(scipy.fft.irfft2(seen, s=self.shape, workers=self.workers))
+        waves = scipy.fft.rfft2(displacement, workers=self.workers)
+        waves *= self.wave_numbers
+        return np.asarray(scipy.fft.irfft2(waves, s=self.shape, workers=self.workers))
 
 
 def _made(

@@ -40,7 +40,7 @@ AGREEMENT_RATIO = 300.0
 
 
 class Response(Protocol):
-    """What an integral equation asks of a medium: a value that can be a key of a cache.
+    """What an integral equation needs of a medium: a value that can be a key of a cache.
 
     One that also has `own`, the same response in a unit of length of its own and that unit [m], shares all that is
     computed with those that differ from it by their unit alone.
@@ -188,7 +188,7 @@ def _path(response: Response, low: float, high: float, angle: float) -> tuple[Co
 
 @functools.lru_cache(maxsize=256)
 def _ray(given: Hashable, angle: float) -> Panels:
-    """Return M along a ray from the origin: a stack of many layers is climbed once, not once for every octave."""
+    """Return M along a ray from the origin: the recursion through many layers runs once, not once for every octave."""
     response = cast(Response, given)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     end = DECAY_SPAN / (response.length * math.cos(angle))

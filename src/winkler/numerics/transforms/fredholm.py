@@ -1,4 +1,4 @@
-r"""Flat punches of all radii at once: Krein's way through a Fredholm equation.
+r"""Flat punches of all radii at once: Krein's method for a Fredholm equation.
 
 A flat punch of radius a on a medium with the response M presses with the line load :math:`E^*\varphi(x;a)`,
 

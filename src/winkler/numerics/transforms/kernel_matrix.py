@@ -35,7 +35,7 @@ LOGARITHMIC_NODES = 30
 """Nodes on the piece where C has a logarithm."""
 VARIABLE_POWER = 5
 ROUNDED_LENGTHS = 8.0
-"""Up to this many lengths C is seen to be rounded off."""
+"""Up to this many lengths C is visibly rounded off."""
 
 
 @functools.cache
@@ -169,7 +169,7 @@ def _pieces(place: Array, low: float, high: float, steps: Array, power: int) -> 
     edges = edges[:, np.concatenate([[True], np.any(np.diff(edges, axis=1) != 0.0, axis=0)])]
     nodes, rule = gauss_legendre(NODES_PER_PIECE if power == 1 else LOGARITHMIC_NODES)
     sign = 1.0 if steps[-1] > 0.0 else -1.0
-    # a panel on the other side of the place leaves nothing of these pieces
+    # a panel on the other side of the place has none of these pieces
     roots = np.maximum(sign * edges, 0.0) ** (1.0 / power)
     start, span = roots[:, :-1, None], np.diff(roots, axis=1)[..., None]
     root = start + span * nodes

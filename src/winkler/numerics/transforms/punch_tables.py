@@ -37,7 +37,7 @@ EDGE_PANEL_WIDTH = 1.5
 EDGE_PANEL_WIDTH_ROUNDED = 4.0
 """The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 IN_LENGTHS = "times the thickness of the uppermost layer (or the length over which moduli change)"
-"""The unit in which sentences tell radii: tables know no metres."""
+"""The unit of radii in sentences: tables have no metres."""
 MOST_HALVINGS = 4
 """How often an octave of radii may be halved."""
 
@@ -186,7 +186,7 @@ def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: 
 
 
 def _settled(response: Response) -> float:
-    """Return the relative change below which nothing is learnt any more."""
+    """Return the relative change below which the results are settled."""
     return max(SETTLED_TOLERANCE, response.precision)
 
 

@@ -42,7 +42,7 @@ class Cuts:
         self.place = self.start + width * (low / (low - high))
         self.falls = low > 0.0
         self.slope = (high - low) / width
-        # what the nodes alone tell: zero instead of what is negative
+        # what the nodes alone give: zero instead of what is negative
         self.cut_slope = (np.maximum(high, 0.0) - np.maximum(low, 0.0)) / width
         # where the positive part begins and ends
         self.first = np.where(self.falls, self.start, self.place)

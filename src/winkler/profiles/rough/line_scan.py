@@ -1,12 +1,12 @@
 r"""A scan along a line, as a stylus makes it, and the spectrum of the surface behind scans.
 
-A scan of an isotropic surface sees waves of every direction, foreshortened:
+A scan of an isotropic surface crosses waves of every direction, foreshortened:
 
 .. math:: C_\mathrm{line}(q) = 2\int_q^\infty\frac{C(s)\,s}{\sqrt{s^2-q^2}}\,\mathrm ds , \qquad
           C(q) = -\frac1\pi\int_q^\infty\frac{C_\mathrm{line}'(s)}{\sqrt{s^2-q^2}}\,\mathrm ds .
 
 It falls, whatever the surface.  What has been measured scatters, so it is levelled where it rises; between its numbers
-it is a power law, and it is continued by one beyond the last, where the scan has seen nothing.
+it is a power law, and it is continued by one beyond the last, where the scan has measured nothing.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ LEAST_FALL_EXPONENT = 1.0
 """The continuation falls at least with 1/q, as that of the roughest surface, H = 0."""
 
 FEWEST_HEIGHTS = 64
-"""Heights of which less is said than a spectrum needs."""
+"""Fewer heights than these do not make a spectrum."""
 
 
 @value
@@ -82,7 +82,7 @@ class LineScan:
 
     @property
     def spectrum(self) -> PowerSpectrum:
-        """C(q) of an isotropic surface that looks like the scan: a guess from one line of it.
+        """C(q) of an isotropic surface with the statistics of the scan: a guess from one line of it.
 
         The scan is levelled, and fades towards its ends under Hann's window; the powers of its waves scatter and are
         averaged over twentieths of a decade.  One line is one sample: the density scatters
@@ -125,8 +125,8 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
     >>> spectrum_of_lines(q, np.pi / 2.0 / q**3).densities
     array([1.        , 0.0625    , 0.00390625])
     """
-    given = PowerSpectrum(wave_numbers, densities)  # says what is wrong with the rows
-    q, line = _thinned(given.wave_numbers, given.densities)
+    stated = PowerSpectrum(wave_numbers, densities)  # refuses wrong rows
+    q, line = _thinned(stated.wave_numbers, stated.densities)
     line = _falling(line)
     if not line[0] > line[-1]:
         raise InvalidInput(

@@ -29,9 +29,9 @@ FEWEST_WAVE_NUMBERS = 4
 LEAST_RING_WIDTH, LARGEST_RING_WIDTH = 0.7, 1.3
 """Where a ring may end, in widths of a ring."""
 END_MARGIN = 0.15
-"""Power so close to the end of a ring, in widths of a ring, speaks against ending it there."""
+"""Power so close to the end of a ring, in widths of a ring, prevents its end there."""
 LARGEST_LOG_CHANGE = 5.0
-"""A density that changes within a ring by more than exp(STEEPEST) gives way to a narrower ring."""
+"""A density that changes within a ring by more than exp(LARGEST_LOG_CHANGE) gives way to a narrower ring."""
 ROUNDING_RATIO = 1e-26
 """Part of the sums that is rounding: rings with less at either end of the spectrum are left out."""
 LEAST_DENSITY_RATIO = 1e-40
@@ -225,7 +225,7 @@ class _Ring(NamedTuple):
 
 
 def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, members: Array) -> _Ring:
-    """Return the ring with these sums of P and P u; `members` is empty where the waves do not tell its exponent.
+    """Return the ring with these sums of P and P u; `members` is empty where the waves do not determine its exponent.
 
     A ring whose density would be too steep is narrowed instead.
     """
@@ -243,8 +243,8 @@ def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, m
     if not even(-most) < square < even(most):
         half = min(square - inner, outer - square)
         return _Ring(power, square - half, square + half, 1.0, 0.0)
-    told = members.size > 0 and uneven(-most) < square < uneven(most)
-    return _Ring(power, inner, outer, _rooted(uneven if told else even, square, most), 1.0)
+    determined = members.size > 0 and uneven(-most) < square < uneven(most)
+    return _Ring(power, inner, outer, _rooted(uneven if determined else even, square, most), 1.0)
 
 
 def _shift(rings: list[_Ring], square: float) -> float:
@@ -264,7 +264,7 @@ def _mean(steep: float, inner: float, outer: float) -> float:
 
 
 def _rooted(rising: Callable[[float], float], wanted: float, most: float) -> float:
-    """Return where a rising function meets a number, between -most and most."""
+    """Return where a rising function equals a number, between -most and most."""
     low, high = -most, most
     for _ in range(MOST_HALVINGS):
         half = 0.5 * (low + high)

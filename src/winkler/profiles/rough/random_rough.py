@@ -1,4 +1,4 @@
-r"""Rough surfaces and lines made at random from a spectrum: amplitudes as told, phases by chance.
+r"""Rough surfaces and lines made at random from a spectrum: amplitudes from the spectrum, random phases.
 
 A periodic map or line bears waves at a lattice of wave numbers.  Each gets the power of its own cell of the lattice,
 the integral of the spectrum over it, and not that of one point: so heights have the root mean square of the spectrum,
@@ -71,7 +71,7 @@ def random_topography(spectrum: Spectrum, shape: tuple[int, int], lengths: Array
 
 def _made(spectrum: Spectrum, shape: tuple[int, int], lengths: tuple[float, float], seed: int) -> Topography:
     lx, ly = lengths
-    # waves come in pairs of one sign: a quarter of the plane tells all; those at Nyquist's wave number have no phase
+    # waves come in pairs of one sign: a quarter of the plane is enough; those at Nyquist's wave number have no phase
     quarter = _cells(spectrum, ((shape[0] + 1) // 2, (shape[1] + 1) // 2), (2.0 * np.pi / lx, 2.0 * np.pi / ly))
     i, j = (np.abs(np.rint(np.fft.fftfreq(n, 1.0 / n))).astype(int) for n in shape)
     power = np.pad(quarter, [(0, 1), (0, 1)])[np.ix_(i, j)]
@@ -89,7 +89,7 @@ def _made(spectrum: Spectrum, shape: tuple[int, int], lengths: tuple[float, floa
 
 
 def _checked(shape: tuple[int, int], lengths: ArrayLike, seed: int) -> tuple[float, float]:
-    """Return both lengths, or say what is wrong with the numbers."""
+    """Return both lengths, or refuse the numbers."""
     if len(shape) != 2 or any(isinstance(n, bool) or not isinstance(n, int) or n < 4 for n in shape):
         raise InvalidInput(f"random_topography: shape is {shape!r}; give two whole numbers of pixels, at least 4.")
     affordable("random_topography", "pixels", math.prod(shape), MADE_PIXELS)

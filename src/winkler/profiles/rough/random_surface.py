@@ -1,4 +1,4 @@
-r"""A rough surface made at random, as a value: what it was made from is kept, and can be written into a study."""
+r"""A rough surface made at random, as a value: its parameters are fields, and can be written into a study."""
 
 from __future__ import annotations
 

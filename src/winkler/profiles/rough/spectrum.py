@@ -29,7 +29,7 @@ POINTS_PER_DECADE = 20
 
 @offered("a spectrum: SelfAffine or PowerSpectrum")
 class Spectrum(Protocol):
-    """The contract of a spectrum, spoken to its implementer."""
+    """The contract of a spectrum, written for its implementer."""
 
     @property
     def smallest(self) -> float:

@@ -180,7 +180,7 @@ class Topography:
         quartiles above the upper or below the lower one, among the heights within four pixels; so they are found up to
         some four pixels wide.  A scar is a run of pixels along a line, up to three pixels wide, whose steps on both
         sides lie outside of these fences among the steps around; long runs, and what continues a scar, by half of it.
-        Structured surfaces (narrow ridges, pillars) are not for it: they look like spikes.  J. W. Tukey, Exploratory
+        Structured surfaces (narrow ridges, pillars) are not for it: they resemble spikes.  J. W. Tukey, Exploratory
         Data Analysis, Addison-Wesley 1977.
 
         Parameters
@@ -194,7 +194,7 @@ class Topography:
             If `times` is not positive.
         """
         if isinstance(times, bool) or not isinstance(times, int | float) or not times > 0.0:
-            raise InvalidInput(f"Topography: spikes are asked for with times = {times!r}; give a positive number.")
+            raise InvalidInput(f"Topography: spikes are requested with times = {times!r}; give a positive number.")
         from winkler.numerics.surfaces.bridging import bridged, spikes
         from winkler.numerics.surfaces.scars import scars
 
@@ -205,7 +205,7 @@ class Topography:
         return Spikes(grains, found & ~grains, np.where(grains | found, self.heights - bare, 0.0))
 
     def without_spikes(self, times: float = 4.0) -> Topography:
-        """Return the map with grains, dropouts and scars missing; `spikes` tells which they are.
+        """Return the map with grains, dropouts and scars missing; `spikes` names them.
 
         Parameters
         ----------
