@@ -15,7 +15,7 @@ from winkler.io.tables.path_table import read_path
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
 from winkler.numerics.equations.oscillation_times import sine, swings
 from winkler.path import Path
-from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Start
+from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start, Unchanged
 from winkler.program import Program
 
 
@@ -227,7 +227,7 @@ def test_wrong_programs(steps, sentence):
     ("make", "sentence"),
     [
         (lambda: Start(Shift(1.0)), r"Start: normal is Shift\(.*\); give Depth\(d\) or Force\(F\) with one number"),
-        (lambda: Start(Kept()), "Start: normal is Kept"),
+        (lambda: Start(Unchanged()), "Start: normal is Kept"),
         (
             lambda: Start(Force([1.0, 2.0])),
             r"Start: normal is Force\(force=array.*; give Depth\(d\) or Force\(F\) with one number",

@@ -35,7 +35,7 @@ MOST_LINES = 9
 """Most lines of a block below its title; further fields are named in the last one."""
 
 
-class Row(NamedTuple):
+class FieldRow(NamedTuple):
     """One field: its name, its unit (None if it is no quantity), what it means, its content, the error of that."""
 
     name: str
@@ -47,7 +47,7 @@ class Row(NamedTuple):
 
 def short(content: Any) -> str:
     """Return the ``repr`` of a value: a call if it is small, else a block of a few lines."""
-    if not _is_answer(content):
+    if not _is_solution(content):
         text = _call(content, CALL_WIDTH) or _outline(content, LINE_WIDTH)
         if "(...)" not in text:
             return text
@@ -80,11 +80,11 @@ def html_table(content: Any) -> str:
     return f"<table>{title}<tbody>{cells}</tbody></table>" + (f"<ul>{notes}</ul>" if notes else "")
 
 
-def _is_answer(content: Any) -> bool:
+def _is_solution(content: Any) -> bool:
     return "problem" in getattr(content, "__dataclass_fields__", ())
 
 
-def _rows(content: Any) -> Iterator[Row]:
+def _rows(content: Any) -> Iterator[FieldRow]:
     """Yield the fields of a value; of a fit first its result."""
     found = {"model", "names", "values", "standard_errors"}
     fields = [field.name for field in dataclasses.fields(content) if field.repr]
@@ -96,12 +96,12 @@ def _rows(content: Any) -> Iterator[Row]:
         yield _row(type(content).__name__, name, getattr(content, name))
 
 
-def _row(owner: str, name: str, content: Any) -> Row:
+def _row(owner: str, name: str, content: Any) -> FieldRow:
     try:
         entry = word(owner, name)
     except KeyError:
-        return Row(name, None, "", content)
-    return Row(name, entry.unit, entry.meaning, content)
+        return FieldRow(name, None, "", content)
+    return FieldRow(name, entry.unit, entry.meaning, content)
 
 
 def _owner(model: Any, path: str) -> str:
@@ -154,7 +154,7 @@ def _outline(content: Any, room: int) -> str:
         return _call(content, room) or f"{len(content)} x {kinds.pop() if len(kinds) == 1 else 'various'}"
     if not dataclasses.is_dataclass(content) or isinstance(content, type):
         return _cut(" ".join(repr(content).split()), room)
-    rows = list(_rows(content)) if not _is_answer(content) else []
+    rows = list(_rows(content)) if not _is_solution(content) else []
     for width in (room, room // 2, 0):  # the narrower a part, the more of it is left out
         text = f"{name}({', '.join(f'{row.name}={_plain(row, width)}' for row in rows)})"
         if rows and len(text) <= room:
@@ -162,7 +162,7 @@ def _outline(content: Any, room: int) -> str:
     return f"{name}(...)"
 
 
-def _plain(row: Row, room: int) -> str:
+def _plain(row: FieldRow, room: int) -> str:
     """Return the content of a row in SI units."""
     unit = f" {row.unit}" if row.unit else ""
     if isinstance(row.content, float):
@@ -173,7 +173,7 @@ def _plain(row: Row, room: int) -> str:
     return _call(row.content, room) or _outline(row.content, room)
 
 
-def _with_prefix(row: Row) -> str:
+def _with_prefix(row: FieldRow) -> str:
     """Return the content of a row in the unit that fits it."""
     if isinstance(row.content, float):
         text = with_unit(row.content, row.unit)

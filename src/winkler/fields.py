@@ -15,7 +15,7 @@ from winkler.checks.float_range import guarded_result
 from winkler.checks.outline import refuse_unless_round
 from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import (
     BodyFields,
@@ -232,7 +232,7 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     return shift_of_surface(solution.sheared, *places)
 
 
-def springs_of(solution: Restorable | Dragged | TorsionState) -> Pressed:
+def springs_of(solution: Restorable | Dragged | TorsionState) -> PressedSprings:
     """Return the springs of a solution; refuse what holds none, or many loads."""
     if not is_restorable(solution):
         raise InvalidInput(
@@ -254,7 +254,7 @@ def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
     return numbers
 
 
-def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
+def _surface(pressed: PressedSprings, r: Array) -> SurfaceFields:
     refuse_unless_round(pressed, "restore", FIELD_ADVICE)
     if pressed.radius == 0.0:
         still = np.zeros(r.shape)
@@ -266,13 +266,13 @@ def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
     return SurfaceFields(r, pressure, displacement, np.where(r <= pressed.touching, 0.0, separation))
 
 
-def _height(pressed: Pressed, r: Array) -> Array:
+def _height(pressed: PressedSprings, r: Array) -> Array:
     """Return f(r), infinite beyond what is known of the body."""
     known = r <= pressed.bed.reach
     return np.where(known, pressed.bed.height(np.where(known, r, 0.0)), np.inf)
 
 
-def below_surface(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
+def below_surface(pressed: PressedSprings, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
     """Return the fields at places of shapes that broadcast; the surface itself belongs to one of the bodies."""
     refuse_unless_round(pressed, "restore", FIELD_ADVICE)
     r, z = np.broadcast_arrays(r, z)

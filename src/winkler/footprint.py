@@ -20,11 +20,11 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Ellipse", "Footprint", "Round", "Unknown", "footprint_of"]
+__all__ = ["EllipticOutline", "Footprint", "RoundOutline", "UnknownOutline", "footprint_of"]
 
 
 @value
-class Round:
+class RoundOutline:
     """The contact is a disc whose radius is that of the springs."""
 
     @property
@@ -43,7 +43,7 @@ class Round:
 
 
 @value
-class Unknown:
+class UnknownOutline:
     """The contact may have any outline; the radius is that of the disc of equal stiffness.
 
     Parameters
@@ -76,7 +76,7 @@ class Unknown:
 
 
 @value
-class Ellipse:
+class EllipticOutline:
     """The contact is an ellipse, similar to itself under each load.
 
     Parameters
@@ -118,8 +118,8 @@ class Ellipse:
         return math.pi * along * across
 
 
-Footprint = Round | Unknown | Ellipse
-DISC = Round()
+Footprint = RoundOutline | UnknownOutline | EllipticOutline
+DISC = RoundOutline()
 
 
 def footprint_of(profile: Any) -> Footprint:

@@ -24,7 +24,7 @@ import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import Restorable
@@ -55,7 +55,7 @@ class Staircase:
     radii: Array
     increments: Array
     modulus: float
-    pressed: Pressed
+    pressed: PressedSprings
 
     @property
     def depth(self) -> float:
@@ -200,7 +200,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     return Staircase(radii[kept], increments[kept], medium.modulus, pressed)
 
 
-def _treads(pressed: Pressed, count: int) -> Array:
+def _treads(pressed: PressedSprings, count: int) -> Array:
     """Return the radii between which the punches stand; beyond a kink s even in sqrt(x^2 - s^2), where g is smooth."""
     a = pressed.radius
     if a == 0.0:

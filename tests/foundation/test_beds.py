@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.values import value
 
 UNIT = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
@@ -34,13 +34,13 @@ def test_a_foundation_is_its_profile_over_its_medium():
 def test_what_is_pressed():
     bed = wk.Foundation(wk.TruncatedCone(1.2, 0.1), UNIT)
     depth = float(bed.gap(np.array([0.5]))[0])
-    pressed = Pressed(bed, depth, 0.5)
+    pressed = PressedSprings(bed, depth, 0.5)
     np.testing.assert_allclose(pressed.value(X), depth - bed.gap(X), rtol=1e-15)
     np.testing.assert_allclose(pressed.slope(X), -bed.gap_slope(X), rtol=1e-15)
     assert pressed.edge == 0.0
     assert pressed.kinks == bed.kinks
-    assert Pressed(bed, 0.0, 0.05).kinks == ()
-    pinned = Pressed(wk.Foundation(wk.CappedCylinder(0.5, wk.Cone(1.2)), UNIT), 1.0, 0.5)
+    assert PressedSprings(bed, 0.0, 0.05).kinks == ()
+    pinned = PressedSprings(wk.Foundation(wk.CappedCylinder(0.5, wk.Cone(1.2)), UNIT), 1.0, 0.5)
     assert pinned.edge == pytest.approx(1.0 - 0.5 * math.pi * 0.5 / math.tan(1.2), rel=1e-14)
 
 

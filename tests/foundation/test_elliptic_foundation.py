@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.footprint import Ellipse, Round, Unknown
+from winkler.footprint import EllipticOutline, RoundOutline, UnknownOutline
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.media.layered.coated import Layer
 from winkler.plot import draw
@@ -175,12 +175,12 @@ def test_beds_know_their_footprint():
     ball = wk.Foundation(wk.Paraboloid(1e-2), PAIR)
     a = np.geomspace(1e-6, 1e-4, 7)
     measured = wk.MeasuredBed(a, a, a**2)
-    assert isinstance(ball.footprint, Round)
-    assert isinstance(SLENDER.footprint, Ellipse)
-    assert isinstance(measured.footprint, Unknown)
-    assert isinstance(dataclasses.replace(measured, disc=True).footprint, Round)
+    assert isinstance(ball.footprint, RoundOutline)
+    assert isinstance(SLENDER.footprint, EllipticOutline)
+    assert isinstance(measured.footprint, UnknownOutline)
+    assert isinstance(dataclasses.replace(measured, disc=True).footprint, RoundOutline)
     equal = wk.EllipticFoundation(wk.CurvedBodies(1e-2, 1e-2), PAIR)
-    assert isinstance(equal.footprint, Round)  # a ball: all is known of it
+    assert isinstance(equal.footprint, RoundOutline)  # a ball: all is known of it
     assert wk.restore(wk.Indentation(equal, wk.Force(10.0)).solve(), 0.0).pressure == pytest.approx(
         wk.restore(wk.Indentation(ball, wk.Force(10.0)).solve(), 0.0).pressure, rel=1e-12
     )

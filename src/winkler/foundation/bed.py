@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Bed", "Pressed", "Stretched"]
+__all__ = ["Bed", "PressedSprings", "StretchedSprings"]
 
 
 @offered("a bed, such as Foundation(profile, medium)")
@@ -110,7 +110,7 @@ class Bed(Protocol):
 
 
 @value
-class Pressed:
+class PressedSprings:
     """The springs of a bed pressed to a depth: u(x) = d - g(x) up to the contact radius, nothing outside.
 
     Parameters
@@ -132,7 +132,7 @@ class Pressed:
         return self.radius
 
     @property
-    def blunted(self) -> Pressed:
+    def blunted(self) -> PressedSprings:
         """The same springs, as fields below the surface take them: without detail too fine to matter there."""
         return self
 
@@ -158,7 +158,7 @@ class Pressed:
 
 
 @value
-class Stretched(Pressed):
+class StretchedSprings(PressedSprings):
     """Springs that end stretched: u(x) = d - g(x) up to the contact radius, with a jump there."""
 
     @property

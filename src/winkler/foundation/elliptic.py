@@ -6,7 +6,7 @@ follows from the curvatures alone,
 .. math:: R_\mathrm{eq} = \frac{9F^2}{16E^{*2}d^3} , \qquad d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) .
 
 Partial slip under Coulomb's law shrinks to similar ellipses, so it runs on the line, too, with the tangential
-stiffness of the direction of shear (`winkler.footprint.Ellipse`).
+stiffness of the direction of shear (`winkler.footprint.EllipticOutline`).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 
 from winkler.checks.field_checks import Condition
 from winkler.errors import OutsideValidity
-from winkler.footprint import DISC, Ellipse, Round
+from winkler.footprint import DISC, EllipticOutline, RoundOutline
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.medium import Medium
@@ -90,11 +90,11 @@ class EllipticFoundation(UnderProfile):
         return Paraboloid(self.bodies.equivalent_radius)
 
     @property
-    def footprint(self) -> Ellipse | Round:
+    def footprint(self) -> EllipticOutline | RoundOutline:
         """Hertz's ellipse; a disc under equal curvatures."""
         bodies = self.bodies
         equal = bodies.longitudinal_curvature_radius == bodies.lateral_curvature_radius
-        return DISC if equal else Ellipse(bodies.slenderness)
+        return DISC if equal else EllipticOutline(bodies.slenderness)
 
     @property
     def size(self) -> float:
@@ -117,7 +117,7 @@ class EllipticFoundation(UnderProfile):
 
     def slope(self, r: Array) -> Array:
         """The steepest slope of the bodies [-] where the ellipse as stiff as a disc of radius r ends."""
-        along, across = Ellipse(self.bodies.slenderness).semi_axes(np.asarray(r, dtype=float))
+        along, across = EllipticOutline(self.bodies.slenderness).semi_axes(np.asarray(r, dtype=float))
         return np.asarray(
             np.maximum(along / self.bodies.longitudinal_curvature_radius, across / self.bodies.lateral_curvature_radius)
         )

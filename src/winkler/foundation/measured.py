@@ -17,7 +17,7 @@ import numpy as np
 
 from winkler.checks.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.footprint import DISC, Footprint, Unknown
+from winkler.footprint import DISC, Footprint, UnknownOutline
 from winkler.foundation.force_curve import FEWEST_POINTS, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
 from winkler.limits import MEASURED_PLACES
@@ -31,7 +31,7 @@ __all__ = ["MeasuredBed"]
 
 LEAST_RADIUS_RATIO = 1e-6
 """Where slopes at the axis are taken, relative to the first radius."""
-UNKNOWN_OUTLINE = Unknown(
+UNKNOWN_OUTLINE = UnknownOutline(
     "measured or computed stiffnesses",
     "of a height map ask SurfaceContact or SurfaceConduction, of a contact that is known to be a disc give "
     "MeasuredBed(..., disc=True) or Foundation(profile, medium)",

@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Quantity
 from winkler.values import value
@@ -142,7 +142,7 @@ class ShearedSprings:
         If the shapes do not fit.
     """
 
-    pressed: Pressed
+    pressed: PressedSprings
     mindlin_ratio: float
     shift: Quantity
     depths: Array

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
@@ -139,7 +139,7 @@ def shift_of_surface(sheared: ShearedSprings, x: Array, y: Array) -> Array:
     return total
 
 
-def body_of_pressed(pressed: Pressed, x: Array, y: Array, z: Array) -> BodyFields:
+def body_of_pressed(pressed: PressedSprings, x: Array, y: Array, z: Array) -> BodyFields:
     """Return stresses and displacements under a pressure alone; z > 0 in the first body, z < 0 in the second."""
     return _fields(x, y, z, lambda *place, below: _pressed(pressed, *place, below=below))
 
@@ -169,7 +169,7 @@ def _fields(x: Array, y: Array, z: Array, parts: Callable[..., Array]) -> BodyFi
     return BodyFields(x, y, z, *total)
 
 
-def _pressed(pressed: Pressed, x: Array, y: Array, z: Array, *, below: bool) -> Array:
+def _pressed(pressed: PressedSprings, x: Array, y: Array, z: Array, *, below: bool) -> Array:
     """Return the rows of `BodyFields` under the pressure."""
     if pressed.radius == 0.0:
         return np.zeros((9, x.size))
@@ -223,7 +223,7 @@ def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bo
     return total
 
 
-def _half_space(pressed: Pressed) -> HalfSpace:
+def _half_space(pressed: PressedSprings) -> HalfSpace:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         raise OutsideValidity(

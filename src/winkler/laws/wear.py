@@ -97,11 +97,11 @@ def worn_by(law: WearLaw, pressure: Array) -> tuple[Array, Array]:
         If a law of one's own returns anything but one number for each pressure, not negative and finite.
     """
     if isinstance(law, PairWear):
-        return _asked(law.first, pressure), _asked(law.second, pressure)
-    return _asked(law, pressure), np.zeros(pressure.shape)
+        return _checked_depths(law.first, pressure), _checked_depths(law.second, pressure)
+    return _checked_depths(law, pressure), np.zeros(pressure.shape)
 
 
-def _asked(law: Archard | OwnWear, pressure: Array) -> Array:
+def _checked_depths(law: Archard | OwnWear, pressure: Array) -> Array:
     if isinstance(law, Archard):
         return law.depth_per_slip(pressure)
     worn = np.asarray(law.depth_per_slip(pressure), dtype=float)

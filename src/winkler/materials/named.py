@@ -15,11 +15,11 @@ from winkler.materials.elastic import Elastic
 from winkler.values import value
 
 __all__ = [
-    "Figure",
     "NamedElastic",
     "NamedElectricalConductor",
     "NamedMaterial",
     "NamedThermalConductor",
+    "TabulatedProperty",
     "material",
     "material_names",
 ]
@@ -28,7 +28,7 @@ TABLE_FILE = "materials.toml"
 
 
 @value
-class Figure:
+class TabulatedProperty:
     """One number of a material.
 
     Parameters
@@ -75,7 +75,7 @@ class NamedMaterial:
 
     name: str
     told: str
-    figures: tuple[Figure, ...]
+    figures: tuple[TabulatedProperty, ...]
 
     def number(self, quantity: str) -> float:
         """Return a quantity in its SI unit.
@@ -144,7 +144,7 @@ def material(name: str) -> NamedMaterial:
 def _made(name: str) -> NamedMaterial:
     row, sources = _table()["materials"][name], _table()["sources"]
     figures = [
-        Figure(quantity, content[0], sources[content[1]])
+        TabulatedProperty(quantity, content[0], sources[content[1]])
         for quantity, content in row.items()
         if quantity not in ("told", "also")
     ]

@@ -30,7 +30,7 @@ PER_DECADE = 8
 """Terms in each decade of time that may be taken; few of them are, since none may be negative."""
 
 
-class _Measured(ViscoelasticSolid):
+class _MeasuredSolid(ViscoelasticSolid):
     """What the solids here share: a fit, its misfit, and the span of the data."""
 
     @property
@@ -61,7 +61,7 @@ SORT_ADVICE = Advice("sort the rows, and average what is given twice")
 
 
 @value
-class RelaxationData(_Measured):
+class RelaxationData(_MeasuredSolid):
     """A solid whose relaxation was measured.
 
     Parameters
@@ -103,7 +103,7 @@ class RelaxationData(_Measured):
 
 
 @value
-class CreepData(_Measured):
+class CreepData(_MeasuredSolid):
     """A solid whose creep was measured.
 
     Parameters
@@ -145,7 +145,7 @@ class CreepData(_Measured):
 
 
 @value
-class DynamicData(_Measured):
+class DynamicData(_MeasuredSolid):
     """A solid whose storage and loss were measured.
 
     Parameters

@@ -27,17 +27,17 @@ from winkler.errors import OutsideValidity
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import LayeredMedium
-from winkler.media.layered.coated_load import Carried, spread
+from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.medium import Displacement, Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 
-__all__ = ["Imprint", "Springs", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
+__all__ = ["EquivalentProfile", "Imprint", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
 
 
-class Springs(Protocol):
+class EquivalentProfile(Protocol):
     """An equivalent profile; equal content, equal hash.  `kinks` as those of a bed."""
 
     def __hash__(self) -> int:
@@ -70,7 +70,7 @@ class Imprint:
         Up to where the body is wanted [m].
     """
 
-    springs: Springs
+    springs: EquivalentProfile
     radius: float
 
     @property
@@ -168,7 +168,7 @@ def transformed_slope(medium: Medium, imprint: Displacement) -> Callable[[Array]
     exponent_of(medium)
     if not isinstance(medium, LayeredMedium):
         return imprint.slope
-    load = Carried(imprint, medium.response)
+    load = CarriedLoad(imprint, medium.response)
     own_share = spread(load, 0, 1)
 
     def rise(x: Array) -> Array:

@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.media.body_of import Springs
+from winkler.media.body_of import EquivalentProfile
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
 from winkler.numerics.equations.roots import invert, rough_root
@@ -24,7 +24,7 @@ from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Behind", "Tabulated", "springs_behind"]
+__all__ = ["CurveProfile", "TabulatedProfile", "springs_behind"]
 
 LARGEST_RADIUS_RATIO = 500.0
 """Greatest contact radius for which layers are solved, over their total thickness."""
@@ -37,7 +37,7 @@ FLAT_END_RATIO = 1e-9
 
 
 @value
-class Behind:
+class CurveProfile:
     """The equivalent profile behind a force curve, exactly.
 
     Parameters
@@ -89,7 +89,7 @@ class Behind:
 
 
 @value
-class Tabulated:
+class TabulatedProfile:
     """The same on panels, much faster.
 
     Parameters
@@ -115,7 +115,7 @@ class Tabulated:
         return self.slopes(x)
 
 
-def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tuple[Springs, Behind]:
+def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tuple[EquivalentProfile, CurveProfile]:
     """Return springs for quick use, with an error of g' relative to its greatest value, and the exact ones.
 
     They are the same where g starts at the end of a flat with a broken power.
@@ -138,12 +138,12 @@ def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tupl
     end = float(radii[-1])
     flat = float(radii[0]) if radii[0] > FLAT_END_RATIO * end else 0.0
     joints = _radii(medium, curve.stiffness(np.append(curve.joints, 1.0)))[:-1]
-    exact = Behind(curve, medium, flat, end, tuple(float(b) for b in joints))
+    exact = CurveProfile(curve, medium, flat, end, tuple(float(b) for b in joints))
     if exact.singular:
         return exact, exact
     bounds = np.array([0.0, *(b for b, _ in exact.kinks), end])
     steepest = float(np.max(exact.gap_slope(np.linspace(0.0, end, 513)[1:])))
-    return Tabulated(fit_panels(exact.gap_slope, bounds, tolerance * steepest)), exact
+    return TabulatedProfile(fit_panels(exact.gap_slope, bounds, tolerance * steepest)), exact
 
 
 def _radii(medium: Medium, stiffness: Array) -> Array:

@@ -26,11 +26,11 @@ from winkler.media.medium import Medium
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
-from winkler.numerics.transforms.cosine_transform import Response, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["PressedIn", "pressed_in"]
+__all__ = ["PressureIndentation", "pressed_in"]
 
 BULGE_TOLERANCE = 1e-8
 """Error of the springs under the part of the pressure that vanishes at the edge, relative to the greatest pressure."""
@@ -48,7 +48,7 @@ PAIRS_PER_CHUNK = 400_000
 
 
 @value
-class PressedIn:
+class PressureIndentation:
     """The homogeneous springs and the surface under a pressure.
 
     Parameters
@@ -97,7 +97,7 @@ class PressedIn:
         return np.asarray(self.uniform * steep - rest - layers)
 
 
-def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressedIn:
+def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressureIndentation:
     """Return what a pressure does to a medium.
 
     Parameters
@@ -121,10 +121,10 @@ def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressedIn:
     factor = 2.0 * math.sin(0.5 * math.pi * (1.0 - k)) * end ** (1.0 - k) / surface_modulus
     bulge = _bulge(r / end, factor * (pressure - pressure[-1]), k)
     uniform = factor * float(pressure[-1]) / (1.0 - k)
-    bare = PressedIn(end, k, uniform, bulge, Panels(np.array([0.0, end]), np.zeros((1, 1))))
+    bare = PressureIndentation(end, k, uniform, bulge, Panels(np.array([0.0, end]), np.zeros((1, 1))))
     if not isinstance(medium, LayeredMedium):
         return bare
-    return PressedIn(end, k, uniform, bulge, _share(medium.response, bare))
+    return PressureIndentation(end, k, uniform, bulge, _share(medium.response, bare))
 
 
 def _bulge(t: Array, p: Array, k: float) -> Panels:
@@ -153,7 +153,7 @@ def _bulge(t: Array, p: Array, k: float) -> Panels:
     return fit_panels(integral, np.linspace(0.0, 1.0, 9), BULGE_TOLERANCE * size)
 
 
-def _share(response: Response, bare: PressedIn) -> Panels:
+def _share(response: WaveResponse, bare: PressureIndentation) -> Panels:
     """Return K phi on the disc."""
     a = bare.radius
     kernel = transform(response, 2.0 * a)

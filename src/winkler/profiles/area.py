@@ -121,8 +121,8 @@ class AreaFunction(Shape):
         return _summit(self)
 
     @property
-    def _known(self) -> _Known:
-        return _known_of(self)
+    def _known(self) -> _AreaPieces:
+        return _area_pieces(self)
 
     @property
     def reach(self) -> float:
@@ -280,7 +280,7 @@ class AreaFunction(Shape):
         return 0.0, 2.0 * math.pi / c if n == 1.0 else 0.0
 
 
-class _Known(NamedTuple):
+class _AreaPieces(NamedTuple):
     """What is found once: radius [m] up to which the area grows, within which the height is none, tables of g."""
 
     reach: float
@@ -290,7 +290,7 @@ class _Known(NamedTuple):
 
 
 @functools.lru_cache(maxsize=64)
-def _known_of(profile: AreaFunction) -> _Known:
+def _area_pieces(profile: AreaFunction) -> _AreaPieces:
     top = profile._top
     blunt, reach = (
         math.inf if h == math.inf else math.sqrt(profile._derivatives(np.array([h]))[0][0] / math.pi)
@@ -299,7 +299,7 @@ def _known_of(profile: AreaFunction) -> _Known:
     # at the reach g is singular: tables end an octave before
     unit, high = (profile._unit, math.inf) if reach == math.inf else (0.5 * reach, 0.5 * reach)
     tables = (Octaves(function, unit, 1.2 * blunt, high) for function in (profile._gap, profile._gap_integral))
-    return _Known(reach, blunt, *tables)
+    return _AreaPieces(reach, blunt, *tables)
 
 
 @functools.lru_cache(maxsize=64)

@@ -15,7 +15,7 @@ RIGHT_ANGLE = 0.5 * math.pi
 HALF_ANGLE_RANGE = Number("measured from the axis it must lie between 0 and pi/2", 0.0, RIGHT_ANGLE, (0.0, RIGHT_ANGLE))
 
 
-class Angle(NamedTuple):
+class AngleBetween(NamedTuple):
     """A half-angle between 0 and pi/2, both excluded; a number that looks like degrees is refused with its radians."""
 
     def check(self, where: str, ending: Ending) -> Check:
@@ -33,4 +33,4 @@ class Angle(NamedTuple):
         return checked
 
 
-HalfAngle: TypeAlias = Annotated[float, Angle()]
+HalfAngle: TypeAlias = Annotated[float, AngleBetween()]

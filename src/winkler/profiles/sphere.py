@@ -45,7 +45,7 @@ def shape_integral(t: Array, sign: float) -> Array:
     return np.where(t < SERIES_LIMIT, small, closed)
 
 
-class _Round(Shape):
+class _RoundBody(Shape):
     """An ellipsoid of revolution with semi-axes A (radial) and B (axial)."""
 
     @property
@@ -106,7 +106,7 @@ class _Round(Shape):
 
 
 @value
-class Sphere(_Round):
+class Sphere(_RoundBody):
     """A sphere, f = R - sqrt(R^2 - r^2), with its exact shape.
 
     Parameters
@@ -127,7 +127,7 @@ class Sphere(_Round):
 
 
 @value
-class Ellipsoid(_Round):
+class Ellipsoid(_RoundBody):
     """An ellipsoid of revolution whose axis is the axis of the contact.
 
     Parameters

@@ -15,7 +15,7 @@ from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.depth_climb import ascend, ascend_across, descend, mesh
+from winkler.media.layered.depth_climb import mesh, states_with_depth, surface_compliance, surface_compliance_across
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 
 EXPONENTIAL = ExponentialGrading(1.0, 3.0, depth_scale=1.0, poisson=0.3)
@@ -102,7 +102,7 @@ def test_an_exponential_with_a_bottom(rate, nu):
     grading = Growing(rate, 1.7, nu)
     xi = np.array([1e-3, 0.1, 0.7, 2.0, 6.0, 40.0, 300.0])
     twice = 1.0 / (1.0 + nu)
-    found = twice * ascend(mesh(grading, 1e-8, 1e-4), xi)
+    found = twice * surface_compliance(mesh(grading, 1e-8, 1e-4), xi)
     for i, number in enumerate(xi):
         exact = growing(grading, number)
         expected = [float(exact[0, 0]), float(exact[0, 1]), float(exact[1, 1])]
@@ -115,7 +115,7 @@ def test_waves_across(rate):
     """(G u')' = xi^2 G u with G = G(0) exp(rate z): two exponentials, and one below; xi u / tau at the surface."""
     grading = Growing(rate, 1.7, 0.3)
     xi = np.array([1e-3, 0.7, 6.0, 300.0])
-    found = ascend_across(mesh(grading, 1e-8, 1e-4), xi)
+    found = surface_compliance_across(mesh(grading, 1e-8, 1e-4), xi)
     for number, answer in zip(xi, found, strict=True):
         with mpmath.workdps(60):
             b, w, end = mpmath.mpf(rate), mpmath.mpf(number), mpmath.mpf(1.7)
@@ -140,7 +140,7 @@ def test_the_way_down():
     grading, depth, xi = Growing(1.5, 1.7, 0.3), 0.6, 2.3
     found = {
         rung.depth: [float(part[0]) for part in rung[1:]]
-        for rung in descend(mesh(grading, 1e-8, 1e-3, (depth,)), np.array([xi]))
+        for rung in states_with_depth(mesh(grading, 1e-8, 1e-3, (depth,)), np.array([xi]))
     }[depth]
     with mpmath.workdps(60):
         y = growing(grading, xi)

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Place", "Spot", "greatest", "greatest_around"]
+__all__ = ["StressPlace", "StressSpot", "greatest", "greatest_around"]
 
 REFINEMENTS = 14
 """Rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
@@ -20,7 +20,7 @@ COARSE_DIRECTIONS = 24
 """Directions about the axis of the coarse search."""
 
 
-class Place(NamedTuple):
+class StressPlace(NamedTuple):
     """A greatest value and where it stands, r and z in the units they were searched in."""
 
     value: float
@@ -28,7 +28,7 @@ class Place(NamedTuple):
     z: float
 
 
-class Spot(NamedTuple):
+class StressSpot(NamedTuple):
     """A greatest value and where it stands in the body."""
 
     value: float
@@ -45,7 +45,7 @@ def greatest(
     bottom: float = math.inf,
     both_sides: bool = False,
     zooms: int = REFINEMENTS,
-) -> Place:
+) -> StressPlace:
     """Return the greatest value of `field` below a contact.
 
     Parameters
@@ -87,14 +87,14 @@ def _within(z: Array, top: float, bottom: float, radius: float) -> Array:
     return np.unique(np.concatenate([z[(z > top) & (z < end)][::2], np.linspace(top, end, 5)]))
 
 
-def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Place:
+def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> StressPlace:
     rr, zz = (grid.ravel() for grid in np.meshgrid(r, z, indexing="ij"))
     values = field(rr, zz)
     place = int(np.argmax(np.where(np.isfinite(values), values, -np.inf)))
-    return Place(float(values[place]), float(rr[place]), float(zz[place]))
+    return StressPlace(float(values[place]), float(rr[place]), float(zz[place]))
 
 
-def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float) -> Spot:
+def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float) -> StressSpot:
     """Return the greatest value of a `field` without symmetry below a contact.
 
     Parameters
@@ -116,7 +116,7 @@ def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float
     return max(_zoomed(field, on, radius), _zoomed(field, below, radius))
 
 
-def _zoomed(field: Callable[[Array, Array, Array], Array], best: Spot, radius: float) -> Spot:
+def _zoomed(field: Callable[[Array, Array, Array], Array], best: StressSpot, radius: float) -> StressSpot:
     wide, high = 0.15 * radius, max(0.3 * best.z, 0.02 * radius)
     for _ in range(REFINEMENTS):
         line = np.linspace(-1.0, 1.0, 5)
@@ -127,8 +127,8 @@ def _zoomed(field: Callable[[Array, Array, Array], Array], best: Spot, radius: f
     return best
 
 
-def _spot(field: Callable[[Array, Array, Array], Array], x: Array, y: Array, z: Array) -> Spot:
+def _spot(field: Callable[[Array, Array, Array], Array], x: Array, y: Array, z: Array) -> StressSpot:
     across, along, deep = np.repeat(x, z.size), np.repeat(y, z.size), np.tile(z, x.size)
     values = field(across, along, deep)
     place = int(np.nanargmax(values))
-    return Spot(*(float(part[place]) for part in (values, across, along, deep)))
+    return StressSpot(*(float(part[place]) for part in (values, across, along, deep)))

@@ -20,7 +20,7 @@ from winkler.media.interior.shear_field_punch import (
 from winkler.media.interior.subsurface import superposed_below
 from winkler.media.interior.surface_limit import superposed_on
 from winkler.media.medium import Displacement
-from winkler.media.pile import pile
+from winkler.media.pile import punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
@@ -104,7 +104,7 @@ def _narrower(displacement: Displacement, r: Array) -> tuple[Array, Array]:
     """Superpose DV and r D^2 chi on the surface: only punches narrower than r contribute."""
     nodes, weights = gauss_legendre(NODES)
     first, second = (displacement.edge * part for part in shear_punch_on(r, np.asarray(displacement.radius)))
-    for panel in pile(displacement).panels:
+    for panel in punch_superposition(displacement).panels:
         (wide,) = np.nonzero(r > np.hypot(panel.base, panel.lower))
         own = r[wide]
         p = np.sqrt((own - panel.base) * (own + panel.base))

@@ -5,8 +5,8 @@ With `flat`, the field of one punch under unit line load, the springs' displacem
 .. math:: \text{field}(r, z) = E^*\Big[\int_0^a \text{flat}(r, z; t)\,(-u'(t))\,\mathrm dt
           + u(a)\,\text{flat}(r, z; a)\Big].
 
-Near the surface `flat` is almost singular at :math:`t = r`, in truth at :math:`t = r + iz`.  In the variable
-:math:`y = \sqrt{t^2-s^2}` of a panel (`pile`) that is :math:`y = p + iq`; with :math:`y = p + q\sinh v` it lies at
+Near the surface `flat` is almost singular at :math:`t = r`, in truth at :math:`t = r + iz`.  In the variable :math:`y =
+\sqrt{t^2-s^2}` of a panel (`punch_superposition`) that is :math:`y = p + iq`; with :math:`y = p + q\sinh v` it lies at
 :math:`v = i\pi/2` whatever the depth, so the work grows with the logarithm of the depth only.  The field passes
 continuously into that on the surface itself (`winkler.media.interior.surface_limit`).
 """
@@ -24,7 +24,7 @@ from winkler.errors import InvalidInput
 from winkler.media.interior.point_rules import PAIRS_PER_CHUNK, POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.interior.surface_limit import superposed_on
 from winkler.media.medium import Displacement
-from winkler.media.pile import CLUSTER_DISTANCE, Cluster, Panel, pile
+from winkler.media.pile import CLUSTER_DISTANCE, LoadPanel, PunchCluster, punch_superposition
 from winkler.media.punch_field import BodyField, Potentials, combine, punch_below
 from winkler.numerics.types import Array
 
@@ -119,7 +119,7 @@ def superposed_below(displacement: Displacement, r: Array, z: Array, punch: Punc
 def _below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Array:
     total = np.array(punch(r, z, np.asarray(displacement.radius), None))
     total *= displacement.edge
-    waiting: list[tuple[Cluster, Indices]] = [(pile(displacement).root, np.arange(r.size))]
+    waiting: list[tuple[PunchCluster, Indices]] = [(punch_superposition(displacement).root, np.arange(r.size))]
     while waiting:
         cluster, points = waiting.pop()
         if cluster.radii.size:
@@ -134,7 +134,7 @@ def _below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Arra
     return total
 
 
-def _far(cluster: Cluster, r: Array, z: Array, punch: Punch) -> Array:
+def _far(cluster: PunchCluster, r: Array, z: Array, punch: Punch) -> Array:
     """Superpose the punches that stand for a cluster."""
     parts = []
     step = max(PAIRS_PER_CHUNK // cluster.radii.size, 1)
@@ -144,7 +144,7 @@ def _far(cluster: Cluster, r: Array, z: Array, punch: Punch) -> Array:
     return np.concatenate(parts, axis=1)
 
 
-def _near(panel: Panel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indices, Array]]:
+def _near(panel: LoadPanel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indices, Array]]:
     """Integrate one panel, in groups of points that share a rule."""
     s, lower, upper, rank = panel.base, panel.lower, panel.upper, panel.series.size
     square, product = (r - s) * (r + s) - z * z, r * z  # p + iq = sqrt((r + iz)^2 - s^2)

@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.media.interior.point_rules import POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.medium import Displacement
-from winkler.media.pile import Panel, pile
+from winkler.media.pile import LoadPanel, punch_superposition
 from winkler.media.punch_field import punch_surface
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
@@ -38,7 +38,7 @@ def superposed_on(displacement: Displacement, r: Array) -> Array:
 
 
 def _surface(displacement: Displacement, r: Array) -> Array:
-    panels, a = pile(displacement).panels, displacement.radius
+    panels, a = punch_superposition(displacement).panels, displacement.radius
     total = np.zeros((3, r.size))  # V, V_z and psi_r/r
     for panel in panels:
         p = np.sqrt(np.abs(r - panel.base) * (r + panel.base))
@@ -59,7 +59,7 @@ def _surface(displacement: Displacement, r: Array) -> Array:
     return np.array([v, v_z, psi_r_by_r])
 
 
-def _above(panel: Panel, r: Array, p: Array) -> Array:
+def _above(panel: LoadPanel, r: Array, p: Array) -> Array:
     """Integrate a panel for r > base, p = sqrt(r^2 - base^2): over punches narrower, then wider than r."""
     nodes, weights = gauss_legendre(RULE_NODES)
     first, last = (np.arcsin(np.minimum(end / p, 1.0))[:, None] for end in (panel.lower, panel.upper))
@@ -76,13 +76,13 @@ def _above(panel: Panel, r: Array, p: Array) -> Array:
     return result
 
 
-def _before(panel: Panel, r: Array, p: Array) -> Array:
+def _before(panel: LoadPanel, r: Array, p: Array) -> Array:
     """Integrate a panel for r < base, p = sqrt(base^2 - r^2): all punches are wider than r."""
     start, stop = np.arcsinh(panel.lower / p), np.arcsinh(panel.upper / p)
     return _wider(panel, r, start, stop, lambda i, v: (p[i] * np.sinh(v), p[i] * np.cosh(v)))
 
 
-def _at(panel: Panel, r: Array, _: Array) -> Array:
+def _at(panel: LoadPanel, r: Array, _: Array) -> Array:
     """Integrate a panel for r = base; the first panel without V_z, see `_tip`."""
     nodes, weights = gauss_legendre(RULE_NODES)
     y = panel.lower + (panel.upper - panel.lower) * nodes
@@ -92,7 +92,7 @@ def _at(panel: Panel, r: Array, _: Array) -> Array:
     return np.repeat([[np.pi * np.sum(weight)], [v_z], [psi_r_by_r]], r.size, axis=1)
 
 
-def _wider(panel: Panel, r: Array, start: Array, stop: Array, place: Place) -> Array:
+def _wider(panel: LoadPanel, r: Array, start: Array, stop: Array, place: Place) -> Array:
     """Integrate over punches wider than r; `place` gives y and sqrt(t^2 - r^2) = dy/dv at v for some of the points."""
     result = np.zeros((3, r.size))
     parts = np.ceil((stop - start) / LONGEST_INTERVAL).astype(int)
@@ -104,7 +104,7 @@ def _wider(panel: Panel, r: Array, start: Array, stop: Array, place: Place) -> A
     return result
 
 
-def _tip(displacement: Displacement, panel: Panel) -> float:
+def _tip(displacement: Displacement, panel: LoadPanel) -> float:
     """Integrate -u'(t)/t over the first panel: infinite where u' does not vanish at the axis, as under a cone."""
     refined = panel.upper < 1e-6 * displacement.radius  # u' is no power series there
     place = panel.upper * (1.0 if refined else 1e-9)

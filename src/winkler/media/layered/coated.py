@@ -19,12 +19,12 @@ from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.layered import Layer
 from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
-from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.layers import NormalResponse, TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import Response
+from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
@@ -36,7 +36,7 @@ RIGID = Rigid()
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
-class SurfaceResponse(Response, Protocol):
+class SurfaceResponse(WaveResponse, Protocol):
     """A response with the modulus of the shortest waves."""
 
     @property
@@ -65,7 +65,7 @@ class LayeredMedium:
         """Depth below which nothing changes any more [m]."""
         raise NotImplementedError
 
-    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
         raise NotImplementedError
 
@@ -142,7 +142,7 @@ class LayeredMedium:
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""
         second = self.second
-        load = Carried(displacement, self.response)
+        load = CarriedLoad(displacement, self.response)
         r, z = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
         if below:
             return self.inside(load, r, z)
@@ -210,7 +210,7 @@ class CoatedHalfSpace(LayeredMedium):
         """Of all layers together [m]."""
         return sum(layer.thickness for layer in self.layers)
 
-    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
 

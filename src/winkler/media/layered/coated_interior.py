@@ -19,13 +19,13 @@ from winkler.materials.elastic import Elastic, Solid
 from winkler.materials.layered import Layer
 from winkler.media.interior import subsurface
 from winkler.media.layered import layers as stack
-from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["State", "Waves", "field", "half_space_decay", "superposed", "waves_of"]
+__all__ = ["HankelWaves", "WaveState", "field", "half_space_decay", "superposed", "waves_of"]
 
 LARGEST_PHASE = 10.0
 """Largest phase of a wave over one panel of the quadrature."""
@@ -34,14 +34,14 @@ MOST_PAIRS = 1e9
 """More pairs of wave numbers and springs than this are refused: the contact is too wide for the uppermost layer."""
 
 
-class Waves(NamedTuple):
+class HankelWaves(NamedTuple):
     """Wave numbers, and quadrature weights times xi times the transform of the pressure."""
 
     xi: Array
     weights: Array
 
 
-class State(NamedTuple):
+class WaveState(NamedTuple):
     """Amplitudes at one depth per pressure of 1: displacements times xi, tractions; and the solid there."""
 
     moved: Array
@@ -49,7 +49,7 @@ class State(NamedTuple):
     solid: Elastic
 
 
-def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
+def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
     """Return stresses and displacements inside the coated body.
 
     Parameters
@@ -84,11 +84,11 @@ def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r
             result[:, upper] = own
         for depth, state, end in _states(layers, on, bottoms, np.unique(z), waves.xi):
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, Waves(*(part[:end] for part in waves)), r[members])
+            result[:, members] += superposed(state, HankelWaves(*(part[:end] for part in waves)), r[members])
     return BodyField(*(part.reshape(shape) for part in result))
 
 
-def waves_of(load: Carried, modulus: float, farthest: float, end: float) -> Waves:
+def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> HankelWaves:
     """Return the pressure as a superposition of waves with wave numbers up to `end`, for radii up to `farthest`."""
     response, a = load.response, load.radius
     xi, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, LARGEST_PHASE / (a + farthest), end)
@@ -104,14 +104,14 @@ def waves_of(load: Carried, modulus: float, farthest: float, end: float) -> Wave
     q = shares * load.value(x)
     step = max(1, PAIRS_PER_CHUNK // x.size)
     transform = np.concatenate([np.cos(np.outer(xi[i : i + step], x)) @ q for i in range(0, xi.size, step)])
-    return Waves(xi, weights * xi * transform * (modulus / np.pi))
+    return HankelWaves(xi, weights * xi * transform * (modulus / np.pi))
 
 
 def _states(
     layers: tuple[Layer, ...], on: Solid, bottoms: Array, depths: Array, xi: Array
-) -> Iterator[tuple[float, State, int]]:
+) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes and how many wave numbers matter."""
-    rungs = stack.rise(layers, on, xi)
+    rungs = stack.through_layers(layers, on, xi)
     tops = np.concatenate([[0.0], bottoms])
     surface = np.zeros((xi.size, 2, 1))
     surface[:, 1] = -1.0
@@ -125,22 +125,22 @@ def _states(
             assert isinstance(on, Elastic)
             loaded = half_space_decay(xi * start, on.poisson) @ arrived[index]
             moved = stack.half_space(on.poisson) / (2.0 * on.shear) @ loaded
-            yield float(depth), State(moved[..., 0], loaded[..., 0], on), _enough(xi, depth)
+            yield float(depth), WaveState(moved[..., 0], loaded[..., 0], on), _enough(xi, depth)
             continue
         solid = layers[index].solid
         twice = 2.0 * solid.shear
         below = _below(rungs, on, index, xi)
-        here = stack.climb(twice * below, xi * (bottoms[index] - depth), solid.poisson)
-        loaded = stack.climb(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
+        here = stack.through_layer(twice * below, xi * (bottoms[index] - depth), solid.poisson)
+        loaded = stack.through_layer(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
         moved = here.compliance @ loaded / twice
         if index == 0:
             own = half_space_decay(xi * start, solid.poisson) @ surface
             loaded, moved = loaded - own, moved - stack.half_space(solid.poisson) @ own / twice
         end = _enough(xi, 2.0 * bottoms[0] - depth if index == 0 else depth)
-        yield float(depth), State(moved[..., 0], loaded[..., 0], solid), end
+        yield float(depth), WaveState(moved[..., 0], loaded[..., 0], solid), end
 
 
-def _below(rungs: list[stack.Climb], on: Solid, index: int, xi: Array) -> Array:
+def _below(rungs: list[stack.LayerCompliance], on: Solid, index: int, xi: Array) -> Array:
     """Return the compliance at the lower face of a layer."""
     if index + 1 < len(rungs):
         return rungs[index + 1].compliance
@@ -160,7 +160,7 @@ def _enough(xi: Array, distance: float) -> int:
     return int(np.searchsorted(xi, 2.0 * DECAY_SPAN / distance))
 
 
-def superposed(state: State, waves: Waves, r: Array) -> Array:
+def superposed(state: WaveState, waves: HankelWaves, r: Array) -> Array:
     """Return the six parts of a `BodyField` at one depth."""
     from scipy.special import j0, j1
 

@@ -27,7 +27,15 @@ from winkler.errors import NotConverged
 from winkler.materials.depth_grading import DepthGrading
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["Mesh", "Rung", "ascend", "ascend_across", "descend", "mesh", "shallowest"]
+__all__ = [
+    "CellState",
+    "Mesh",
+    "mesh",
+    "states_with_depth",
+    "surface_compliance",
+    "surface_compliance_across",
+    "surface_depth",
+]
 
 STEP_DIVISIONS = np.arange(1, 5)
 EXTRAPOLATION_WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
@@ -55,7 +63,7 @@ class Mesh(NamedTuple):
     deep_poisson: float
 
 
-class Rung(NamedTuple):
+class CellState(NamedTuple):
     """At one edge, per unit pressure on the surface: displacements times xi [m/Pa m], tractions [-], ``(m,)`` each."""
 
     depth: float
@@ -65,7 +73,7 @@ class Rung(NamedTuple):
     axial: Array
 
 
-def shallowest(grading: DepthGrading) -> float:
+def surface_depth(grading: DepthGrading) -> float:
     """Return the depth [m] over which the surface alone matters."""
     return min([grading.finest, *grading.breaks[:1]])
 
@@ -96,7 +104,7 @@ def mesh(given: Hashable, tolerance: float, shortest: float, depths: tuple[float
     xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)
     while True:
         cells = _cells(grading, _edges(grading, reach, part, shortest, depths), reach)
-        ladders = _climbed(cells, xi, SURFACE_DECAY, False)[0][2]
+        ladders = _through_cells(cells, xi, SURFACE_DECAY, False)[0][2]
         error = float(np.max(np.abs((LOWER_WEIGHTS @ ladders) / (EXTRAPOLATION_WEIGHTS @ ladders) - 1.0)))
         if error <= tolerance:
             return cells
@@ -165,7 +173,7 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
     return upper / twice, decay
 
 
-def _climbed(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[ComplexArray, list[ComplexArray]]:
+def _through_cells(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[ComplexArray, list[ComplexArray]]:
     """Return Y at the surface, by every ladder ``(3, 4, m)``; if requested, Y and decay of every cell ``(7, 4, m)``."""
     real = np.real(xi)
     order = np.argsort(real)
@@ -197,7 +205,7 @@ def _climbed(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[Co
     return y[:, :, back], kept[::-1]
 
 
-def ascend(cells: Mesh, xi: ComplexArray) -> ComplexArray:
+def surface_compliance(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     """Return the compliance Y of the surface at real or complex wave numbers.
 
     Parameters
@@ -212,10 +220,10 @@ def ascend(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     ndarray, (3, m)
         Entries along, mixed and normal of ``displacements = Y tractions / xi`` [1/Pa].
     """
-    return np.asarray(np.einsum("c,kcm->km", EXTRAPOLATION_WEIGHTS, _climbed(cells, xi, SURFACE_DECAY, False)[0]))
+    return np.asarray(np.einsum("c,kcm->km", EXTRAPOLATION_WEIGHTS, _through_cells(cells, xi, SURFACE_DECAY, False)[0]))
 
 
-def ascend_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
+def surface_compliance_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     """Return the same for displacements and tractions across the wave, in the plane of the surface ``(m,)``."""
     real = np.real(xi)
     order = np.argsort(real)
@@ -234,9 +242,9 @@ def ascend_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     return np.asarray((EXTRAPOLATION_WEIGHTS @ y)[np.argsort(order)])
 
 
-def descend(cells: Mesh, xi: Array) -> Iterator[Rung]:
+def states_with_depth(cells: Mesh, xi: Array) -> Iterator[CellState]:
     """Yield, edge by edge from the surface, what a pressure wave does; xi real, ``(m,)``."""
-    y, kept = _climbed(cells, xi, INTERIOR_DECAY, True)
+    y, kept = _through_cells(cells, xi, INTERIOR_DECAY, True)
     shear, axial = np.zeros((4, xi.size)), np.full((4, xi.size), -1.0)
     deep = np.broadcast_to(_started(cells.deep_shear, cells.deep_poisson), y.shape)
     faces = [y, *(block[:3] for block in kept[1:]), deep]
@@ -246,4 +254,4 @@ def descend(cells: Mesh, xi: Array) -> Iterator[Rung]:
             shear, axial = a * shear + b * axial, c * shear + d * axial
         along, mixed, normal = here
         parts = (along * shear + mixed * axial, mixed * shear + normal * axial, shear, axial)
-        yield Rung(float(depth), *(np.asarray(EXTRAPOLATION_WEIGHTS @ part) for part in parts))
+        yield CellState(float(depth), *(np.asarray(EXTRAPOLATION_WEIGHTS @ part) for part in parts))

@@ -17,7 +17,7 @@ from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Rigid, Solid
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
-from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
@@ -78,7 +78,7 @@ class DepthGradedHalfSpace(LayeredMedium):
         """Depth below which the grading has settled, to the tolerance [m]."""
         return self.grading.settled_at(self.tolerance)
 
-    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the graded body; arrays of one shape."""
         return depth_interior.field(load, self.grading, self.tolerance, self.modulus, r, z)
 

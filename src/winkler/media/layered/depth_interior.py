@@ -25,14 +25,14 @@ from winkler.media.interior import subsurface
 from winkler.media.layered.coated_interior import (
     LARGEST_PHASE,
     MOST_PAIRS,
-    State,
-    Waves,
+    HankelWaves,
+    WaveState,
     half_space_decay,
     superposed,
     waves_of,
 )
-from winkler.media.layered.coated_load import Carried
-from winkler.media.layered.depth_climb import Mesh, descend, mesh
+from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.depth_climb import Mesh, mesh, states_with_depth
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.layered.layers import half_space
 from winkler.media.punch_field import BodyField
@@ -53,7 +53,7 @@ WAVES_AT_ONCE = 64
 LEAST_WAVE_NUMBER = 1e-3
 
 
-def field(load: Carried, grading: DepthGrading, tolerance: float, modulus: float, r: Array, z: Array) -> BodyField:
+def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: float, r: Array, z: Array) -> BodyField:
     """Return stresses and displacements inside the graded body.
 
     Parameters
@@ -103,15 +103,15 @@ def field(load: Carried, grading: DepthGrading, tolerance: float, modulus: float
                 surface[:, 1] = -1.0
                 own_load = half_space_decay(waves.xi[:last] * depth, top.poisson) @ surface
                 own_moved = half_space(top.poisson) @ own_load / (2.0 * top.shear)
-                state = State(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
+                state = WaveState(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, Waves(waves.xi[:last], waves.weights[:last]), r[members])
+            result[:, members] += superposed(state, HankelWaves(waves.xi[:last], waves.weights[:last]), r[members])
     return BodyField(*(part.reshape(shape) for part in result))
 
 
 def _states(
     grading: DepthGrading, tolerance: float, depths: Array, xi: Array, span: float
-) -> Iterator[tuple[float, State, int]]:
+) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes of the waves that matter, and how many these are."""
     edges = [0.0, LEAST_WAVE_NUMBER / span]
     while edges[-1] < xi[-1]:
@@ -124,14 +124,14 @@ def _states(
         scaled = amplitudes * np.exp(np.minimum(samples.ravel() * depth, 2.0 * DECAY_DEPTH))
         held = np.exp(-xi[:last] * depth)
         parts = [panels_from(bounds, row.reshape(samples.shape))(xi[:last]) * held for row in scaled]
-        yield depth, State(np.stack(parts[:2], axis=1), np.stack(parts[2:], axis=1), solid_at(grading, depth)), last
+        yield depth, WaveState(np.stack(parts[:2], axis=1), np.stack(parts[2:], axis=1), solid_at(grading, depth)), last
 
 
 def _amplitudes(cells: Mesh, xi: Array, depths: Array) -> Iterator[tuple[float, Array]]:
     """Yield, depth by depth, displacements times xi and tractions ``(4, m)``."""
     wanted = set(depths.tolist())
     rung = None
-    for rung in descend(cells, xi):
+    for rung in states_with_depth(cells, xi):
         if rung.depth in wanted:
             yield rung.depth, np.array(rung[1:])
     assert rung is not None

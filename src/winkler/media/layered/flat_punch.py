@@ -23,7 +23,7 @@ from winkler.errors import NotConverged
 from winkler.media.layered.smooth_moments import smooth_moments
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import fredholm, punch_tables
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, stretched
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, scaled_response
 from winkler.numerics.types import Array
 from winkler.profiles.conical import Cone
 from winkler.profiles.power import Paraboloid, PowerLaw
@@ -39,7 +39,7 @@ LAST_TOLERANCE = 1e-9
 PAIRS_PER_CHUNK = 200_000
 
 
-def gap(response: Response, profile: Profile, x: Array) -> Array:
+def gap(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return g(x) [m]; infinite where the homogeneous transform is, at the end of a profile that is vertical there."""
     x = np.asarray(x, dtype=float)
     own = np.array(profile.gap(x))
@@ -49,7 +49,7 @@ def gap(response: Response, profile: Profile, x: Array) -> Array:
     return own
 
 
-def gap_slope(response: Response, profile: Profile, x: Array) -> Array:
+def gap_slope(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return g'(x) [-]; infinite where that of the homogeneous transform is."""
     x = np.asarray(x, dtype=float)
     own = np.array(profile.gap_slope(x))
@@ -64,7 +64,7 @@ def gap_slope(response: Response, profile: Profile, x: Array) -> Array:
     return own
 
 
-def kinks(response: Response, profile: Profile) -> tuple[tuple[float, float], ...]:
+def kinks(response: WaveResponse, profile: Profile) -> tuple[tuple[float, float], ...]:
     """Return ``(x, strength)`` where g is not smooth: the moments are, so that only the edge divides b jump."""
     return tuple(
         (b, b * jump / float(fredholm.edge(response, _held(profile, np.asarray(b)))) if jump else 0.0)
@@ -72,7 +72,7 @@ def kinks(response: Response, profile: Profile) -> tuple[tuple[float, float], ..
     )
 
 
-def gap_load(response: Response, profile: Profile, x: Array) -> Array:
+def gap_load(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the integral of k' g from 0 to x, over 2 E* [m^2]."""
     return np.asarray(_moments(response, profile, np.asarray(x, dtype=float))[2])
 
@@ -98,12 +98,12 @@ def _power(profile: Profile) -> tuple[float, float]:
             return 0.0, 0.0
 
 
-def _moments(response: Response, profile: Profile, x: Array) -> Array:
+def _moments(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
     own, unit = in_own_lengths(response)
     coefficient, exponent = _power(profile)
     if exponent == 0.0:
-        return _moments_of(response if unit == 1.0 else stretched(cast(Hashable, own), unit), profile, x)
+        return _moments_of(response if unit == 1.0 else scaled_response(cast(Hashable, own), unit), profile, x)
     height = coefficient * unit**exponent
     scales = np.array([height, height / unit, height * unit]).reshape(3, *([1] * x.ndim))
     return np.asarray(scales * _moments_of(own, _unit_power(exponent), x / unit))
@@ -114,7 +114,7 @@ def _unit_power(exponent: float) -> PowerLaw:
     return PowerLaw(1.0, exponent)
 
 
-def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
+def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the same of a profile in the lengths of the response."""
     flat = _held(profile, x).ravel()
     octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST_OCTAVE)
@@ -151,17 +151,17 @@ def _tame(body: Hashable) -> float:
     return end if math.isfinite(slope) else 0.97 * end
 
 
-def _tabulated(response: Response, profile: Profile, octave: int, a: Array) -> Array:
+def _tabulated(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
     return _octave(cast(Hashable, response), cast(Hashable, profile), octave)(a)
 
 
-def _directly(response: Response, profile: Profile, octave: int, a: Array) -> Array:
+def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
     return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
 
 
 @functools.lru_cache(maxsize=512)
 def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
-    response, profile = cast(Response, given), cast(Profile, body)
+    response, profile = cast(WaveResponse, given), cast(Profile, body)
     high = punch_tables.first_radius(response) * 2.0**octave
     low, high = 0.5 * high, min(high, _tame(body))
     kinks = np.array([b for b, _ in profile.kinks if b < high])
@@ -188,7 +188,7 @@ def _noise(profile: Profile) -> float:
     return 4.0 * float(np.finfo(float).eps * np.abs(profile.gap(np.array([profile.kinks[0][0]]))[0]))
 
 
-def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -> Array:
+def _integrated(response: WaveResponse, profile: Profile, a: Array, panels: Array) -> Array:
     """Integrate over the springs of contacts with radii a ``(m,)`` of one octave, which has these panels of x/a."""
     kinks = np.array([b for b, _ in profile.kinks if b < np.max(a)])
     inner, end = doubled(list(kinks), float(np.max(a))), _end(profile)
@@ -227,7 +227,7 @@ def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -
     return last
 
 
-def _sums(response: Response, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
+def _sums(response: WaveResponse, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
     x, weights = nodes(edges, kinks, count)
     x = np.minimum(x, np.nextafter(_end(profile), 0.0))
     h, slope = profile.gap(x), profile.gap_slope(x)

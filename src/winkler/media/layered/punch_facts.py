@@ -24,7 +24,7 @@ from winkler.media.medium import LEAST_SURFACE_RISE, PunchFacts
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.transforms import fredholm, punch_tables
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.punch_tables import Punches
 
 __all__ = ["facts"]
@@ -42,7 +42,7 @@ OUTER_DISTANCE = 16.0
 """Distance up to which the surface outside is evaluated, in radii or lengths of the response of the stack."""
 
 
-def facts(response: Response, radius: float) -> PunchFacts:
+def facts(response: WaveResponse, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
     response, unit = in_own_lengths(response)
     radius /= unit
@@ -58,7 +58,7 @@ def facts(response: Response, radius: float) -> PunchFacts:
 @functools.lru_cache(maxsize=512)
 def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
     """Return up to which radius no punch of an octave pulls, and what `_outside` returns for its widest."""
-    response = cast(Response, given)
+    response = cast(WaveResponse, given)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
     return pull, *_outside(response, tables[-1])
@@ -67,11 +67,11 @@ def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
 @functools.lru_cache(maxsize=512)
 def _weight_of_octave(given: Hashable, octave: int) -> float:
     """Return the weight of the widest punch of an octave of radii."""
-    response = cast(Response, given)
+    response = cast(WaveResponse, given)
     return _weight(response, punch_tables.first_radius(response) * 2.0**octave)
 
 
-def _weight(response: Response, a: float) -> float:
+def _weight(response: WaveResponse, a: float) -> float:
     """Return the radius a of a punch times the largest |C| on it."""
     return a * float(np.max(np.abs(transform(response, 2.0 * a)(np.linspace(0.0, 2.0 * a, 65)))))
 
@@ -89,7 +89,7 @@ def _first_pull(table: Punches) -> float:
     return float(table.low + (table.high - table.low) * 0.5 * (1.0 + s[before]))
 
 
-def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
+def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, float]:
     """Return least and greatest displacement of the surface outside a table's widest punch, and where it is calm."""
     a = table.high
     nodes, weights = gauss_legendre(24)

@@ -19,7 +19,7 @@ import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms import fredholm, punch_tables
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
 from winkler.numerics.transforms.kernel_matrix import panel_nodes
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
@@ -33,14 +33,14 @@ VANISHED_RATIO = 1e-14
 """The same, relative to the largest sample."""
 
 
-class Rule(NamedTuple):
+class MomentRule(NamedTuple):
     """Chebyshev series in the radius ``(k, n)`` of the weights of rho and phi at the samples."""
 
     rho: Array
     phi: Array
 
 
-def smooth_moments(response: Response, profile: Profile, octave: int, a: Array) -> tuple[Array, Array]:
+def smooth_moments(response: WaveResponse, profile: Profile, octave: int, a: Array) -> tuple[Array, Array]:
     """Return the integral of rho h, its derivative, and that of phi h; and where they hold.
 
     Parameters
@@ -102,14 +102,14 @@ def _tail() -> Array:
 
 
 @functools.lru_cache(maxsize=256)
-def _rules(given: Hashable, octave: int) -> tuple[Rule, ...]:
+def _rules(given: Hashable, octave: int) -> tuple[MomentRule, ...]:
     """Return the rules of an octave of radii, for all parts of its tables."""
     legendre, chebyshev = np.polynomial.legendre, np.polynomial.chebyshev
     xi, weights = gauss_legendre(SAMPLES)
     order = np.arange(SAMPLES)
     to_series = (weights[:, None] * legendre.legvander(2.0 * xi - 1.0, SAMPLES - 1) * (2.0 * order + 1.0)).T
     rules = []
-    for table in punch_tables.tables(cast(Response, given), octave):
+    for table in punch_tables.tables(cast(WaveResponse, given), octave):
         degree = table.rho.shape[2]
         count = (degree + SAMPLES) // 2 + 1  # exact for both polynomials
         ratio, shares = panel_nodes(table.panels, count)
@@ -120,5 +120,5 @@ def _rules(given: Hashable, octave: int) -> tuple[Rule, ...]:
             np.einsum("kpi,ni->kpn", series, basis).reshape(len(series), -1) @ (shares[:, None] * lagrange)
             for series in (table.rho, table.phi)
         ]
-        rules.append(Rule(*parts))
+        rules.append(MomentRule(*parts))
     return tuple(rules)

@@ -20,12 +20,12 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 
-__all__ = ["RelaxingMedium", "Remembered"]
+__all__ = ["RelaxingDisplacement", "RelaxingMedium"]
 
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
 
 
-class Remembered(Displacement, Protocol):
+class RelaxingDisplacement(Displacement, Protocol):
     """The springs of a relaxing medium at one moment: how far they are pressed in, or have not recovered."""
 
     @property

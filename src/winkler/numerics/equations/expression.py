@@ -26,8 +26,8 @@ from winkler.numerics.equations.taylor import (
     FUNCTIONS,
     OPERATORS,
     Derivatives,
-    Refused,
-    Series,
+    RefusedFormula,
+    TaylorSeries,
     Terms,
     called,
     constant,
@@ -75,13 +75,17 @@ def _tokens(text: str) -> list[str]:
         kind = str(match.lastgroup)
         word = match[kind]
         if kind == "other":
-            raise Refused(SPELLING_HINTS.get(word, f"the character {word!r} is not allowed; operators are + - * / **"))
+            raise RefusedFormula(
+                SPELLING_HINTS.get(word, f"the character {word!r} is not allowed; operators are + - * / **")
+            )
         if keyword.iskeyword(word):
-            raise Refused(f"'{word}' is a reserved word; conditions are not allowed, and constants need other names")
+            raise RefusedFormula(
+                f"'{word}' is a reserved word; conditions are not allowed, and constants need other names"
+            )
         if before in ("number", "name", ")") and (kind != "mark" or (word == "(" and before != "name")):
-            raise Refused(f"an operator is missing between '{last}' and '{word}'")
+            raise RefusedFormula(f"an operator is missing between '{last}' and '{word}'")
         if kind == "number" and not math.isfinite(float(word)):
-            raise Refused(f"{word} is too large a number")
+            raise RefusedFormula(f"{word} is too large a number")
         words.append(repr(float(word)) if kind == "number" else word)
         before, last = word if word == ")" else kind, word
     return words
@@ -91,11 +95,11 @@ def _tokens(text: str) -> list[str]:
 def _tree(text: str) -> ast.expr:
     words = _tokens(text)
     if not words:
-        raise Refused("it is empty; write it in terms of the variable, as r**2/(2*R)")
+        raise RefusedFormula("it is empty; write it in terms of the variable, as r**2/(2*R)")
     try:
         return ast.parse(" ".join(words), mode="eval").body
     except (SyntaxError, RecursionError, MemoryError):
-        raise Refused("its operators, brackets and numbers do not fit together") from None
+        raise RefusedFormula("its operators, brackets and numbers do not fit together") from None
 
 
 class _Walk(NamedTuple):
@@ -105,9 +109,9 @@ class _Walk(NamedTuple):
     numbers: dict[str, float]
     x: Array
 
-    def node(self, tree: ast.expr, depth: int = 0) -> Series:
+    def node(self, tree: ast.expr, depth: int = 0) -> TaylorSeries:
         if depth > MOST_LEVELS:
-            raise Refused(f"it is nested more than {MOST_LEVELS} deep; write it more simply")
+            raise RefusedFormula(f"it is nested more than {MOST_LEVELS} deep; write it more simply")
         match tree:
             case ast.Constant(value=float() as number):
                 return constant(self.x, number)
@@ -121,8 +125,8 @@ class _Walk(NamedTuple):
             case ast.Call(func=ast.Name(id=name), args=arguments):
                 if len(arguments) == 1 and name in FUNCTIONS and not isinstance(arguments[0], ast.Starred):
                     return called(name, self.node(arguments[0], depth + 1))
-                raise Refused(self.misused(name))
-        raise Refused(
+                raise RefusedFormula(self.misused(name))
+        raise RefusedFormula(
             "a comma or a bracket is out of place; write decimals with a point, as 2.5, thousands without, as 2500"
         )
 
@@ -136,15 +140,15 @@ class _Walk(NamedTuple):
                 return self.magnitude(left) / np.abs(self.node(right).jet.value)
         return np.abs(self.node(tree).jet.value)
 
-    def named(self, name: str) -> Series:
+    def named(self, name: str) -> TaylorSeries:
         if name == self.variable:
-            return Series(self.x, ((1.0, 1.0),))
+            return TaylorSeries(self.x, ((1.0, 1.0),))
         if name in self.numbers:
             return constant(self.x, self.numbers[name])
         if name in FUNCTIONS:
-            raise Refused(self.misused(name))
+            raise RefusedFormula(self.misused(name))
         known = [self.variable, *self.numbers]
-        raise Refused(f"the name '{name}' is unknown{suggest(name, known)}; known are {', '.join(known)}")
+        raise RefusedFormula(f"the name '{name}' is unknown{suggest(name, known)}; known are {', '.join(known)}")
 
     def misused(self, name: str) -> str:
         if name in FUNCTIONS:
@@ -211,14 +215,14 @@ class Expression:
     def _walk(self, x: Array) -> _Walk:
         return _Walk(self.variable, CONSTANTS | {name: float(number) for name, number in self.constants}, x)
 
-    def _at(self, x: Array) -> Series:
+    def _at(self, x: Array) -> TaylorSeries:
         if np.any(x < 0.0):
             place = f"{self.variable} = {np.min(x):g}"
             raise InvalidInput(f"the formula {self.text[:60]!r} is evaluated at {place}, below zero.")
         try:
             with np.errstate(all="ignore"):
                 return self._walk(x).node(_tree(self.text))
-        except Refused as reason:
+        except RefusedFormula as reason:
             raise InvalidInput(f"the formula {self.text[:60]!r}: {reason}.") from None
 
     def taylor(self, at: ArrayLike) -> Derivatives:

@@ -15,7 +15,7 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["Condition", "Marched", "Stop", "march"]
+__all__ = ["Condition", "IntegratedStates", "StopCondition", "integrate_to_stop"]
 
 MOST_RATES = 200_000
 ZERO_SUBSTITUTE = 1e-300
@@ -25,14 +25,14 @@ Condition = Callable[[float, Array], float]
 """A function of time and state that is zero where something happens."""
 
 
-class Stop(NamedTuple):
+class StopCondition(NamedTuple):
     """A condition that ends a march when it passes zero, rising (1) or falling (-1); touching is not passing."""
 
     condition: Condition
     direction: int
 
 
-class Marched(NamedTuple):
+class IntegratedStates(NamedTuple):
     """A stretch of time that was marched through.
 
     Parameters
@@ -65,7 +65,7 @@ class Marched(NamedTuple):
         return np.asarray(self.dense(np.asarray(time) / self.unit))
 
 
-def march(
+def integrate_to_stop(
     rates: Callable[[float, Array], Sequence[float]],
     span: tuple[float, float],
     start: Array,
@@ -73,8 +73,8 @@ def march(
     unit: float,
     precision: float,
     scales: Array,
-    stops: Sequence[Stop] = (),
-) -> Marched:
+    stops: Sequence[StopCondition] = (),
+) -> IntegratedStates:
     """March from a state until the span is over, or the first condition passes zero.
 
     Parameters
@@ -126,10 +126,10 @@ def march(
     times[0] = span[0]
     if found.status == 0:
         times[-1] = span[1]
-    return Marched(times, found.y[:, -1], stopped, unit, found.sol)
+    return IntegratedStates(times, found.y[:, -1], stopped, unit, found.sol)
 
 
-def _event(stop: Stop, unit: float) -> Condition:
+def _event(stop: StopCondition, unit: float) -> Condition:
     condition, direction = stop
 
     def passed(time: float, state: Array) -> float:

@@ -25,7 +25,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Estimate", "sobol_indices"]
+__all__ = ["SobolEstimate", "sobol_indices"]
 
 RESAMPLINGS = 1000
 """How often pairs are drawn again."""
@@ -33,7 +33,7 @@ CONFIDENCE_LEVEL = 0.95
 """Probability of the intervals."""
 
 
-class Estimate(NamedTuple):
+class SobolEstimate(NamedTuple):
     """Indices with their intervals; each array ``(arguments,)``."""
 
     first_order: Array
@@ -44,7 +44,7 @@ class Estimate(NamedTuple):
     total_order_high: Array
 
 
-def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> Estimate:
+def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> SobolEstimate:
     """Return the indices of first and total order of a function, with intervals of 95 %.
 
     Parameters
@@ -65,7 +65,7 @@ def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> E
         chosen = generator.integers(pairs, size=pairs)
         again[:] = _indices(f_a[chosen], f_b[chosen], f_ab[:, chosen])
     low, high = np.quantile(drawn, [(1.0 - CONFIDENCE_LEVEL) / 2.0, (1.0 + CONFIDENCE_LEVEL) / 2.0], axis=0)
-    return Estimate(best[0], low[0], high[0], best[1], low[1], high[1])
+    return SobolEstimate(best[0], low[0], high[0], best[1], low[1], high[1])
 
 
 def _indices(f_a: Array, f_b: Array, f_ab: Array) -> Array:

@@ -21,7 +21,7 @@ GRACE_SECONDS = 2.0
 """How long a routine whose reader has left may go on until it next emits an item [s]."""
 
 
-class _Left(BaseException):
+class _ReaderGone(BaseException):
     """The reader has left; nothing in the routine is to take this for an error of its own."""
 
 
@@ -55,7 +55,7 @@ def streamed(routine: Callable[[Callable[[T], None]], R]) -> Iterator[T | R]:
         items.put(item)
         turn.acquire()
         if left.is_set():
-            raise _Left
+            raise _ReaderGone
 
     def run() -> None:
         try:

@@ -27,7 +27,7 @@ class Leap(NamedTuple):
     aim: int
 
 
-class _Piece(NamedTuple):
+class _RisingPiece(NamedTuple):
     """A rising piece from `low` to `high` over the levels from `bottom` to `top`."""
 
     bottom: float
@@ -86,15 +86,15 @@ class Slopes(NamedTuple):
         standing, leaps = mirrored.rise(-x, -levels)
         return 0.0 - standing, [Leap(-level, 0.0 - start, 0.0 - end, aim) for level, start, end, aim in leaps]
 
-    def _way(self, x: float, here: float, levels: Array) -> tuple[list[_Piece], list[Leap], float]:
+    def _way(self, x: float, here: float, levels: Array) -> tuple[list[_RisingPiece], list[Leap], float]:
         """Return the pieces that are passed, the leaps between them, and the last stable place."""
-        pieces: list[_Piece] = []
+        pieces: list[_RisingPiece] = []
         leaps: list[Leap] = []
         index = int(np.searchsorted(self.places, x, side="right")) - 1
         while here <= levels[-1] and index < len(self.places) - 1:
             next_place, top = float(self.places[index + 1]), float(self.levels[index + 1])
             if top > here:
-                pieces.append(_Piece(here, top, x, next_place))
+                pieces.append(_RisingPiece(here, top, x, next_place))
                 x, here, index = next_place, top, index + 1
                 continue
             at = int(np.searchsorted(levels, here, side="left"))

@@ -11,7 +11,7 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.types import Array
 
-__all__ = ["lag_table", "powers", "spread_table", "turned_rule"]
+__all__ = ["cosine_rule", "lag_table", "powers", "spread_table"]
 
 NODES = 12
 """Of the rule on every piece."""
@@ -25,7 +25,7 @@ LINEAR_LIMIT = 1e-8
 
 
 @functools.lru_cache(maxsize=4)
-def turned_rule(count: int = NODES) -> tuple[Array, Array]:
+def cosine_rule(count: int = NODES) -> tuple[Array, Array]:
     """Return nodes and weights on [0, 1] of a Gauss rule in u, where the place is (1 - cos(pi u))/2."""
     u, weight = gauss_legendre(count)
     return 0.5 * (1.0 - np.cos(np.pi * u)), weight * 0.5 * np.pi * np.sin(np.pi * u)

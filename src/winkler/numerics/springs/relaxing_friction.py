@@ -15,7 +15,7 @@ import numpy as np
 
 from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
-from winkler.numerics.springs.relaxing_spring import turned
+from winkler.numerics.springs.relaxing_spring import rotated
 
 __all__ = ["drag"]
 
@@ -94,13 +94,13 @@ def drag(law, weights, before, after, share, dt, moved, u, memory, free, loads, 
         touches = first > 0.0 or after[j] > 0.0
         if not touches or (share[j] < 1.0 and after[j] > 0.0):
             if not free[j]:
-                turned(law[5], law[6], u[j], mine, spare)
+                rotated(law[5], law[6], u[j], mine, spare)
                 free[j] = True
             u[j], own = _recover(law, (1.0 - share[j]) * dt if touches else dt, mine)
             bulk += weights[j] * own
         if touches:
             if free[j]:
-                turned(law[5], law[7], 0.0, mine, spare)
+                rotated(law[5], law[7], 0.0, mine, spare)
                 free[j] = False
             if share[j] < 1.0 and after[j] > 0.0:
                 first, factors, span, trial = 0.0, part, share[j] * dt, share[j] * moved

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 
-__all__ = ["carry", "jump", "turned"]
+__all__ = ["carry", "jump", "rotated"]
 
 MOST_EVENTS = 64
 """More within one step are rounding: a line and m exponentials vanish together m + 1 times at most."""
@@ -22,7 +22,7 @@ FIRST_TRIAL_RATIO = 1e-3
 
 
 @compiled
-def turned(offset, matrix, u, memory, spare):  # type: ignore[no-untyped-def]
+def rotated(offset, matrix, u, memory, spare):  # type: ignore[no-untyped-def]
     """Turn memories of a pressed spring into those of a free one, or back."""
     for k in range(memory.size):
         spare[k] = 0.0
@@ -45,7 +45,7 @@ def jump(law, gap, depth, change, u, memory, pressed, spare):  # type: ignore[no
             q += memory[i]
         part = change if q + glassy * change >= 0.0 else -q / glassy
     elif part > 0.0:
-        turned(law[5], law[7], 0.0, memory, spare)
+        rotated(law[5], law[7], 0.0, memory, spare)
     else:
         return u, False, 0.0, 0.0
     # a jump of linear springs: the mean of the forces at its ends does the work of the part that is pressed
@@ -53,7 +53,7 @@ def jump(law, gap, depth, change, u, memory, pressed, spare):  # type: ignore[no
     for i in range(moduli.size):
         memory[i] += moduli[i] * part
     if pressed and part != change:
-        turned(law[5], law[6], u + part, memory, spare)
+        rotated(law[5], law[6], u + part, memory, spare)
         return u + part, False, 0.0, work
     return u + part, True, q + glassy * part, work
 
@@ -130,9 +130,9 @@ def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ign
         left = max(left - span, 0.0)
         place += rate * span
         if pressed:
-            turned(law[5], law[6], u, mine, spare)
+            rotated(law[5], law[6], u, mine, spare)
         else:
             u = place - gap
-            turned(law[5], law[7], 0.0, mine, spare)
+            rotated(law[5], law[7], 0.0, mine, spare)
         pressed = caught = not pressed
     return u, pressed, end if pressed else 0.0, impulse, lost

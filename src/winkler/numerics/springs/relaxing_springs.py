@@ -19,7 +19,7 @@ from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_spring import carry, jump
 
-__all__ = ["STEP_NUMBERS", "march", "seek"]
+__all__ = ["STEP_NUMBERS", "advance_springs", "advance_to_force"]
 
 STEP_NUMBERS = 10
 """Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring, loss.
@@ -225,7 +225,7 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
-def march(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
+def advance_springs(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
     modes, count = state[1].shape
     factors, spans = np.empty((STEP_FACTORS, modes)), np.empty((3, count))
@@ -244,13 +244,13 @@ def march(law, springs, state, motion, changes, times, numbers):  # type: ignore
 
 @compiled
 def _most(law, springs, wanted, dt):  # type: ignore[no-untyped-def]
-    """Return about how fast the sum of `seek` grows where all springs are pressed."""
+    """Return about how fast the sum of `advance_to_force` grows where all springs are pressed."""
     glassy = law[0] + np.sum(law[2]) + (law[1] / dt if dt > 0.0 else 0.0)
     return (wanted[1] + wanted[2] * dt) * glassy * np.sum(springs[1]) + wanted[3]
 
 
 @compiled
-def seek(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore[no-untyped-def]
+def advance_to_force(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore[no-untyped-def]
     """Return the change of depth of a step for which a sum is what is wanted, or not-a-number, and how many springs
     are pressed after it; they stay where they are.
 

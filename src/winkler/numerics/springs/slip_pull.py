@@ -36,7 +36,7 @@ def _pull(
 
 
 @compiled
-def _wanted(
+def _target_motion(
     u: Array, gap: Array, stiffness: Array, slope: Array, first: float, depth: float, target: float, close: float
 ) -> float:
     """Return by how much the bodies move until the force is `target`; not a number if it never is."""
@@ -87,7 +87,7 @@ def pull_line(
         scale = abs(target[t])
         for i in range(gap.size):
             scale += stiffness[i] * abs(u[i])
-        moved = _wanted(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], FORCE_TOLERANCE * scale)
+        moved = _target_motion(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], FORCE_TOLERANCE * scale)
         if math.isnan(moved):
             return t
         shift[t + 1] = shift[t] + moved

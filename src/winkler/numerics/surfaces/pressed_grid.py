@@ -18,7 +18,7 @@ from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, b
 from winkler.numerics.surfaces.surface_grid import SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
-__all__ = ["ByDepth", "ByLoad", "Pressed", "press"]
+__all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
 
 COARSEST_PIXELS = 32
 """Grids of fewer pixels along a side are not halved any more."""
@@ -34,7 +34,7 @@ INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
 
-class Pressed(NamedTuple):
+class PressedSurface(NamedTuple):
     """What was found.
 
     Parameters
@@ -90,7 +90,7 @@ def press(
     ceiling: float = math.inf,
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
-) -> Pressed:
+) -> PressedSurface:
     """Solve the contact.
 
     Parameters
@@ -139,7 +139,7 @@ def _pressed(
     ceiling: float,
     tolerance: float,
     start: Array,
-) -> Pressed:
+) -> PressedSurface:
     """Return the contact: solved where it may be, then checked everywhere, until nothing changes."""
     shape = heights.shape[0], heights.shape[1]
     begun = start if len(start) else _from_coarser(heights, pixel, drive, periodic, ceiling)
@@ -153,7 +153,7 @@ def _pressed(
         gap = u + heights - depth
         left = overlap_and_work(p, gap, depth, ceiling)
         if max(left) <= tolerance:
-            return Pressed(p, gap, depth, *left, count)
+            return PressedSurface(p, gap, depth, *left, count)
         box = box_around((p > 0.0) | (gap < 0.0)) if math.isinf(ceiling) and not periodic else everywhere
         part = heights[box].shape
         grid = SurfaceGrid.of((part[0], part[1]), pixel, periodic=periodic, digits=SINGLE)

@@ -22,7 +22,7 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["Response", "Stretched", "in_own_lengths", "stretched", "transform", "wave_numbers"]
+__all__ = ["ScaledResponse", "WaveResponse", "in_own_lengths", "scaled_response", "transform", "wave_numbers"]
 
 PATH_ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
@@ -39,7 +39,7 @@ AGREEMENT_RATIO = 300.0
 """How well both angles must agree, in units of the precision of M, relative to the largest M over x."""
 
 
-class Response(Protocol):
+class WaveResponse(Protocol):
     """What an integral equation needs of a medium: a value that can be a key of a cache.
 
     One that also has `own`, the same response in a unit of length of its own and that unit [m], shares all that is
@@ -72,7 +72,7 @@ class Response(Protocol):
 
 
 @value
-class Stretched:
+class ScaledResponse:
     """A response that has its own unit of length, in m: what of it depends on the unit, but not on the moduli.
 
     Parameters
@@ -83,11 +83,11 @@ class Stretched:
         [m].
     """
 
-    response: Response
+    response: WaveResponse
     unit: float
 
     @property
-    def own(self) -> tuple[Response, float]:
+    def own(self) -> tuple[WaveResponse, float]:
         """Both."""
         return self.response, self.unit
 
@@ -117,19 +117,19 @@ class Stretched:
 
 
 @functools.lru_cache(maxsize=1024)
-def stretched(response: Hashable, unit: float) -> Stretched:
-    """Return the response of `Stretched`, the same object for the same content: caches find it sooner."""
-    return Stretched(cast(Response, response), unit)
+def scaled_response(response: Hashable, unit: float) -> ScaledResponse:
+    """Return the response of `ScaledResponse`, the same object for the same content: caches find it sooner."""
+    return ScaledResponse(cast(WaveResponse, response), unit)
 
 
-def in_own_lengths(response: Response) -> tuple[Response, float]:
+def in_own_lengths(response: WaveResponse) -> tuple[WaveResponse, float]:
     """Return a response in its own unit of length, and the unit [m]; itself and one if it has none."""
     return _in_own_lengths(cast(Hashable, response))
 
 
 @functools.lru_cache(maxsize=256)
-def _in_own_lengths(response: Hashable) -> tuple[Response, float]:
-    return cast(tuple[Response, float], getattr(response, "own", (response, 1.0)))
+def _in_own_lengths(response: Hashable) -> tuple[WaveResponse, float]:
+    return cast(tuple[WaveResponse, float], getattr(response, "own", (response, 1.0)))
 
 
 def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array]:
@@ -145,7 +145,7 @@ def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array
     return (low + width * nodes).ravel(), (width * weights).ravel()
 
 
-def transform(response: Response, end: float) -> Panels:
+def transform(response: WaveResponse, end: float) -> Panels:
     """Return C(x) on 0 <= x <= end or a little farther; cached by value.
 
     Raises
@@ -176,7 +176,7 @@ def _joined(response: Hashable, octave: int) -> Panels:
     )
 
 
-def _path(response: Response, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
+def _path(response: WaveResponse, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
     """Return wave numbers and weights times M for x between `low` and `high`; on the real axis for angle zero."""
     end = DECAY_SPAN / response.length
     if angle > 0.0:
@@ -189,7 +189,7 @@ def _path(response: Response, low: float, high: float, angle: float) -> tuple[Co
 @functools.lru_cache(maxsize=256)
 def _ray(given: Hashable, angle: float) -> Panels:
     """Return M along a ray from the origin: the recursion through many layers runs once, not once for every octave."""
-    response = cast(Response, given)
+    response = cast(WaveResponse, given)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     end = DECAY_SPAN / (response.length * math.cos(angle))
     edges = [0.0, min(FIRST_WAVE_NUMBER / response.span, end)]
@@ -212,7 +212,7 @@ def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
 
 @functools.lru_cache(maxsize=1024)
 def _octave(given: Hashable, octave: int) -> Panels:
-    response = cast(Response, given)
+    response = cast(WaveResponse, given)
     high = response.length * 2.0**octave
     low = 0.5 * high if octave else 0.0
     xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)

@@ -19,7 +19,7 @@ from typing import cast
 import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import Response, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["halving_panels", "kernel_matrix", "legendre_to_chebyshev", "panel_nodes"]
@@ -57,7 +57,7 @@ def panel_nodes(edges: Array, count: int) -> tuple[Array, Array]:
     return (edges[:-1, None] + width * nodes).ravel(), (width * weights).ravel()
 
 
-def kernel_matrix(response: Response, a: float, halvings: int, count: int) -> Array:
+def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -> Array:
     """Return the matrix that integrates K(x, t) times a function known at the nodes.
 
     Parameters
@@ -113,10 +113,10 @@ def _samples(halvings: int, count: int) -> tuple[Array, Array]:
 @functools.lru_cache(maxsize=16)
 def _hooks(given: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
     """Return `_hook` of a response with a memory of its own: a response is compared once, not for every panel."""
-    return functools.lru_cache(maxsize=1024)(functools.partial(_hook, cast(Response, given), count))
+    return functools.lru_cache(maxsize=1024)(functools.partial(_hook, cast(WaveResponse, given), count))
 
 
-def _hook(response: Response, count: int, a: float, halvings: int) -> tuple[Array, Array]:
+def _hook(response: WaveResponse, count: int, a: float, halvings: int) -> tuple[Array, Array]:
     """Return what the first panel feels of C(x - t) on all panels, and what all others feel of it on the first."""
     kernel = transform(response, a)
     edges = a * halving_panels(halvings)
@@ -133,7 +133,9 @@ def _hook(response: Response, count: int, a: float, halvings: int) -> tuple[Arra
     return right, all_on_first[count:]
 
 
-def _correct(matrix: Array, response: Response, kernel: Curve, place: Array, low: float, high: float, n: int) -> None:
+def _correct(
+    matrix: Array, response: WaveResponse, kernel: Curve, place: Array, low: float, high: float, n: int
+) -> None:
     """Replace, in place, rows that nodes on the panel from `low` to `high` integrate badly."""
     width = high - low
     if width <= WIDEST_REGULAR_PANEL * response.length:
@@ -147,7 +149,7 @@ def _correct(matrix: Array, response: Response, kernel: Curve, place: Array, low
     matrix[near] = np.einsum("ij,ijk->ik", weights * kernel(np.abs(distance)), basis) @ legendre_to_chebyshev(n)
 
 
-def _towards(place: Array, low: float, high: float, response: Response) -> tuple[Array, Array]:
+def _towards(place: Array, low: float, high: float, response: WaveResponse) -> tuple[Array, Array]:
     """Return nodes, as distances from `place`, and weights on [low, high] in pieces that shrink towards `place`."""
     farthest = float(np.max(np.maximum(high - place, place - low)))
     step = 2.0 * response.smooth

@@ -17,7 +17,7 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.types import Array
 
@@ -59,7 +59,7 @@ class Punches(NamedTuple):
     push: Array
 
 
-def first_radius(response: Response) -> float:
+def first_radius(response: WaveResponse) -> float:
     """Return the end of the lowest octave [m], which reaches down to zero: a power series in a holds there."""
     own, unit = in_own_lengths(response)
     return unit * _first_radius(cast(Hashable, own))
@@ -67,19 +67,19 @@ def first_radius(response: Response) -> float:
 
 @functools.lru_cache(maxsize=256)
 def _first_radius(given: Hashable) -> float:
-    response = cast(Response, given)
+    response = cast(WaveResponse, given)
     strength = abs(float(transform(response, response.length)(np.zeros(1))[0]))
     return 0.5 * response.length / (1.0 + response.length * strength)
 
 
-def octave_of(response: Response, radius: Array) -> Array:
+def octave_of(response: WaveResponse, radius: Array) -> Array:
     """Return the octave in which radii lie, also those below the lowest, as integers ``(m,)``."""
     with np.errstate(divide="ignore"):
         octave = np.ceil(np.log2(radius / first_radius(response)))
     return np.where(np.isfinite(octave), octave, -1e6).astype(int)
 
 
-def tables(response: Response, octave: int) -> tuple[Punches, ...]:
+def tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
     """Return the punches of an octave of radii, ascending.
 
     Raises
@@ -99,7 +99,7 @@ def _stretched(given: Hashable, octave: int, unit: float) -> tuple[Punches, ...]
 
 @functools.lru_cache(maxsize=512)
 def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
-    response = cast(Response, given)
+    response = cast(WaveResponse, given)
     high = first_radius(response) * 2.0**octave
     waiting = [(0.5 * high if octave else 0.0, high, 0)]
     done: list[Punches] = []
@@ -121,7 +121,7 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
     return tuple(sorted(done, key=lambda table: table.low))
 
 
-def _panels(response: Response, high: float) -> Array:
+def _panels(response: WaveResponse, high: float) -> Array:
     """Return panels of x/a that halve towards the edge."""
     finest = min(
         (EDGE_PANEL_WIDTH_ROUNDED if response.smooth > response.length else EDGE_PANEL_WIDTH) * response.length,
@@ -131,7 +131,7 @@ def _panels(response: Response, high: float) -> Array:
     return halving_panels(halvings)
 
 
-def _solve(response: Response, low: float, high: float) -> tuple[Punches, float]:
+def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, float]:
     """Return the punches between two radii, and how far their series in a is from its end."""
     panels = _panels(response, high)
     count = _enough(response, high, panels)
@@ -185,12 +185,12 @@ def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: 
     return np.asarray(legendre_to_chebyshev(degree) @ np.einsum("ij,ijk->ik", rule, basis))
 
 
-def _settled(response: Response) -> float:
+def _settled(response: WaveResponse) -> float:
     """Return the relative change below which the results are settled."""
     return max(SETTLED_TOLERANCE, response.precision)
 
 
-def _enough(response: Response, high: float, panels: Array) -> int:
+def _enough(response: WaveResponse, high: float, panels: Array) -> int:
     """Return how many nodes a panel needs for the widest punch to settle."""
     settled = _settled(response)
     counts = NODE_COUNTS if settled > SETTLED_TOLERANCE else NODE_COUNTS[1:]
@@ -211,7 +211,7 @@ def _enough(response: Response, high: float, panels: Array) -> int:
     return NODE_COUNTS[-1]
 
 
-def _punch(response: Response, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:
+def _punch(response: WaveResponse, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:
     """Return the integral of phi over a, phi at the edge, and phi and a rho at the nodes ``(panels, count)``."""
     kernel = transform(response, 2.0 * a)
     x, w = panel_nodes(a * panels, count)

@@ -16,7 +16,7 @@ from winkler.media.body_of import Imprint
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
 from winkler.media.springs_behind import springs_behind
-from winkler.media.under_pressure import PressedIn, pressed_in
+from winkler.media.under_pressure import PressureIndentation, pressed_in
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve, fit_convex, hollow, local_scatter
 from winkler.numerics.types import Array, ArrayLike, Curve
@@ -198,7 +198,7 @@ def _greatest(function: Curve, end: float) -> float:
     return float(np.max(np.abs(function(end * np.linspace(0.0, 1.0, 65)[1:-1]))))
 
 
-def _refuse_falling(end: float, sunk: PressedIn) -> None:
+def _refuse_falling(end: float, sunk: PressureIndentation) -> None:
     """Refuse a pressure under which homogeneous or graded springs are not deepest at the axis."""
     x = end * np.linspace(0.0, 1.0, 2001)
     springs = sunk.springs(x)

@@ -19,7 +19,7 @@ from typing import cast
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.plane import PlaneFoundation
 from winkler.media.medium import LEAST_SURFACE_RISE
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -128,7 +128,7 @@ def refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
         r = _where_it_may_overlap(bed, depth, radius, end)
     if not r.size:
         return
-    separation = bed.height(r) - depth + bed.medium.displacement(Pressed(bed, depth, radius), r)
+    separation = bed.height(r) - depth + bed.medium.displacement(PressedSprings(bed, depth, radius), r)
     if not np.all(np.isfinite(separation)):
         raise NotConverged("The separation outside the contact could not be computed.")
     overlap = separation < -1e-9 * depth
@@ -157,7 +157,7 @@ def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
     r = np.concatenate([r, [place for place in beside if 0.0 < place < radius]])
     if pulling:  # a thin coating pulls close to the edge
         r = np.concatenate([r, radius * (1.0 - np.geomspace(1e-5, 1e-2, 49))])
-    pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
+    pressure = bed.medium.pressure(PressedSprings(bed, depth, radius), r)
     if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
         place = r[np.argmin(pressure)]
         cause = (

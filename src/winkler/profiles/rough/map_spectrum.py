@@ -45,7 +45,7 @@ LARGEST_LATTICE_STEPS, MANY_WAVES = 3.0, 4096
 """In steps of the lattice; the exponent of a ring beyond, with fewer waves than so many, is that of its waves."""
 
 
-class _Waves(NamedTuple):
+class _MapWaves(NamedTuple):
     """Waves by rising wave number: q [rad/m], how many have it, and their mean square [m^2]."""
 
     q: Array
@@ -95,7 +95,7 @@ def spectrum_of(topography: Topography) -> PowerSpectrum:
     return _spectrum(waves, ends, _borders(waves, ends, cell), cell)
 
 
-def _waves(topography: Topography) -> _Waves:
+def _waves(topography: Topography) -> _MapWaves:
     """Return the waves of a map that are more than rounding; those of equal wave number as one."""
     heights = (topography if topography.periodic else topography.detrended(1)).heights
     heights = heights - np.mean(heights)
@@ -117,7 +117,7 @@ def _waves(topography: Topography) -> _Waves:
     total, steep = float(np.sum(power)), float(np.sum(power * q**2))
     seen = np.flatnonzero((power > ROUNDING_RATIO * total) | (power * q**2 > ROUNDING_RATIO * steep))
     last = int(seen[-1]) + 1 if total > 0.0 else 0
-    return _Waves(q[:last], count[:last], power[:last] * unit**2)
+    return _MapWaves(q[:last], count[:last], power[:last] * unit**2)
 
 
 def _folded(numbers: Array, axis: int) -> Array:
@@ -129,7 +129,7 @@ def _folded(numbers: Array, axis: int) -> Array:
     return np.moveaxis(folded, 0, axis)
 
 
-def _ends(waves: _Waves, cell: float, nyquist: float) -> list[int]:
+def _ends(waves: _MapWaves, cell: float, nyquist: float) -> list[int]:
     """Return behind which wave each ring ends: where little power is near, and the lattice fills the plane evenly."""
     ends: list[int] = []
     start, last = 0, waves.q.size
@@ -158,7 +158,7 @@ def _ends(waves: _Waves, cell: float, nyquist: float) -> list[int]:
     return ends
 
 
-def _borders(waves: _Waves, ends: list[int], cell: float) -> Array:
+def _borders(waves: _MapWaves, ends: list[int], cell: float) -> Array:
     """Return the squares of the radii of the rings: where the lattice fills the plane, or else between two waves."""
     q, inner = waves.q, np.array(ends[:-1], dtype=int)
     low, high = q[inner - 1] ** 2, q[inner] ** 2
@@ -169,7 +169,7 @@ def _borders(waves: _Waves, ends: list[int], cell: float) -> Array:
     return np.concatenate(([first], np.clip(filled, low + gap, high - gap), [last]))
 
 
-def _spectrum(waves: _Waves, ends: list[int], borders: Array, cell: float) -> PowerSpectrum:
+def _spectrum(waves: _MapWaves, ends: list[int], borders: Array, cell: float) -> PowerSpectrum:
     starts = [0, *ends[:-1]]
     power, square = (np.add.reduceat(waves.power * waves.q**n, starts) for n in (0, 2))
     there = power > ROUNDING_RATIO * float(np.sum(power))
@@ -195,7 +195,7 @@ def _spectrum(waves: _Waves, ends: list[int], borders: Array, cell: float) -> Po
     return PowerSpectrum(np.array(q), np.array(density))
 
 
-def _rings(waves: _Waves, ends: list[int], borders: Array, there: Array, least: float) -> list[_Ring]:
+def _rings(waves: _MapWaves, ends: list[int], borders: Array, there: Array, least: float) -> list[_SpectrumRing]:
     """Return the rings that are there; beyond the square `least` of wave numbers as steep as their waves."""
     rings = []
     for start, end, inner, outer in zip([0, *ends[:-1]], ends, borders[:-1], borders[1:], strict=True):
@@ -206,7 +206,7 @@ def _rings(waves: _Waves, ends: list[int], borders: Array, there: Array, least: 
     return [ring for ring, seen in zip(rings, there, strict=True) if seen]
 
 
-class _Ring(NamedTuple):
+class _SpectrumRing(NamedTuple):
     """A density u^(steep - 1) between squares u of wave numbers; `free` is 1 where it may become steeper, else 0."""
 
     power: float
@@ -224,7 +224,7 @@ class _Ring(NamedTuple):
         return self.steep + self.free * more / math.log(self.outer / self.inner)
 
 
-def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, members: Array) -> _Ring:
+def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, members: Array) -> _SpectrumRing:
     """Return the ring with these sums of P and P u; `members` is empty where the waves do not determine its exponent.
 
     A ring whose density would be too steep is narrowed instead.
@@ -242,12 +242,12 @@ def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, m
 
     if not even(-most) < square < even(most):
         half = min(square - inner, outer - square)
-        return _Ring(power, square - half, square + half, 1.0, 0.0)
+        return _SpectrumRing(power, square - half, square + half, 1.0, 0.0)
     determined = members.size > 0 and uneven(-most) < square < uneven(most)
-    return _Ring(power, inner, outer, _rooted(uneven if determined else even, square, most), 1.0)
+    return _SpectrumRing(power, inner, outer, _rooted(uneven if determined else even, square, most), 1.0)
 
 
-def _shift(rings: list[_Ring], square: float) -> float:
+def _shift(rings: list[_SpectrumRing], square: float) -> float:
     """Return how much steeper rings must be for the sum of P q^2: the lattice does not fill them quite evenly."""
 
     def mean(more: float) -> float:
