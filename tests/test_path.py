@@ -227,7 +227,7 @@ def test_wrong_programs(steps, sentence):
     ("make", "sentence"),
     [
         (lambda: Start(Shift(1.0)), r"Start: normal is Shift\(.*\); give Depth\(d\) or Force\(F\) with one number"),
-        (lambda: Start(Unchanged()), "Start: normal is Kept"),
+        (lambda: Start(Unchanged()), "Start: normal is Unchanged"),
         (
             lambda: Start(Force([1.0, 2.0])),
             r"Start: normal is Force\(force=array.*; give Depth\(d\) or Force\(F\) with one number",

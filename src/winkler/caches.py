@@ -76,8 +76,8 @@ def _writable(folder: Path) -> bool:
     """Return whether a folder can be written, or made if it is missing."""
     if not folder.is_absolute():
         return False
-    there = next((path for path in (folder, *folder.parents) if os.path.lexists(path)), folder)
-    return there.is_dir() and os.access(there, os.W_OK | os.X_OK)
+    existing = next((path for path in (folder, *folder.parents) if os.path.lexists(path)), folder)
+    return existing.is_dir() and os.access(existing, os.W_OK | os.X_OK)
 
 
 @functools.cache
@@ -106,9 +106,9 @@ def _protected(parent: Path) -> bool:
     """Return whether no other user can put a folder of theirs in the place of one of ours."""
     if os.name == "nt":
         return True
-    found = parent.stat()
-    shared = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH) and not found.st_mode & stat.S_ISVTX
-    return not shared and found.st_uid in (0, os.geteuid())
+    status = parent.stat()
+    shared = status.st_mode & (stat.S_IWGRP | stat.S_IWOTH) and not status.st_mode & stat.S_ISVTX
+    return not shared and status.st_uid in (0, os.geteuid())
 
 
 def _locked(folder: Path) -> int | None:

@@ -242,11 +242,11 @@ def springs_of(solution: Restorable | Dragged | TorsionState) -> PressedSprings:
     return solution.pressed
 
 
-def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
+def _checked(word: str, content: ArrayLike, asker: str = "restore") -> Array:
     try:
-        numbers = np.asarray(given, dtype=float)
+        numbers = np.asarray(content, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise InvalidInput(f"{asker}: {word} is {given!r:.60}; give a number or an array in m.") from None
+        raise InvalidInput(f"{asker}: {word} is {content!r:.60}; give a number or an array in m.") from None
     if not np.all(np.abs(numbers) < LARGEST_NUMBER):
         raise InvalidInput(
             f"{asker}: {word} holds values that are not finite, or beyond {LARGEST_NUMBER:g}; give places in m."
@@ -268,8 +268,8 @@ def _surface(pressed: PressedSprings, r: Array) -> SurfaceFields:
 
 def _height(pressed: PressedSprings, r: Array) -> Array:
     """Return f(r), infinite beyond what is known of the body."""
-    known = r <= pressed.bed.reach
-    return np.where(known, pressed.bed.height(np.where(known, r, 0.0)), np.inf)
+    covered = r <= pressed.bed.reach
+    return np.where(covered, pressed.bed.height(np.where(covered, r, 0.0)), np.inf)
 
 
 def below_surface(pressed: PressedSprings, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:

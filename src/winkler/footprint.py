@@ -124,5 +124,5 @@ DISC = RoundOutline()
 
 def footprint_of(profile: Any) -> Footprint:
     """Return the outline that a profile leaves: a disc, unless it says otherwise."""
-    known = getattr(profile, "footprint", DISC)
-    return known if isinstance(known, Footprint) else DISC
+    outline = getattr(profile, "footprint", DISC)
+    return outline if isinstance(outline, Footprint) else DISC

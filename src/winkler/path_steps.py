@@ -265,8 +265,8 @@ class Follow:
         times = path.time - path.time[0]
         seconds = np.concatenate([times + number * times[-1] for number in range(self.cycles)])
         rows = PathRows(seconds, np.tile(path.across, self.cycles), np.tile(plane, (self.cycles, 1)))
-        told = (seconds[0] == 0.0) and rows.across[0] == across and bool(np.all(rows.along[0] == along))
-        return PathRows(*(part[int(told) :] for part in rows)) if len(seconds) > 1 else rows
+        repeated = (seconds[0] == 0.0) and rows.across[0] == across and bool(np.all(rows.along[0] == along))
+        return PathRows(*(part[int(repeated) :] for part in rows)) if len(seconds) > 1 else rows
 
 
 Step = Start | Ramp | Hold | Oscillate | Circle | Follow

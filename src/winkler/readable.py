@@ -37,7 +37,7 @@ def pretty_unit(unit: str) -> str:
     ('N/m²', 'm⁻³', 'm^1.5')
     """
     unit = unit.replace("ohm", "Ω")
-    return re.sub(r"\^(-?\d+)(?![\d.])", lambda found: found[1].translate(SUPERSCRIPT), unit)
+    return re.sub(r"\^(-?\d+)(?![\d.])", lambda match: match[1].translate(SUPERSCRIPT), unit)
 
 
 def scale_of(unit: str | None, *contents: Any) -> Scale:

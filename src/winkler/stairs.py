@@ -196,8 +196,8 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     radii, increments = 0.5 * (edges[1:] + edges[:-1]), np.diff(g)
     if pressed.edge != 0.0:
         radii, increments = np.append(radii, pressed.radius), np.append(increments, pressed.edge)
-    kept = increments != 0.0
-    return Staircase(radii[kept], increments[kept], medium.modulus, pressed)
+    rising = increments != 0.0
+    return Staircase(radii[rising], increments[rising], medium.modulus, pressed)
 
 
 def _treads(pressed: PressedSprings, count: int) -> Array:

@@ -138,8 +138,8 @@ def _registry() -> Any:
 @functools.lru_cache(maxsize=512)
 def _named(name: str) -> Unit:
     """Return the unit of one plain name, e.g. ``mm``."""
-    known = si_unit(name)
-    return _named_by_pint(name) if known is None else known
+    exact = si_unit(name)
+    return _named_by_pint(name) if exact is None else exact
 
 
 def _named_by_pint(name: str) -> Unit:
@@ -147,8 +147,8 @@ def _named_by_pint(name: str) -> Unit:
     import pint
 
     try:
-        ask = _registry().Quantity
-        zero, one = ask(Fraction(0), name).to_base_units(), ask(Fraction(1), name).to_base_units()
+        quantity_of = _registry().Quantity
+        zero, one = quantity_of(Fraction(0), name).to_base_units(), quantity_of(Fraction(1), name).to_base_units()
         powers = pint.util.to_units_container(one.units)
         dimension = tuple(sorted((str(base), Fraction(str(power))) for base, power in powers.items()))
         offset = Fraction(zero.magnitude)
@@ -156,7 +156,7 @@ def _named_by_pint(name: str) -> Unit:
     except (pint.PintError, AttributeError, TypeError, AssertionError, ValueError):
         if name.istitle() and len(name) > 4:
             return _named(name.lower())  # Newton, Micrometer
-        same = [known for known in COMMON_UNITS if known.lower() == name.lower()]
+        same = [exact for exact in COMMON_UNITS if exact.lower() == name.lower()]
         near = f" (did you mean '{same[0]}'?)" if same else suggest(name, COMMON_UNITS)
         raise Unreadable(f"the unit '{name}' is unknown{near}") from None
     return Unit(factor, dimension, offset)

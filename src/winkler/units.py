@@ -94,13 +94,13 @@ def comma_hint(text: str) -> str:
     >>> comma_hint("1,000 N")
     "a comma, which is ambiguous; write '1000 N' if it groups thousands, '1.000 N' if it is the decimal sign"
     """
-    found = comma_readings(text)
-    if len(found) > 1:
-        whole, broken = found
+    readings = comma_readings(text)
+    if len(readings) > 1:
+        whole, broken = readings
         return (
             f"a comma, which is ambiguous; write '{whole}' if it groups thousands, '{broken}' if it is the decimal sign"
         )
-    example = found[0] if found else "1234.5"
+    example = readings[0] if readings else "1234.5"
     return f"a comma; write decimals with a point and thousands without, as '{example}'"
 
 
@@ -170,23 +170,23 @@ def quantity(text: str | float, unit: str, *, what: str) -> float:
         if isinstance(text, bool) or not isinstance(text, int | float) or not math.isfinite(text):
             raise InvalidInput(f"{what}: {text!r} is not a quantity; give {name} such as '{example}'.")
         text = repr(text)
-    number, given, written = _read(text, what)
+    number, stated, written = _read(text, what)
     if not written and unit_of(unit).dimension:
         raise InvalidInput(f"{what}: '{text}' has no unit; give {name} such as '{example}'.")
-    if given.dimension != unit_of(unit).dimension:
+    if stated.dimension != unit_of(unit).dimension:
         near = _fitting(written, unit)
         raise InvalidInput(
             f"{what}: '{text}' is {_kind(written)[0]}, not {name}{near}; give {name} such as '{example}'."
         )
-    if given.offset and unit != "K":
+    if stated.offset and unit != "K":
         raise InvalidInput(f"{what}: '{text}' is a temperature, not a difference of two; write the difference in K.")
-    wanted = unit_of(unit).factor
-    return _float(number, given._replace(factor=given.factor / wanted, offset=given.offset / wanted), text, what)
+    target = unit_of(unit).factor
+    return _float(number, stated._replace(factor=stated.factor / target, offset=stated.offset / target), text, what)
 
 
 def _fitting(written: str, unit: str) -> str:
     """Return a hint at a unit that differs from what was `written` by capitals only, and fits."""
-    same = [known for known in COMMON_UNITS if known.lower() == written.lower() and _kind(known) == _kind(unit)]
+    same = [name for name in COMMON_UNITS if name.lower() == written.lower() and _kind(name) == _kind(unit)]
     return f" (did you mean '{same[0]}'?)" if same else ""
 
 

@@ -77,11 +77,11 @@ def _equal(self: Any, other: object) -> bool:
 
 
 def _hash(self: Any) -> int:
-    known = self.__dict__.get("_hash")
-    if known is None:
-        known = hash((type(self).__qualname__, _content(self)))
-        object.__setattr__(self, "_hash", known)
-    return int(known)
+    stored = self.__dict__.get("_hash")
+    if stored is None:
+        stored = hash((type(self).__qualname__, _content(self)))
+        object.__setattr__(self, "_hash", stored)
+    return int(stored)
 
 
 def _getstate(self: Any) -> dict[str, Any]:

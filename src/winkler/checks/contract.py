@@ -41,16 +41,16 @@ def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
     """Return a test of whether a part is of one of the kinds; for most parts the class alone decides, once."""
     classes = tuple(kind for kind in kinds if not is_protocol(kind))
     protocols = [kind for kind in kinds if is_protocol(kind)]
-    known: set[type] = set()
+    accepted: set[type] = set()
 
     def fits(part: Any) -> bool:
         made = part.__class__
-        if made in known:
+        if made in accepted:
             return True
         if made in NO_PART:
             return False
         if issubclass(made, classes) or any(not _unknown(made, kind) for kind in protocols):
-            known.add(made)
+            accepted.add(made)
             return True
         return any(not _missing(part, kind) for kind in protocols)
 

@@ -132,8 +132,8 @@ def _array(where: str, ending: Ending) -> Check:
     def checked(content: Any) -> Any:
         made = type(content)
         if made in NON_NUMERIC_KINDS or (made is np.ndarray and content.dtype.kind not in "fbc"):
-            wanted = ending("give a number or an array of numbers")
-            raise InvalidInput(f"{where} is {as_text(content)}; {wanted}.")
+            demand_text = ending("give a number or an array of numbers")
+            raise InvalidInput(f"{where} is {as_text(content)}; {demand_text}.")
         return content
 
     return checked
@@ -145,8 +145,8 @@ def _parts(where: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> C
     def refused(part: Any, place: str = "") -> InvalidInput:
         made = f"{type(part).__name__}{lacking(kinds, part)}"
         at = f"{where}{place}" if place else where.replace(": ", ": the ", 1)
-        wanted = ending(f"give {'a list of ' * many}{described(kinds)}")
-        return InvalidInput(f"{at} is a {made}; {wanted}.")
+        demand_text = ending(f"give {'a list of ' * many}{described(kinds)}")
+        return InvalidInput(f"{at} is a {made}; {demand_text}.")
 
     def checked(content: Any) -> Any:
         if not many:

@@ -29,8 +29,8 @@ def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
     OutsideValidity
         With what the bed stands for, and what to use instead.
     """
-    known = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
-    if why := getattr(known, "unlike_disc", ""):
+    outline = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
+    if why := getattr(outline, "unlike_disc", ""):
         raise OutsideValidity(f"{owner}: {needed} needs a round contact, and {why}.")
 
 

@@ -124,7 +124,7 @@ def shift_of_surface(sheared: ShearedSprings, x: Array, y: Array) -> Array:
     r, angle = np.hypot(x, y), np.arctan2(y, x)
     total = np.zeros((*r.shape, 2))
     for axis, parts in enumerate(sheared.components):
-        turned = angle - 0.5 * np.pi * axis
+        in_axes = angle - 0.5 * np.pi * axis
         for part in parts:
             mean = medium.displacement(part, r)
             swerve = np.zeros(r.shape)
@@ -133,7 +133,7 @@ def shift_of_surface(sheared: ShearedSprings, x: Array, y: Array) -> Array:
                     swerve = swerve + shear_field.swerve(
                         part, r, modulus=medium.shear_modulus, poisson=body.poisson, shear=body.shear
                     )
-            along, across = mean + swerve * np.cos(2.0 * turned), swerve * np.sin(2.0 * turned)
+            along, across = mean + swerve * np.cos(2.0 * in_axes), swerve * np.sin(2.0 * in_axes)
             total[..., axis] += along
             total[..., 1 - axis] += across if axis == 0 else -across
     return total

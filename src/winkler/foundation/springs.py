@@ -94,8 +94,8 @@ class Springs:
             raise OutsideValidity(
                 "Springs: g falls somewhere below the reach; the contact is no disc that grows, give a smaller reach."
             )
-        kept = np.append(gap[1:] > gap[:-1], True)
-        x, gap = x[kept], gap[kept]
+        distinct = np.append(gap[1:] > gap[:-1], True)
+        x, gap = x[distinct], gap[distinct]
         stiffness = bed.stiffness(x)
         force = stiffness * gap - bed.gap_load(x)
         chords = np.concatenate([[0.0], np.diff(force) / np.diff(gap), stiffness[-1:]])

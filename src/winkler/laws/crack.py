@@ -133,8 +133,8 @@ class SaturatingWork:
 
         It rests below w_0, and runs infinitely fast from w_inf on.
         """
-        given = np.asarray(release, dtype=float)
-        excess, missing = np.maximum(given - self.work, 0.0), np.maximum(self.fast_work - given, 0.0)
+        releases = np.asarray(release, dtype=float)
+        excess, missing = np.maximum(releases - self.work, 0.0), np.maximum(self.fast_work - releases, 0.0)
         held = missing > 0.0
         ratio = np.where(held, excess / np.where(held, missing, 1.0), np.inf)
         with np.errstate(over="ignore"):  # beyond all numbers it is infinite

@@ -120,5 +120,5 @@ class WiedemannFranz:
                 f"voltage_at: the temperature {float(np.min(hot)):g} K is below that of the bodies, {ambient:g} K; "
                 "current only heats: give a higher one."
             )
-        found = 2.0 * np.sqrt(self.lorenz_number * (hot**2 - ambient**2))
-        return float(found) if np.ndim(temperature) == 0 else found
+        voltage_drop = 2.0 * np.sqrt(self.lorenz_number * (hot**2 - ambient**2))
+        return float(voltage_drop) if np.ndim(temperature) == 0 else voltage_drop

@@ -96,10 +96,10 @@ class PowerLawSolid(ViscoelasticSolid):
 
     @property
     def _parts(self) -> tuple[RelaxationSeries, float]:
-        def wanted(t: Array) -> Array:
+        def target(t: Array) -> Array:
             return np.asarray(self.shear * (t / self.time_scale) ** -self.exponent)
 
-        return _summed(self, self._density, wanted)
+        return _summed(self, self._density, target)
 
     @property
     def series(self) -> RelaxationSeries:
@@ -177,7 +177,7 @@ class FractionalZener(ViscoelasticSolid):
 
     @property
     def _parts(self) -> tuple[RelaxationSeries, float]:
-        def wanted(t: Array) -> Array:
+        def target(t: Array) -> Array:
             y = np.arange(
                 -math.log(self.longest) - SLOW_MARGIN, -math.log(self.shortest) + FAST_MARGIN, REFERENCE_SPACING
             )
@@ -185,7 +185,7 @@ class FractionalZener(ViscoelasticSolid):
             terms = np.exp(-np.exp(y) * t[:, None])
             return np.asarray(self.relaxed_shear + slow + REFERENCE_SPACING * terms @ self._density(y))
 
-        return _summed(self, self._density, wanted, self.relaxed_shear)
+        return _summed(self, self._density, target, self.relaxed_shear)
 
     @property
     def series(self) -> RelaxationSeries:
@@ -201,16 +201,16 @@ class FractionalZener(ViscoelasticSolid):
 def _summed(
     solid: PowerLawSolid | FractionalZener,
     density: Callable[[Array], Array],
-    wanted: Callable[[Array], Array],
+    target: Callable[[Array], Array],
     relaxed: float = 0.0,
 ) -> tuple[RelaxationSeries, float]:
     """Return the shortest series within the tolerance, and its error.
 
-    `density` is the spectrum per ln s, `wanted` the relaxation itself.
+    `density` is the spectrum per ln s, `target` the relaxation itself.
     """
     shortest, longest = solid.span
     t = np.geomspace(shortest, longest, SPAN_SAMPLES)
-    goal = wanted(t)
+    goal = target(t)
     little = math.log(1.0 / solid.tolerance)
     for spacing in TERM_SPACINGS:
         # slower than this, a rate changes nothing within the span; faster, it is over when the span begins

@@ -85,12 +85,12 @@ class NamedMaterial:
         InvalidInput
             If the table does not contain it.
         """
-        found = {figure.quantity: figure.number for figure in self.figures}
-        if quantity not in found:
+        numbers = {figure.quantity: figure.number for figure in self.figures}
+        if quantity not in numbers:
             raise InvalidInput(
-                f"{self.name}: no {quantity} is in the table, which has {', '.join(found)}; give your own number."
+                f"{self.name}: no {quantity} is in the table, which has {', '.join(numbers)}; give your own number."
             )
-        return found[quantity]
+        return numbers[quantity]
 
     def _known(self, quantity: str, otherwise: float) -> float:
         return next((figure.number for figure in self.figures if figure.quantity == quantity), otherwise)

@@ -203,14 +203,14 @@ def _spread(time: Array) -> Array:
     return np.geomspace(0.3 * time[0], 3.0 * time[-1], math.ceil(PER_DECADE * (decades + 1.0)) + 1)
 
 
-def _fit(columns: Array, wanted: Array) -> tuple[Array, float]:
+def _fit(columns: Array, targets: Array) -> tuple[Array, float]:
     """Return non-negative strengths of the columns, and the greatest relative misfit."""
     from scipy.optimize import nnls
 
-    scaled = columns / wanted[:, None]
+    scaled = columns / targets[:, None]
     size = np.max(scaled, axis=0)
-    found, _ = nnls(scaled / size, np.ones(wanted.size))
-    strengths = np.where(found > ROUNDING_RATIO, found, 0.0) / size
+    terms, _ = nnls(scaled / size, np.ones(targets.size))
+    strengths = np.where(terms > ROUNDING_RATIO, terms, 0.0) / size
     return strengths, float(np.max(np.abs(scaled @ strengths - 1.0)))
 
 

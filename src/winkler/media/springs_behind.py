@@ -149,11 +149,11 @@ def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tupl
 def _radii(medium: Medium, stiffness: Array) -> Array:
     """Return the contact radii with these stiffnesses."""
     result = np.zeros(stiffness.shape)
-    wanted = stiffness > 1e-12 * stiffness[-1]
+    positive = stiffness > 1e-12 * stiffness[-1]
     upper = _wide_enough(medium, float(stiffness[-1])) if isinstance(medium, LayeredMedium) else math.inf
-    result[wanted] = invert(
+    result[positive] = invert(
         lambda a: (medium.punch_stiffness(a), 2.0 * medium.normal_stiffness(a)),
-        stiffness[wanted],
+        stiffness[positive],
         lower=0.0,
         upper=upper,
         guess=0.5 * upper if math.isfinite(upper) else rough_root(medium.punch_stiffness, float(stiffness[-1])),

@@ -58,8 +58,8 @@ class Kernel(Generic[P, R]):
         """Name -> every kernel that this one calls."""
         source = self.function
         assert isinstance(source, types.FunctionType)
-        known = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
-        return {name: kernel for name, kernel in known if isinstance(kernel, Kernel)}
+        referenced = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
+        return {name: kernel for name, kernel in referenced if isinstance(kernel, Kernel)}
 
     @functools.cached_property
     def content(self) -> str:
@@ -86,14 +86,14 @@ class Kernel(Generic[P, R]):
 
         if "NUMBA_CACHE_DIR" in os.environ:  # numba may have been imported before there was a place
             numba.config.CACHE_DIR = os.environ["NUMBA_CACHE_DIR"]  # type: ignore[attr-defined]
-        known: dict[str, Any] = dict(source.__globals__)
+        referenced: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
-            known[name] = kernel.machine
+            referenced[name] = kernel.machine
         # numba's cache goes by the code of a function and by what its closure holds
         code = code.replace(co_freevars=(*code.co_freevars, "content"))
         cells = (*cells, types.CellType(self.content))
-        copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells)
+        copy = types.FunctionType(code, referenced, source.__name__, source.__defaults__, cells)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
         machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FAST_MATH_FLAGS), error_model="numpy")(copy)
         if cached:

@@ -121,13 +121,13 @@ class AreaFunction(Shape):
         return _summit(self)
 
     @property
-    def _known(self) -> _AreaPieces:
+    def _pieces(self) -> _AreaPieces:
         return _area_pieces(self)
 
     @property
     def reach(self) -> float:
         """Radius up to which the area grows [m]."""
-        return self._known.reach
+        return self._pieces.reach
 
     @property
     def size(self) -> float:
@@ -177,7 +177,7 @@ class AreaFunction(Shape):
     @property
     def _blunt(self) -> float:
         """Radius within which the height counts as zero [m]."""
-        return self._known.blunt
+        return self._pieces.blunt
 
     def _heights(self, r: Array) -> Array:
         top = self._top
@@ -216,11 +216,11 @@ class AreaFunction(Shape):
     def gap(self, x: Array) -> Array:
         """g(x) [m]; infinite at the reach."""
         x = np.asarray(x, dtype=float)
-        known = self._known
-        result = np.where(x < known.reach, 0.0, math.inf)
-        above = (x > known.blunt) & (x < known.reach)
+        pieces = self._pieces
+        result = np.where(x < pieces.reach, 0.0, math.inf)
+        above = (x > pieces.blunt) & (x < pieces.reach)
         if above.any():
-            result[above] = known.gap(x[above])
+            result[above] = pieces.gap(x[above])
         return result
 
     def gap_slope(self, x: Array) -> Array:
@@ -239,11 +239,11 @@ class AreaFunction(Shape):
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x, dtype=float)
-        known = self._known
+        pieces = self._pieces
         result = np.zeros(x.shape)
-        above = x > known.blunt
+        above = x > pieces.blunt
         if above.any():
-            result[above] = known.gap_integral(x[above])
+            result[above] = pieces.gap_integral(x[above])
         return result
 
     def _gap(self, x: Array) -> Array:

@@ -102,7 +102,7 @@ def last_finite(law: Expression, low: float, high: float) -> float:
 @functools.lru_cache(maxsize=256)
 def sides_of(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
     """Return the slope just below every corner, and by how much it jumps there."""
-    found = []
+    sides = []
     for corner in corners:
         r = corner * (1.0 + np.outer((-1.0, 1.0), CORNER_OFFSETS))
         _, slope, curvature = rest_of(law, r)
@@ -112,8 +112,8 @@ def sides_of(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, 
             raise InvalidInput(
                 f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:g} m."
             )
-        found.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
-    return tuple(found)
+        sides.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
+    return tuple(sides)
 
 
 def _limit(near: Array, size: float) -> float:

@@ -105,13 +105,13 @@ class PlatedResponse:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         parts = [(resistivity_of(surface_of(body)), body) for body in (self.first, self.second)]
         whole = sum(rho for rho, _ in parts)
-        found = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
+        excess_sum = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
         for rho, body in parts:
             if isinstance(body, Plated):
                 under = resistivity_of(body.on)
                 echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * body.thickness)
-                found = found + rho / whole * 2.0 * echo / (1.0 - echo)
-        return np.asarray(found)
+                excess_sum = excess_sum + rho / whole * 2.0 * echo / (1.0 - echo)
+        return np.asarray(excess_sum)
 
 
 def _surface_resistivity(first: ConductingBody, second: ConductingBody, radius: Array) -> Array:

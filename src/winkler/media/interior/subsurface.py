@@ -72,8 +72,8 @@ def field(displacement: Displacement, r: Array, z: Array, *, modulus: float, poi
         If u'(x) is not smooth between the kinks.
     """
     radius, depth = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
-    for word, given in (("r", radius), ("z", depth)):
-        bad = given[~(np.isfinite(given) & (given >= 0.0))]
+    for word, coordinate in (("r", radius), ("z", depth)):
+        bad = coordinate[~(np.isfinite(coordinate) & (coordinate >= 0.0))]
         if bad.size:
             raise InvalidInput(
                 f"{word}: {bad[0]:g} m is not a place in the body; give finite values from zero upwards."
@@ -185,9 +185,9 @@ def _near(panel: LoadPanel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[
         yield i[:, 0], punches(i, y, offset, (last - first)[i] * q[i] * np.cosh(v) * weights)
 
 
-def _enough(wanted: Array) -> Indices:
+def _enough(needed: Array) -> Indices:
     return np.asarray(
-        NODE_COUNTS[np.minimum(np.searchsorted(NODE_COUNTS, wanted), NODE_COUNTS.size - 1)], dtype=np.intp
+        NODE_COUNTS[np.minimum(np.searchsorted(NODE_COUNTS, needed), NODE_COUNTS.size - 1)], dtype=np.intp
     )
 
 

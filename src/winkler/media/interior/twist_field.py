@@ -104,11 +104,11 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
 
     def slope(x: Array) -> Array:
         # where all springs stick the slope is rounding, which no rule of integration resolves near the axis
-        found = twisted.slope(x)
-        return np.asarray(np.where(np.abs(found) * x <= ROUNDING_RATIO * size, 0.0, found))
+        slopes = twisted.slope(x)
+        return np.asarray(np.where(np.abs(slopes) * x <= ROUNDING_RATIO * size, 0.0, slopes))
 
-    turned = abel.pressure(slope, twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
-    return np.where(r > 0.0, 0.5 * r * turned, 0.0)
+    traction = abel.pressure(slope, twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
+    return np.where(r > 0.0, 0.5 * r * traction, 0.0)
 
 
 def twist_displacement(twisted: Twisted, r: Array, modulus: float) -> Array:
@@ -188,12 +188,12 @@ def _disc(r: Array, z: Array, b: Array) -> tuple[Array, Array, Array]:
     small = r < SERIES_DISTANCE * np.abs(zeta)
     safe = np.where(small, 1.0, r)
     with np.errstate(all="ignore"):
-        turned = (-b * rho.real + 0.5 * (zeta * rho).imag + 0.5 * safe**2 * np.log(zeta + rho).imag) / safe
+        traction = (-b * rho.real + 0.5 * (zeta * rho).imag + 0.5 * safe**2 * np.log(zeta + rho).imag) / safe
         axial = (rho.imag - b * (zeta / rho).real) / safe
         # r d/dr of u/r; the derivative of the bracket above is r arg(zeta + rho) - b r Re(1/rho)
-        radial = np.log(zeta + rho).imag - b * (1.0 / rho).real - 2.0 * turned / safe
-    series = _near(r, z, b) if small.any() else (turned, axial, radial)
-    parts = [np.where(small, *each) / (2.0 * np.pi) for each in zip(series, (turned, axial, radial), strict=True)]
+        radial = np.log(zeta + rho).imag - b * (1.0 / rho).real - 2.0 * traction / safe
+    series = _near(r, z, b) if small.any() else (traction, axial, radial)
+    parts = [np.where(small, *each) / (2.0 * np.pi) for each in zip(series, (traction, axial, radial), strict=True)]
     return parts[0], parts[1], parts[2]
 
 
@@ -207,13 +207,13 @@ def _near(r: Array, z: Array, b: Array) -> tuple[Array, Array, Array]:
         return np.asarray((z * zeta ** (1 - n) / (1 - n) - first).imag)
 
     # zeta/rho = sum of c_k (r/zeta)^(2k), rho^-3 = sum of d_k r^(2k) zeta^(-2k-3)
-    turned, axial, radial = np.zeros((3, *np.shape(r)))
+    traction, axial, radial = np.zeros((3, *np.shape(r)))
     c, d = 1.0, 1.0
     for k in range(9):
         if k > 0:
-            turned += c * r ** (2 * k - 1) * power(2 * k)
+            traction += c * r ** (2 * k - 1) * power(2 * k)
             radial += (2 * k - 2) * c * r ** (2 * k - 2) * power(2 * k)
         axial += d * r ** (2 * k + 1) * power(2 * k + 3)
         c *= -(0.5 + k) / (k + 1.0)
         d *= -(1.5 + k) / (k + 1.0)
-    return turned, axial, radial
+    return traction, axial, radial

@@ -89,8 +89,8 @@ class CarriedLoad:
         """Its derivative [-]."""
         x = np.asarray(x, dtype=float)
         own = fredholm.edge(self.response, x) * self.displacement.slope(x)
-        turned = fredholm.edge_slope(self.response, x) * self.displacement.value(x)
-        return np.asarray(own + turned - _panels(self)(x)[1])
+        edge_part = fredholm.edge_slope(self.response, x) * self.displacement.value(x)
+        return np.asarray(own + edge_part - _panels(self)(x)[1])
 
 
 def surface(displacement: Displacement, response: WaveResponse, r: Array) -> Array:
@@ -126,9 +126,9 @@ def _size(load: CarriedLoad) -> float:
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(given: Hashable) -> RootPanels:
+def _springs(key: Hashable) -> RootPanels:
     """Return u(x) on panels: the springs are evaluated at many more places than it takes to tabulate them."""
-    displacement = cast(Displacement, given)
+    displacement = cast(Displacement, key)
     a, kinks = displacement.radius, np.array([b for b, _ in displacement.kinks if b < displacement.radius])
 
     def tolerances(values: Array) -> Array:
@@ -143,9 +143,9 @@ def _panels(load: CarriedLoad) -> RootPanels:
 
 
 @functools.lru_cache(maxsize=128)
-def _tabulated(given: Hashable) -> RootPanels:
+def _tabulated(key: Hashable) -> RootPanels:
     """Return the integral over rho w and its derivative by x."""
-    load = cast(CarriedLoad, given)
+    load = cast(CarriedLoad, key)
     a, kinks = load.radius, np.array([b for b, _ in load.displacement.kinks if b < load.radius])
     near_edge = a - _steps(load.response, a)
     edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), near_edge[near_edge > 0.0]]))
@@ -212,8 +212,8 @@ def spread(load: CarriedLoad, octave: int, order: int = 0) -> RootPanels:
 
 
 @functools.lru_cache(maxsize=64)
-def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
-    load = cast(CarriedLoad, given)
+def _spread(key: Hashable, octave: int, order: int) -> RootPanels:
+    load = cast(CarriedLoad, key)
     a = load.radius
     end = a * 2.0**octave
     steps = _steps(load.response, end)

@@ -79,7 +79,7 @@ def surface_depth(grading: DepthGrading) -> float:
 
 
 @functools.lru_cache(maxsize=128)
-def mesh(given: Hashable, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
+def mesh(key: Hashable, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
     """Return cells so fine that the compliance of the surface errs by less than a part `tolerance`.
 
     Parameters
@@ -98,7 +98,7 @@ def mesh(given: Hashable, tolerance: float, shortest: float, depths: tuple[float
     NotConverged
         If more than 3000 cells would be needed.
     """
-    grading = cast(DepthGrading, given)
+    grading = cast(DepthGrading, key)
     reach = grading.settled_at(0.1 * tolerance)
     part = COARSEST_CELL
     xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)
@@ -161,11 +161,11 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
     alpha, beta = (0.5 * q) * x * s, (0.5 * q) * (x * c - s)
     own, high, low, both = q * s, c + alpha, c - alpha, s + beta
     n = poisson * own
-    bent, turned, pulled, last = n + beta, own + beta, beta - own + 2.0 * n, both + s
+    bent, rotated, pulled, last = n + beta, own + beta, beta - own + 2.0 * n, both + s
     # displacements and tractions at the upper face, per traction at the lower face
     u0, u1 = high * along - both * mixed - last, high * mixed - both * normal + alpha
     w0, w1 = bent * along + low * mixed - alpha, bent * mixed + low * normal + pulled
-    t0, t1 = alpha * mixed - turned * along + high, alpha * normal - turned * mixed - bent
+    t0, t1 = alpha * mixed - rotated * along + high, alpha * normal - rotated * mixed - bent
     s0, s1 = beta * mixed - alpha * along + both, beta * normal - alpha * mixed + low
     scale = 1.0 / (t0 * s1 - t1 * s0)
     decay = np.array([s1 * scale, -t1 * scale, -s0 * scale, t0 * scale])
@@ -173,17 +173,19 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
     return upper / twice, decay
 
 
-def _through_cells(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[ComplexArray, list[ComplexArray]]:
+def _through_cells(
+    cells: Mesh, xi: ComplexArray, decay_limit: float, keep: bool
+) -> tuple[ComplexArray, list[ComplexArray]]:
     """Return Y at the surface, by every ladder ``(3, 4, m)``; if requested, Y and decay of every cell ``(7, 4, m)``."""
     real = np.real(xi)
     order = np.argsort(real)
     xi, real = xi[order], real[order]
     y = np.zeros((3, 4, xi.size), dtype=xi.dtype) + _started(cells.deep_shear, cells.deep_poisson)
-    kept: list[ComplexArray] = []
+    stored: list[ComplexArray] = []
     back = np.argsort(order)
     for cell in range(cells.edges.size - 2, -1, -1):
         top, bottom = cells.edges[cell], cells.edges[cell + 1]
-        end = int(np.searchsorted(real, felt / bottom))
+        end = int(np.searchsorted(real, decay_limit / bottom))
         shear, poisson = cells.shear[cell, :, :, None], cells.poisson[cell, :, :, None]
         y[:, :, end:] = _started(float(shear[0, 0, 0]), float(poisson[0, 0, 0]))
         x = (bottom - top) * xi[:end] / STEP_DIVISIONS[:, None]
@@ -201,8 +203,8 @@ def _through_cells(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tu
                 e, f, g, h = fall
                 decay[:, rows, :end] = a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h
         if decay is not None:
-            kept.append(np.concatenate([y, decay])[:, :, back])
-    return y[:, :, back], kept[::-1]
+            stored.append(np.concatenate([y, decay])[:, :, back])
+    return y[:, :, back], stored[::-1]
 
 
 def surface_compliance(cells: Mesh, xi: ComplexArray) -> ComplexArray:
@@ -244,11 +246,11 @@ def surface_compliance_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
 
 def states_with_depth(cells: Mesh, xi: Array) -> Iterator[CellState]:
     """Yield, edge by edge from the surface, what a pressure wave does; xi real, ``(m,)``."""
-    y, kept = _through_cells(cells, xi, INTERIOR_DECAY, True)
+    y, stored = _through_cells(cells, xi, INTERIOR_DECAY, True)
     shear, axial = np.zeros((4, xi.size)), np.full((4, xi.size), -1.0)
     deep = np.broadcast_to(_started(cells.deep_shear, cells.deep_poisson), y.shape)
-    faces = [y, *(block[:3] for block in kept[1:]), deep]
-    for depth, here, block in zip(cells.edges, faces, [None, *kept], strict=True):
+    faces = [y, *(block[:3] for block in stored[1:]), deep]
+    for depth, here, block in zip(cells.edges, faces, [None, *stored], strict=True):
         if block is not None:
             a, b, c, d = block[3:]
             shear, axial = a * shear + b * axial, c * shear + d * axial

@@ -129,10 +129,10 @@ def _states(
 
 def _amplitudes(cells: Mesh, xi: Array, depths: Array) -> Iterator[tuple[float, Array]]:
     """Yield, depth by depth, displacements times xi and tractions ``(4, m)``."""
-    wanted = set(depths.tolist())
+    requested = set(depths.tolist())
     rung = None
     for rung in states_with_depth(cells, xi):
-        if rung.depth in wanted:
+        if rung.depth in requested:
             yield rung.depth, np.array(rung[1:])
     assert rung is not None
     deep = np.stack([rung.shear, rung.axial], axis=1)[..., None]

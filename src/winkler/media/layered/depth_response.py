@@ -98,9 +98,9 @@ class _DepthResponse:
 
 
 @functools.lru_cache(maxsize=128)
-def _series(given: Hashable) -> Array:
+def _series(key: Hashable) -> Array:
     """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
-    response = cast(_DepthResponse, given)
+    response = cast(_DepthResponse, key)
     angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
     shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
     own = response._own(SERIES_WAVE_NUMBER / surface_depth(response.grading) / shorter)
@@ -108,10 +108,10 @@ def _series(given: Hashable) -> Array:
 
 
 @functools.lru_cache(maxsize=128)
-def _rounding(given: Hashable) -> float:
-    response = cast(_DepthResponse, given)
+def _rounding(key: Hashable) -> float:
+    response = cast(_DepthResponse, key)
     limit = SERIES_WAVE_NUMBER / surface_depth(response.grading)
-    fall = abs(float(_series(given)[0])) * limit
+    fall = abs(float(_series(key)[0])) * limit
     # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
     xi = limit * np.geomspace(1e-2, SERIES_SPAN, 60)
     fall = max(fall, float(np.max(np.abs(response._own(xi)) * xi)) * 1e-3)
@@ -177,5 +177,5 @@ class TangentialDepthResponse(_DepthResponse):
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
         cells = _cells(self.grading, self.tolerance)
-        turned = 0.25 * (surface_compliance_across(cells, xi) - surface_compliance(cells, xi)[0])
-        return np.asarray(turned * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)
+        twisted = 0.25 * (surface_compliance_across(cells, xi) - surface_compliance(cells, xi)[0])
+        return np.asarray(twisted * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)

@@ -160,8 +160,8 @@ def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -
 
 
 @functools.lru_cache(maxsize=512)
-def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
-    response, profile = cast(WaveResponse, given), cast(Profile, body)
+def _octave(key: Hashable, body: Hashable, octave: int) -> RootPanels:
+    response, profile = cast(WaveResponse, key), cast(Profile, body)
     high = punch_tables.first_radius(response) * 2.0**octave
     low, high = 0.5 * high, min(high, _tame(body))
     kinks = np.array([b for b, _ in profile.kinks if b < high])

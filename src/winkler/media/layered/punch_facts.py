@@ -56,18 +56,18 @@ def facts(response: WaveResponse, radius: float) -> PunchFacts:
 
 
 @functools.lru_cache(maxsize=512)
-def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
+def _octave(key: Hashable, octave: int) -> tuple[float, float, float, float]:
     """Return up to which radius no punch of an octave pulls, and what `_outside` returns for its widest."""
-    response = cast(WaveResponse, given)
+    response = cast(WaveResponse, key)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
     return pull, *_outside(response, tables[-1])
 
 
 @functools.lru_cache(maxsize=512)
-def _weight_of_octave(given: Hashable, octave: int) -> float:
+def _weight_of_octave(key: Hashable, octave: int) -> float:
     """Return the weight of the widest punch of an octave of radii."""
-    response = cast(WaveResponse, given)
+    response = cast(WaveResponse, key)
     return _weight(response, punch_tables.first_radius(response) * 2.0**octave)
 
 

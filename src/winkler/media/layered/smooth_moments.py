@@ -102,14 +102,14 @@ def _tail() -> Array:
 
 
 @functools.lru_cache(maxsize=256)
-def _rules(given: Hashable, octave: int) -> tuple[MomentRule, ...]:
+def _rules(key: Hashable, octave: int) -> tuple[MomentRule, ...]:
     """Return the rules of an octave of radii, for all parts of its tables."""
     legendre, chebyshev = np.polynomial.legendre, np.polynomial.chebyshev
     xi, weights = gauss_legendre(SAMPLES)
     order = np.arange(SAMPLES)
     to_series = (weights[:, None] * legendre.legvander(2.0 * xi - 1.0, SAMPLES - 1) * (2.0 * order + 1.0)).T
     rules = []
-    for table in punch_tables.tables(cast(WaveResponse, given), octave):
+    for table in punch_tables.tables(cast(WaveResponse, key), octave):
         degree = table.rho.shape[2]
         count = (degree + SAMPLES) // 2 + 1  # exact for both polynomials
         ratio, shares = panel_nodes(table.panels, count)

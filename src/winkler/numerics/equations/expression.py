@@ -102,7 +102,7 @@ def _tree(text: str) -> ast.expr:
         raise RefusedFormula("its operators, brackets and numbers do not fit together") from None
 
 
-class _Walk(NamedTuple):
+class _TreeEvaluator(NamedTuple):
     """Evaluates a syntax tree at the places x of the variable."""
 
     variable: str
@@ -147,8 +147,8 @@ class _Walk(NamedTuple):
             return constant(self.x, self.numbers[name])
         if name in FUNCTIONS:
             raise RefusedFormula(self.misused(name))
-        known = [self.variable, *self.numbers]
-        raise RefusedFormula(f"the name '{name}' is unknown{suggest(name, known)}; known are {', '.join(known)}")
+        names = [self.variable, *self.numbers]
+        raise RefusedFormula(f"the name '{name}' is unknown{suggest(name, names)}; known are {', '.join(names)}")
 
     def misused(self, name: str) -> str:
         if name in FUNCTIONS:
@@ -212,8 +212,8 @@ class Expression:
         if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
             raise InvalidInput(f"the constant '{name}' of a formula is {number!r}; give a finite number.")
 
-    def _walk(self, x: Array) -> _Walk:
-        return _Walk(self.variable, CONSTANTS | {name: float(number) for name, number in self.constants}, x)
+    def _evaluator(self, x: Array) -> _TreeEvaluator:
+        return _TreeEvaluator(self.variable, CONSTANTS | {name: float(number) for name, number in self.constants}, x)
 
     def _at(self, x: Array) -> TaylorSeries:
         if np.any(x < 0.0):
@@ -221,7 +221,7 @@ class Expression:
             raise InvalidInput(f"the formula {self.text[:60]!r} is evaluated at {place}, below zero.")
         try:
             with np.errstate(all="ignore"):
-                return self._walk(x).node(_tree(self.text))
+                return self._evaluator(x).node(_tree(self.text))
         except RefusedFormula as reason:
             raise InvalidInput(f"the formula {self.text[:60]!r}: {reason}.") from None
 
@@ -233,7 +233,7 @@ class Expression:
     def magnitude(self, at: ArrayLike) -> Array:
         """Return the value with all differences taken as sums: against it the value's rounding is small."""
         with np.errstate(all="ignore"):
-            return self._walk(np.asarray(at, dtype=float)).magnitude(_tree(self.text))
+            return self._evaluator(np.asarray(at, dtype=float)).magnitude(_tree(self.text))
 
     @property
     def powers(self) -> Terms:

@@ -88,11 +88,11 @@ def implicit_step(system: StiffSystem, start: Array, first: Array, length: float
     return ImplicitStep(end, two, error)
 
 
-def _solved(changing: Array, rows: Array, inner: float, right: Array, known: Array) -> Array:
+def _solved(changing: Array, rows: Array, inner: float, right: Array, rates_known: Array) -> Array:
     """Return what (1 - gamma h f') takes to `right`, where rates change; elsewhere it is known."""
     matrix = np.eye(len(rows)) - inner * rows[:, changing]
     others = ~changing
-    return np.asarray(np.linalg.solve(matrix, right + inner * (rows[:, others] @ known[others])))
+    return np.asarray(np.linalg.solve(matrix, right + inner * (rows[:, others] @ rates_known[others])))
 
 
 def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> Array:

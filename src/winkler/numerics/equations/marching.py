@@ -109,7 +109,7 @@ def integrate_to_stop(
             )
         return [unit * rate for rate in rates(time * unit, state)]
 
-    found = solve_ivp(
+    solution = solve_ivp(
         scaled,
         (span[0] / unit, span[1] / unit),
         start,
@@ -119,14 +119,14 @@ def integrate_to_stop(
         dense_output=True,
         events=[_event(stop, unit) for stop in stops],
     )
-    if found.status < 0:
-        raise NotConverged(f"At {found.t[-1] * unit:.6g} s the march came to a halt: {found.message}")
-    stopped = tuple(bool(times.size) for times in found.t_events) if stops else ()
-    times = found.t * unit
+    if solution.status < 0:
+        raise NotConverged(f"At {solution.t[-1] * unit:.6g} s the march came to a halt: {solution.message}")
+    stopped = tuple(bool(times.size) for times in solution.t_events) if stops else ()
+    times = solution.t * unit
     times[0] = span[0]
-    if found.status == 0:
+    if solution.status == 0:
         times[-1] = span[1]
-    return IntegratedStates(times, found.y[:, -1], stopped, unit, found.sol)
+    return IntegratedStates(times, solution.y[:, -1], stopped, unit, solution.sol)
 
 
 def _event(stop: StopCondition, unit: float) -> Condition:

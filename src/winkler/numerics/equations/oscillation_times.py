@@ -87,6 +87,6 @@ def swings(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = (
         first, last = math.ceil(2.0 * lead - 0.5), math.floor(2.0 * (rate * cycles + lead) - 0.5)
         parts.append((np.arange(first, last + 1) / 2.0 + 0.25 - lead) / rate)
     moments = np.sort(np.clip(np.concatenate(parts), 0.0, cycles))
-    kept: Array = moments[np.append(True, np.diff(moments) > MOMENT_TOLERANCE)]
-    kept[-1] = cycles
-    return kept
+    distinct: Array = moments[np.append(True, np.diff(moments) > MOMENT_TOLERANCE)]
+    distinct[-1] = cycles
+    return distinct

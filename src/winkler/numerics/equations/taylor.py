@@ -193,10 +193,10 @@ def called(name: str, inner: TaylorSeries) -> TaylorSeries:
     if inner.constant is None:
         jet = inner.jet
         return TaylorSeries(inner.x, (), _chain(FUNCTIONS[name](jet.value), jet, name in SINGULAR_FUNCTIONS))
-    known = float(FUNCTIONS[name](np.array(inner.constant))[0])
-    if not math.isfinite(known):
+    constant_value = float(FUNCTIONS[name](np.array(inner.constant))[0])
+    if not math.isfinite(constant_value):
         raise RefusedFormula(f"{name}({inner.constant:g}) is not a finite, real number")
-    return constant(inner.x, known)
+    return constant(inner.x, constant_value)
 
 
 OPERATORS: dict[type[ast.operator], Callable[[TaylorSeries, TaylorSeries], TaylorSeries]] = {

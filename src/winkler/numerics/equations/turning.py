@@ -69,7 +69,7 @@ class Slopes(NamedTuple):
             Beyond the last place there is a wall.
         """
         first = float(self.curve(np.array([x]))[0])
-        pieces, leaps, last = self._way(x, first, levels)
+        pieces, leaps, last = self._route(x, first, levels)
         standing = np.full(levels.shape, x)
         moved = levels >= first
         standing[moved] = last
@@ -86,7 +86,7 @@ class Slopes(NamedTuple):
         standing, leaps = mirrored.rise(-x, -levels)
         return 0.0 - standing, [Leap(-level, 0.0 - start, 0.0 - end, aim) for level, start, end, aim in leaps]
 
-    def _way(self, x: float, here: float, levels: Array) -> tuple[list[_RisingPiece], list[Leap], float]:
+    def _route(self, x: float, here: float, levels: Array) -> tuple[list[_RisingPiece], list[Leap], float]:
         """Return the pieces that are passed, the leaps between them, and the last stable place."""
         pieces: list[_RisingPiece] = []
         leaps: list[Leap] = []
@@ -112,5 +112,5 @@ class Slopes(NamedTuple):
     def _roots(self, levels: Array, low: Array, high: Array) -> Array:
         """Return where rising pieces pass levels; an end where rounding has put the root beyond it."""
         short = self.curve(high) <= levels
-        found = between(lambda x, index: self.curve(x) - levels[index], low, high)
-        return np.where(short, high, found)
+        crossings = between(lambda x, index: self.curve(x) - levels[index], low, high)
+        return np.where(short, high, crossings)

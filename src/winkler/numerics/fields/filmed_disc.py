@@ -54,10 +54,10 @@ def spreading(beta: Array) -> Array:
     values, weights = _modes()
     inside = np.clip(beta, 1e-30, THICK_FILM)
     sums = np.sum(weights / (values + 0.25 * np.pi * inside[..., None]), axis=-1)
-    found = np.clip(8.0 / (np.pi**2 * sums) - 2.0 * inside / np.pi, 1.0, UNIFORM_FLUX_RATIO)
-    found = np.where(
+    factors = np.clip(8.0 / (np.pi**2 * sums) - 2.0 * inside / np.pi, 1.0, UNIFORM_FLUX_RATIO)
+    factors = np.where(
         beta > THICK_FILM,
-        UNIFORM_FLUX_RATIO - (UNIFORM_FLUX_RATIO - found) * THICK_FILM / np.maximum(beta, THICK_FILM),
-        found,
+        UNIFORM_FLUX_RATIO - (UNIFORM_FLUX_RATIO - factors) * THICK_FILM / np.maximum(beta, THICK_FILM),
+        factors,
     )
-    return np.where(beta > 0.0, found, 1.0)
+    return np.where(beta > 0.0, factors, 1.0)

@@ -52,9 +52,9 @@ def _series() -> Array:
     """Return the Chebyshev coefficients of the factor over the ratio."""
     angles = np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1)
     places = 0.5 * LARGEST_RADIUS_RATIO * (1.0 + np.cos(angles))
-    found = np.array([_solved(float(place)) for place in places])
+    reliefs = np.array([_solved(float(place)) for place in places])
     rows = np.cos(np.outer(np.arange(DEGREE + 1), angles))
-    series = 2.0 / (DEGREE + 1) * rows @ found
+    series = 2.0 / (DEGREE + 1) * rows @ reliefs
     series[0] *= 0.5
     return np.asarray(series)
 

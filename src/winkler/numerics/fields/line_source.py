@@ -160,10 +160,10 @@ class LineSource:
             best = int(np.argmax(heights))
             near = places[max(best - 1, 0) : best + 2]
             between = np.concatenate([low + (high - low) * CUT_PARTS for low, high in pairwise(near)])
-            kept = np.isin(places, near)
-            order = np.argsort(np.concatenate([places[kept], between]))
-            found = np.concatenate([heights[kept], self.surface(wave, between, np.zeros(between.size))])
-            places, heights = np.concatenate([places[kept], between])[order], found[order]
+            neighbours = np.isin(places, near)
+            order = np.argsort(np.concatenate([places[neighbours], between]))
+            temperatures = np.concatenate([heights[neighbours], self.surface(wave, between, np.zeros(between.size))])
+            places, heights = np.concatenate([places[neighbours], between])[order], temperatures[order]
         best = int(np.argmax(heights))
         where = _summit(places, heights, best)
         height = float(self.surface(wave, np.array([where]), np.zeros(1))[0])

@@ -38,11 +38,11 @@ def line_source(load: Curve, joints: Sequence[float], radius: float) -> LineSour
     """
     ends = pieces_of(joints, radius)
 
-    def turned(place: Array) -> Array:
+    def cosine_part(place: Array) -> Array:
         return load(radius * place_on(place, ends))
 
-    scale = float(np.max(np.abs(turned(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)))))
-    curve = fit_panels(lambda place: turned(place) / scale, np.arange(ends.size, dtype=float), TOLERANCE)
+    scale = float(np.max(np.abs(cosine_part(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)))))
+    curve = fit_panels(lambda place: cosine_part(place) / scale, np.arange(ends.size, dtype=float), TOLERANCE)
     return LineSource(radius, scale, ends, curve)
 
 

@@ -149,7 +149,7 @@ def fit(
     matrix = np.cos(np.outer(np.arange(DEGREE + 1), angle)) * (2.0 / (DEGREE + 1))
     matrix[0] *= 0.5
     low, high = edges[:-1], edges[1:]
-    wanted: Array | None = None
+    targets: Array | None = None
     done: list[tuple[float, float, Array]] = []
     before = np.full((1, low.size), np.inf)
     for depth in range(MOST_HALVINGS + 1):
@@ -159,11 +159,11 @@ def fit(
             np.hypot(base[:, None], start[:, None] + (stop - start)[:, None] * points), low[:, None], high[:, None]
         )
         values = function(x.ravel())
-        wanted = tolerances(values) if wanted is None else np.maximum(wanted, tolerances(values))
+        targets = tolerances(values) if targets is None else np.maximum(targets, tolerances(values))
         series = values.reshape(len(values), *x.shape) @ matrix.T
         tail = np.sum(np.abs(series[..., -3:]), axis=-1)
-        noise = (tail > 0.3 * before) & (tail <= NOISE_RATIO * wanted[:, None])
-        good = np.all((tail <= wanted[:, None]) | noise, axis=0) | (depth == MOST_HALVINGS)
+        noise = (tail > 0.3 * before) & (tail <= NOISE_RATIO * targets[:, None])
+        good = np.all((tail <= targets[:, None]) | noise, axis=0) | (depth == MOST_HALVINGS)
         done += [(low[i], base[i], series[:, i]) for i in np.flatnonzero(good)]
         if good.all():
             break

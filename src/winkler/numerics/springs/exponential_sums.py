@@ -107,9 +107,9 @@ class CreepSeries:
 
 def merged(strengths: Array, times: Array) -> tuple[Array, Array]:
     """Return strengths and ascending times; those of equal times added, those of no strength left out."""
-    kept = np.asarray(strengths, dtype=float) > 0.0
-    unique, index = np.unique(np.asarray(times, dtype=float)[kept], return_inverse=True)
-    return np.bincount(index, weights=np.asarray(strengths, dtype=float)[kept], minlength=unique.size), unique
+    positive = np.asarray(strengths, dtype=float) > 0.0
+    unique, index = np.unique(np.asarray(times, dtype=float)[positive], return_inverse=True)
+    return np.bincount(index, weights=np.asarray(strengths, dtype=float)[positive], minlength=unique.size), unique
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
@@ -177,9 +177,9 @@ def zeros(series: RelaxationSeries) -> tuple[Array, Array]:
         while falling(bound) >= 0.0:
             bound *= 2.0
         rates.append(_root(falling, last, bound))
-    found = np.array(rates)
-    slopes = series.viscosity + np.sum(moduli * poles / (found[:, None] - poles) ** 2, axis=1)
-    return found, 1.0 / slopes
+    roots = np.array(rates)
+    slopes = series.viscosity + np.sum(moduli * poles / (roots[:, None] - poles) ** 2, axis=1)
+    return roots, 1.0 / slopes
 
 
 def of_relaxation(series: RelaxationSeries) -> CreepSeries:
@@ -226,10 +226,10 @@ def of_creep(series: CreepSeries) -> RelaxationSeries:
         while falling(bound) >= 0.0:
             bound *= 2.0
         rates.append(_root(falling, last, bound))
-    found = np.array(rates)
-    slopes = np.sum(strengths / (poles - found[:, None]) ** 2, axis=1) if found.size else found
-    slopes = slopes + (series.fluidity / found**2 if series.fluidity > 0.0 else 0.0)
+    roots = np.array(rates)
+    slopes = np.sum(strengths / (poles - roots[:, None]) ** 2, axis=1) if roots.size else roots
+    slopes = slopes + (series.fluidity / roots**2 if series.fluidity > 0.0 else 0.0)
     whole = series.glassy + float(np.sum(series.compliances))
     relaxed = 0.0 if series.fluidity > 0.0 else 1.0 / whole
     viscosity = 1.0 / (series.fluidity + float(np.sum(strengths))) if series.glassy == 0.0 else 0.0
-    return RelaxationSeries(relaxed, viscosity, (1.0 / (found * slopes))[::-1], (1.0 / found)[::-1])
+    return RelaxationSeries(relaxed, viscosity, (1.0 / (roots * slopes))[::-1], (1.0 / roots)[::-1])

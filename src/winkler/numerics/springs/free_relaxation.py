@@ -56,7 +56,7 @@ class Recovery:
         rates share no energy.
         """
         own = self.to_memory**2 / series.moduli[:, None]
-        kept = 0.5 * (series.relaxed + np.sum(own, axis=0))
-        recovering = (self.rates, self.from_displacement, self.from_memory, self.to_memory, kept)
+        stored = 0.5 * (series.relaxed + np.sum(own, axis=0))
+        recovering = (self.rates, self.from_displacement, self.from_memory, self.to_memory, stored)
         arrays = (np.array(part, dtype=float, order="C") for part in (series.moduli, series.times, *recovering))
         return series.relaxed, series.viscosity, *arrays  # type: ignore[return-value]

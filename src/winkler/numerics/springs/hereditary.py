@@ -153,18 +153,18 @@ def borne(
                 continue
             shrinking, at, part = True, top - 1, 1.0
         # Ting: until which moment t1 does the past bear the load
-        known = relaxed + damp
+        coefficient = relaxed + damp
         carried = -damp * d0
         for i in range(terms):
-            known += moduli[i] * fresh[i]
+            coefficient += moduli[i] * fresh[i]
             carried += moduli[i] * (fade[i] * drift[n - 1, i] - fresh[i] * d0)
-        found = False
+        bracketed = False
         f, d1 = 0.0, 0.0
         if top > 0:
             here = -1.0
             while at >= 0:
                 f, moved, d1 = _past(at, 0.0, n, time, depth, phi, times, moduli, relaxed, drift, load)
-                here = known * (place[n] - compliance * f) + carried - moved
+                here = coefficient * (place[n] - compliance * f) + carried - moved
                 if here >= 0.0 or (d1 <= 0.0 and phi[at] == 0.0):
                     break
                 at -= 1
@@ -172,7 +172,7 @@ def borne(
                 next_ = -1.0
                 while True:
                     f, moved, d1 = _past(at, 1.0, n, time, depth, phi, times, moduli, relaxed, drift, load)
-                    next_ = known * (place[n] - compliance * f) + carried - moved
+                    next_ = coefficient * (place[n] - compliance * f) + carried - moved
                     if next_ < 0.0 or at + 1 >= top:
                         break
                     at, here = at + 1, next_
@@ -183,8 +183,8 @@ def borne(
                     for _ in range(MOST_TERMS):
                         part = (low * g_high - high * g_low) / (g_high - g_low)
                         f, moved, d1 = _past(at, part, n, time, depth, phi, times, moduli, relaxed, drift, load)
-                        g = known * (place[n] - compliance * f) + carried - moved
-                        if abs(g) <= ROOT_TOLERANCE * known * deepest or high - low < 1e-14:
+                        g = coefficient * (place[n] - compliance * f) + carried - moved
+                        if abs(g) <= ROOT_TOLERANCE * coefficient * deepest or high - low < 1e-14:
                             break
                         if g < 0.0:
                             high, g_high = part, g
@@ -196,8 +196,8 @@ def borne(
                             if side == 1:
                                 g_high *= 0.5
                             side = 1
-                found = True
-        if not found or f <= 0.0:
+                bracketed = True
+        if not bracketed or f <= 0.0:
             f, d1 = 0.0, 0.0
         at = max(at, 0)
         d = place[n] - compliance * f

@@ -138,12 +138,12 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
     for c in range(odds):
         steady[odd[c]] = 0.0
     for k in range(0 if sudden else modes):
-        fade, kept = factors[2, k], 0.0
+        fade, stored = factors[2, k], 0.0
         for j in range(inside, outer):
-            kept += steady[j] * memory[k, j] * memory[k, j]
+            stored += steady[j] * memory[k, j] * memory[k, j]
             s = memory[k, j] * fade
             memory[k, j] = s if abs(s) > NEGLIGIBLE_MEMORY else 0.0
-        lost += factors[6, k] * kept
+        lost += factors[6, k] * stored
         if k < moduli.size:
             decay, gain, rise = factors[0, k], factors[1, k] * rate, moduli[k] * change
             zeroth, first, second = 0.0, 0.0, 0.0
@@ -243,18 +243,18 @@ def advance_springs(law, springs, state, motion, changes, times, numbers):  # ty
 
 
 @compiled
-def _most(law, springs, wanted, dt):  # type: ignore[no-untyped-def]
+def _most(law, springs, target, dt):  # type: ignore[no-untyped-def]
     """Return about how fast the sum of `advance_to_force` grows where all springs are pressed."""
     glassy = law[0] + np.sum(law[2]) + (law[1] / dt if dt > 0.0 else 0.0)
-    return (wanted[1] + wanted[2] * dt) * glassy * np.sum(springs[1]) + wanted[3]
+    return (target[1] + target[2] * dt) * glassy * np.sum(springs[1]) + target[3]
 
 
 @compiled
-def advance_to_force(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore[no-untyped-def]
+def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # type: ignore[no-untyped-def]
     """Return the change of depth of a step for which a sum is what is wanted, or not-a-number, and how many springs
     are pressed after it; they stay where they are.
 
-    The sum is that of force at the end, impulse and change, times the last three of `wanted`; it never falls with the
+    The sum is that of force at the end, impulse and change, times the last three of `target`; it never falls with the
     change.  `scale` is one that matters.
     """
     modes, count = state[1].shape
@@ -264,8 +264,8 @@ def advance_to_force(law, springs, state, motion, wanted, dt, guess, scale):  # 
     change, low, high, stride = guess, -np.inf, np.inf, 0.0
     for turn in range(MOST_TRIALS):
         held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
-        excess = wanted[1] * sums[0] + wanted[2] * sums[1] + wanted[3] * change - wanted[0]
-        steepness = wanted[1] * sums[3] + wanted[2] * sums[4] + wanted[3]
+        excess = target[1] * sums[0] + target[2] * sums[1] + target[3] * change - target[0]
+        steepness = target[1] * sums[3] + target[2] * sums[4] + target[3]
         if abs(excess) <= FORCE_TOLERANCE * scale:
             return change, held
         low, high = (low, min(high, change)) if excess > 0.0 else (max(low, change), high)
@@ -279,6 +279,6 @@ def advance_to_force(law, springs, state, motion, wanted, dt, guess, scale):  # 
                 return middle, held
             change = middle
         else:
-            stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, wanted, dt), 1e-6 * abs(change))
+            stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, target, dt), 1e-6 * abs(change))
             change += stride if excess < 0.0 else -stride
     return np.nan, 0

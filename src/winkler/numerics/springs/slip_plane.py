@@ -105,14 +105,14 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
         series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
         # what is not lost because the spring does not yet point ahead: the integral of b^2 times something that falls
         # nearly exponentially, and the integral of which is known
-        known = 2.0 * v * series
+        series_term = 2.0 * v * series
         fades = (1.0 - turn) * (plus * distance * rest - 4.0 * (b1 - bound) * bound * whole * series)
         square_b = (bound * bound * whole - 2.0 * turn * bound * b1 * b1) * distance * rest / fades
         low = bound * bound if bound < b1 else b1 * b1
         high = bound * bound if bound > b1 else b1 * b1
         square_b = square_b if square_b > low else low
         square_b = square_b if square_b < high else high
-        loss = mean * (distance + bound - b1) - square_b * known
+        loss = mean * (distance + bound - b1) - square_b * series_term
         loss = loss if loss > 0.0 else 0.0
         plain = (w <= 0.0225) & (gone <= 0.6 * bound) & (bound > 0.0)
         nx[i] = (ahead * ex - across * ey) if slip else tx

@@ -34,10 +34,10 @@ def _turn(
     shrink = math.exp(-distance / middle) if middle > 0.0 else 0.0
     square = shrink * shrink
     half = (1.0 + cosine) + (1.0 - cosine) * square
-    turned = 0.0
+    angle_turned = 0.0
     ahead = -1.0
     if half > 0.0:
-        turned = 2.0 * shrink * sine / half
+        angle_turned = 2.0 * shrink * sine / half
         ahead = ((1.0 + cosine) - (1.0 - cosine) * square) / half
     if abs(bound - last) <= 1e-12 * bound:
         loss -= mean * middle * math.log(2.0 / half)
@@ -59,7 +59,7 @@ def _turn(
         for k in range(len(NODES)):
             so_far = slope / math.expm1(end + NODES[k] * width) if width > 0.0 else 1.0
             loss -= WEIGHTS[k] * width * bound * bound * so_far**-power
-    return last * (ahead * ex - turned * ey), last * (ahead * ey + turned * ex), loss
+    return last * (ahead * ex - angle_turned * ey), last * (ahead * ey + angle_turned * ex), loss
 
 
 @compiled

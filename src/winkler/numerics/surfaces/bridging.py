@@ -40,11 +40,11 @@ def bridged(numbers: Array, periodic: bool) -> Array:
         me, ni, nj = np.arange(count)[there], ni[there], nj[there]
         degree[me] += 1.0
         other = index[ni, nj]
-        known = other < 0
-        np.add.at(right, me[known], numbers[ni[known], nj[known]])
-        rows.append(me[~known])
-        columns.append(other[~known])
-        weights.append(np.full(np.count_nonzero(~known), -1.0))
+        fixed = other < 0
+        np.add.at(right, me[fixed], numbers[ni[fixed], nj[fixed]])
+        rows.append(me[~fixed])
+        columns.append(other[~fixed])
+        weights.append(np.full(np.count_nonzero(~fixed), -1.0))
     rows.append(np.arange(count))
     columns.append(np.arange(count))
     weights.append(degree)

@@ -69,10 +69,10 @@ def overlap_and_work(p: Array, gap: Array, depth: float, ceiling: float) -> tupl
     return overlap / abs(depth), spent / abs(float(np.sum(p)) * depth)
 
 
-def shared(wanted: Array, ceiling: float, load: float) -> Array:
+def shared(target: Array, ceiling: float, load: float) -> Array:
     """Return pressures between zero and the ceiling that bear the load: those wanted, raised evenly."""
-    low, high = -float(np.max(wanted)), ceiling - float(np.min(wanted))
-    raised, p = 0.0, np.clip(wanted, 0.0, ceiling)
+    low, high = -float(np.max(target)), ceiling - float(np.min(target))
+    raised, p = 0.0, np.clip(target, 0.0, ceiling)
     for _ in range(MOST_SHARING_STEPS):
         lacking = load - float(np.sum(p))
         if abs(lacking) <= 1e-14 * load:
@@ -81,7 +81,7 @@ def shared(wanted: Array, ceiling: float, load: float) -> Array:
         between = int(np.count_nonzero((p > 0.0) & (p < ceiling)))
         raised += lacking / between if between else math.inf
         raised = raised if low < raised < high else 0.5 * (low + high)
-        p = np.clip(wanted + raised, 0.0, ceiling)
+        p = np.clip(target + raised, 0.0, ceiling)
     return p
 
 
@@ -183,5 +183,5 @@ class BoxContact:
         elif abs(scale - 1.0) > 1e-13:
             gap = self.u + self.heights - self.depth
             # what is settled changes when the others have to be raised, or lowered, by more than its own gap requires
-            wanted = np.where(self._unsettled(gap), self.p, self.p - gap)
-            self._change(shared(wanted, self.ceiling, self.load))
+            target = np.where(self._unsettled(gap), self.p, self.p - gap)
+            self._change(shared(target, self.ceiling, self.load))

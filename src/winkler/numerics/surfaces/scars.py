@@ -53,7 +53,7 @@ def _across(numbers: Array, times: float, periodic: bool) -> Array:
         middle, scale = (np.concatenate((part, part[-1:])) for part in (middle, scale))
     off = known - np.pad(middle, around, mode="edge")
     size, scale = np.abs(off), np.pad(scale, around, mode="edge")
-    found = np.zeros(numbers.shape, dtype=bool)
+    marked = np.zeros(numbers.shape, dtype=bool)
     for wide in range(1, min(WIDEST_SCAR, n - 2) + 1):
         rows = np.arange(n if periodic else n - wide + 1) + beyond
         into, out = off[rows - 1], off[rows + wide - 1]
@@ -65,14 +65,14 @@ def _across(numbers: Array, times: float, periodic: bool) -> Array:
             run, count = label(part | binary_closing(part, structure=np.ones((1, 3))), structure=LINE_NEIGHBOURS)
             if not count:
                 continue
-            kept = np.bincount(run.ravel(), minlength=count + 1) >= LONG_RUN_PIXELS
+            long_enough = np.bincount(run.ravel(), minlength=count + 1) >= LONG_RUN_PIXELS
             high = (height > 0.5 + times) & np.isfinite(into) & np.isfinite(out)
-            kept[np.unique(run[high])] = True
-            kept[0] = False
-            first, along = np.nonzero(kept[run])
+            long_enough[np.unique(run[high])] = True
+            long_enough[0] = False
+            first, along = np.nonzero(long_enough[run])
             for k in range(wide):
-                found[(first + k) % n, along] = True
-    return found
+                marked[(first + k) % n, along] = True
+    return marked
 
 
 def _spread(steps: Array) -> tuple[Array, Array]:

@@ -187,9 +187,9 @@ def _path(response: WaveResponse, low: float, high: float, angle: float) -> tupl
 
 
 @functools.lru_cache(maxsize=256)
-def _ray(given: Hashable, angle: float) -> Panels:
+def _ray(key: Hashable, angle: float) -> Panels:
     """Return M along a ray from the origin: the recursion through many layers runs once, not once for every octave."""
-    response = cast(WaveResponse, given)
+    response = cast(WaveResponse, key)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     end = DECAY_SPAN / (response.length * math.cos(angle))
     edges = [0.0, min(FIRST_WAVE_NUMBER / response.span, end)]
@@ -211,8 +211,8 @@ def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
 
 
 @functools.lru_cache(maxsize=1024)
-def _octave(given: Hashable, octave: int) -> Panels:
-    response = cast(WaveResponse, given)
+def _octave(key: Hashable, octave: int) -> Panels:
+    response = cast(WaveResponse, key)
     high = response.length * 2.0**octave
     low = 0.5 * high if octave else 0.0
     xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)

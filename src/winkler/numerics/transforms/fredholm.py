@@ -46,9 +46,9 @@ def _grouped(response: WaveResponse, a: Array) -> Iterator[tuple[Array, Punches,
     octaves = np.maximum(octave_of(response, a), 0)
     for octave in np.unique(octaves):
         (members,) = np.nonzero(octaves == octave)
-        found = tables(response, int(octave))
-        which = np.searchsorted([table.high for table in found[:-1]], a[members])
-        for index, table in enumerate(found):
+        octave_tables = tables(response, int(octave))
+        which = np.searchsorted([table.high for table in octave_tables[:-1]], a[members])
+        for index, table in enumerate(octave_tables):
             chosen = members[which == index]
             if chosen.size:
                 yield chosen, table, (2.0 * a[chosen] - table.low - table.high) / (table.high - table.low)

@@ -111,9 +111,9 @@ def _samples(halvings: int, count: int) -> tuple[Array, Array]:
 
 
 @functools.lru_cache(maxsize=16)
-def _hooks(given: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
+def _hooks(key: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
     """Return `_hook` of a response with a memory of its own: a response is compared once, not for every panel."""
-    return functools.lru_cache(maxsize=1024)(functools.partial(_hook, cast(WaveResponse, given), count))
+    return functools.lru_cache(maxsize=1024)(functools.partial(_hook, cast(WaveResponse, key), count))
 
 
 def _hook(response: WaveResponse, count: int, a: float, halvings: int) -> tuple[Array, Array]:

@@ -136,8 +136,8 @@ def _tail_piece(
         regular = -np.asarray(slope(x))
         if strength != 0.0:  # taken off at the same rounded x, so that the errors cancel
             regular = regular - strength / root_difference(x, low)
-        turned = weight(np.broadcast_to(r[index, None], x.shape), x)
-        return np.asarray((strength + y * regular) / x * turned * reach[index, None])
+        rotated = weight(np.broadcast_to(r[index, None], x.shape), x)
+        return np.asarray((strength + y * regular) / x * rotated * reach[index, None])
 
     rounding = noise(np.full(r.shape, top), low)
     rough = np.full(r.shape, known) if rounding is None else np.maximum(rounding, known)

@@ -115,8 +115,8 @@ def _waves(topography: Topography) -> _MapWaves:
     count, power = np.add.reduceat(count, new), np.add.reduceat(power, new)
     q = q[new]
     total, steep = float(np.sum(power)), float(np.sum(power * q**2))
-    seen = np.flatnonzero((power > ROUNDING_RATIO * total) | (power * q**2 > ROUNDING_RATIO * steep))
-    last = int(seen[-1]) + 1 if total > 0.0 else 0
+    significant = np.flatnonzero((power > ROUNDING_RATIO * total) | (power * q**2 > ROUNDING_RATIO * steep))
+    last = int(significant[-1]) + 1 if total > 0.0 else 0
     return _MapWaves(q[:last], count[:last], power[:last] * unit**2)
 
 
@@ -201,9 +201,11 @@ def _rings(waves: _MapWaves, ends: list[int], borders: Array, there: Array, leas
     for start, end, inner, outer in zip([0, *ends[:-1]], ends, borders[:-1], borders[1:], strict=True):
         u, power, members = (part[start:end] for part in (waves.q**2, waves.power, waves.members))
         whole = float(np.sum(power))
-        known = inner > least and end - start <= MANY_WAVES
-        rings.append(_ring(whole, float(np.sum(power * u)), (inner, outer), u, members if known else np.empty(0)))
-    return [ring for ring, seen in zip(rings, there, strict=True) if seen]
+        has_exponent = inner > least and end - start <= MANY_WAVES
+        rings.append(
+            _ring(whole, float(np.sum(power * u)), (inner, outer), u, members if has_exponent else np.empty(0))
+        )
+    return [ring for ring, significant in zip(rings, there, strict=True) if significant]
 
 
 class _SpectrumRing(NamedTuple):
@@ -263,10 +265,10 @@ def _mean(steep: float, inner: float, outer: float) -> float:
     return inner * above / below
 
 
-def _rooted(rising: Callable[[float], float], wanted: float, most: float) -> float:
+def _rooted(rising: Callable[[float], float], target: float, most: float) -> float:
     """Return where a rising function equals a number, between -most and most."""
     low, high = -most, most
     for _ in range(MOST_HALVINGS):
         half = 0.5 * (low + high)
-        low, high = (half, high) if rising(half) < wanted else (low, half)
+        low, high = (half, high) if rising(half) < target else (low, half)
     return 0.5 * (low + high)

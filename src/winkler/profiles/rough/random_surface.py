@@ -58,9 +58,9 @@ class RandomTopography(Topography):
     seed: Seed = 0
 
     def __post_init__(self) -> None:
-        given = self.shape if isinstance(self.shape, tuple | list) else ()
-        whole = len(given) == 2 and all(
-            isinstance(n, int) and not isinstance(n, bool) and n <= MOST_PIXELS_PER_SIDE for n in given
+        sides = self.shape if isinstance(self.shape, tuple | list) else ()
+        whole = len(sides) == 2 and all(
+            isinstance(n, int) and not isinstance(n, bool) and n <= MOST_PIXELS_PER_SIDE for n in sides
         )
         if not whole:
             raise InvalidInput(

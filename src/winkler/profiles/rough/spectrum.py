@@ -213,8 +213,8 @@ class PowerSpectrum:
         q = np.unique(np.concatenate([self.wave_numbers, other.wave_numbers]))
         first, second = self._weight(q), other._weight(q)
         own, others = np.log(np.maximum(self.at(q), 1e-300)), np.log(np.maximum(other.at(q), 1e-300))
-        known = first + second > 0.0
-        q, first, second, own, others = (part[known] for part in (q, first, second, own, others))
+        finite = first + second > 0.0
+        q, first, second, own, others = (part[finite] for part in (q, first, second, own, others))
         return PowerSpectrum(q, np.exp((first * own + second * others) / (first + second)))
 
     def _weight(self, q: Array) -> Array:

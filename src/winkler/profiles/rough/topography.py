@@ -146,9 +146,9 @@ class Topography:
         terms = [
             (x[:, None] ** i) * (y[None, :] ** j) for i in range(order + 1) for j in range(order + 1) if i + j <= order
         ]
-        known = ~np.isnan(self.heights)
-        rows = np.stack([term[known] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
-        strengths, *_ = np.linalg.lstsq(rows, self.heights[known], rcond=None)
+        measured = ~np.isnan(self.heights)
+        rows = np.stack([term[measured] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
+        strengths, *_ = np.linalg.lstsq(rows, self.heights[measured], rcond=None)
         trend = sum(strength * term for strength, term in zip(strengths, terms, strict=True))
         return Topography(self.heights - trend, self.lengths, self.periodic)
 
@@ -200,9 +200,9 @@ class Topography:
 
         grains = spikes(self.heights, times, self.periodic)
         clean = bridged(np.where(grains, np.nan, self.heights), self.periodic)
-        found = scars(clean, times, self.periodic) & ~np.isnan(self.heights)
-        bare = self.masked(grains | found).filled().heights
-        return Spikes(grains, found & ~grains, np.where(grains | found, self.heights - bare, 0.0))
+        scarred = scars(clean, times, self.periodic) & ~np.isnan(self.heights)
+        bare = self.masked(grains | scarred).filled().heights
+        return Spikes(grains, scarred & ~grains, np.where(grains | scarred, self.heights - bare, 0.0))
 
     def without_spikes(self, times: float = 4.0) -> Topography:
         """Return the map with grains, dropouts and scars missing; `spikes` names them.
