@@ -85,9 +85,9 @@ class Ramp:
 
     Parameters
     ----------
-    normal : Depth, Force or Kept, optional
+    normal : Depth, Force or Unchanged, optional
         Where to, one number.
-    lateral : Shift, ShearForce, Angle, Torque or Kept, optional
+    lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Where to, one number, in the plane two.
     duration : float, optional
         How long it takes [s], zero or more.
@@ -152,9 +152,9 @@ class Oscillate:
 
     Parameters
     ----------
-    normal : Depth, Force or Kept, optional
+    normal : Depth, Force or Unchanged, optional
         Amplitude of the normal load.
-    lateral : Shift, ShearForce, Angle, Torque or Kept, optional
+    lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Amplitude along the surface; in the plane two numbers, along whose direction the oscillation goes.
     cycles : float, optional
         How many, along the surface.
