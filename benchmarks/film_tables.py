@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.media.layered import coated_load, depth_climb, depth_response, flat_punch, punch_facts, smooth_moments
+from winkler.media.layered import coated_load, depth_response, flat_punch, punch_facts, smooth_moments
 from winkler.numerics.transforms import cosine_transform, fredholm, kernel_matrix, punch_tables
 from winkler.problems.normal import single_contact
 
@@ -15,7 +15,7 @@ PAGES = (
     flat_punch,
     punch_facts,
     coated_load,
-    depth_climb,
+    depth_recursion,
     depth_response,
     single_contact,
 )

@@ -166,7 +166,7 @@ from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
 from winkler.program import Program
-from winkler.stairs import Staircase, staircase
+from winkler.punch_staircase import Staircase, staircase
 from winkler.study.report.exchange import to_pandas, to_xarray
 from winkler.validity import Assumption, Note, Standing
 

@@ -6,8 +6,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from case_judge import si
-from layered_judge import Press, Profile, Sheet, Stack
+from case_solutions import si
+from layered_solution import Press, Profile, Sheet, Stack
 
 BRACKET = 2.0
 """Contact radii at a given depth lie within this factor of Hertz's."""

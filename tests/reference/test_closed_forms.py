@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-import mp_judge as judge
+import mp_solutions as judge
 import mpmath as mp
 import numpy as np
 import pytest

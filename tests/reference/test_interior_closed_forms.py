@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import mp_judge as judge
+import mp_solutions as judge
 import mpmath as mp
 import numpy as np
 import pytest

@@ -102,7 +102,7 @@ def _item(answer: Solved, part: str, load: int) -> Any:
     from winkler.footprint import RoundOutline
     from winkler.foundation.measured import MeasuredBed
     from winkler.problems.answer import is_restorable
-    from winkler.stairs import staircase
+    from winkler.punch_staircase import staircase
     from winkler.study.report.beside import beside
 
     bed = getattr(answer.problem, "bed", None)

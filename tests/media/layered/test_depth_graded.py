@@ -15,8 +15,8 @@ from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.depth_climb import mesh, states_with_depth, surface_compliance, surface_compliance_across
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.depth_recursion import mesh, states_with_depth, surface_compliance, surface_compliance_across
 
 EXPONENTIAL = ExponentialGrading(1.0, 3.0, depth_scale=1.0, poisson=0.3)
 

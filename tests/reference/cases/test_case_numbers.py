@@ -6,7 +6,7 @@ import math
 import tomllib
 from pathlib import Path
 
-import case_judge
+import case_solutions
 import mpmath as mp
 import pytest
 
@@ -58,7 +58,7 @@ def test_a_case_is_recomputed(case):
     if not ours(case):
         pytest.skip("another physics: its own test recomputes it")
     with mp.workdps(20):
-        answer = case_judge.Answer(case["problem"])
+        answer = case_solutions.Answer(case["problem"])
         for expectation in case["expect"]:
             expected = answer.quantity(expectation)
             given = mp.mpf(expectation["value"])

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import mpmath as mp
 import pytest
-from ledger_judge import JUDGES as LAST
-from theory_judge import JUDGES
+from ledger_solutions import JUDGES as LAST
+from theory_solutions import JUDGES
 
 import winkler
 from winkler.units import to_si

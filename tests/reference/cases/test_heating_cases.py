@@ -6,7 +6,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
-from theory_judge import moving
+from theory_solutions import moving
 
 from winkler.reference.heating import (
     disc_centre_rise,

@@ -5,14 +5,14 @@ from __future__ import annotations
 import tomllib
 from pathlib import Path
 
-import elliptic_judge
-import graded_judge
+import elliptic_solution
+import graded_solution
 import layered_case
 import mpmath as mp
 import numpy as np
 import pytest
-from case_judge import si
-from layered_judge import Press, Sheet, Stack, compliance, compliance_exactly, flexibility
+from case_solutions import si
+from layered_solution import Press, Sheet, Stack, compliance, compliance_exactly, flexibility
 
 import winkler
 
@@ -61,7 +61,7 @@ def test_graded(name):
     case = CASES[name]
     assert case["grade"] == "analytical"
     with mp.workdps(20):
-        answer = graded_judge.Answer(case["problem"])
+        answer = graded_solution.Answer(case["problem"])
         for expectation in case["expect"]:
             assert float(answer.quantity(expectation)) == pytest.approx(expectation["value"], rel=1e-15), expectation
 
@@ -83,7 +83,7 @@ def test_measured_elliptic():
     bed, load = case["problem"]["bed"], case["problem"]["load"]
 
     def force(depth: mp.mpf) -> mp.mpf:
-        return elliptic_judge.force(depth, mp.mpf("40e-3"), mp.mpf("10e-3"), modulus)
+        return elliptic_solution.force(depth, mp.mpf("40e-3"), mp.mpf("10e-3"), modulus)
 
     for radius, stiffness, depth in zip(*(bed[word] for word in ("radii", "stiffnesses", "depths")), strict=True):
         steep = 3 * force(si(depth)) / (2 * si(depth))
@@ -188,13 +188,15 @@ def test_pressure_of_theory():
 @pytest.mark.parametrize(("k", "nu"), [(0.5, 0.3), (-0.3, 0.3), (0.75, 0.45), (0.3, 0.5), (-0.6, 0.1)])
 def test_the_modulus_of_a_power_law_by_elasticity(k, nu):
     """h_N needs no paper: the equations of elasticity in z give the same answer to a wave."""
-    assert graded_judge.wave_factor_by_elasticity(k, nu) == pytest.approx(graded_judge.wave_factor(k, nu), rel=1e-10)
+    assert graded_solution.wave_factor_by_elasticity(k, nu) == pytest.approx(
+        graded_solution.wave_factor(k, nu), rel=1e-10
+    )
 
 
 def test_the_gap_of_a_power_is_a_beta_function():
     with mp.workdps(20):
         for name in ("graded_cone", "graded_fourth_power"):
-            answer = graded_judge.Answer(CASES[name]["problem"])
+            answer = graded_solution.Answer(CASES[name]["problem"])
             x = mp.mpf("0.37") * answer.radius
             assert float(answer.gap_by_quadrature(x) / answer.gap(x)) == pytest.approx(1.0, rel=1e-14)
 
@@ -242,5 +244,5 @@ def test_the_function_of_gao_is_the_first_order(poisson):
 
 def test_a_ball_on_a_round_body_is_a_limit_of_the_elliptic_contact():
     with mp.workdps(30):
-        found = elliptic_judge.force(mp.mpf("1e-6"), mp.mpf("1.000001"), mp.mpf(1), mp.mpf(3))
+        found = elliptic_solution.force(mp.mpf("1e-6"), mp.mpf("1.000001"), mp.mpf(1), mp.mpf(3))
         assert float(found / (4 * mp.mpf("1e-6") ** 1.5)) == pytest.approx(1.0 + 0.25e-6, rel=1e-11)

@@ -8,7 +8,7 @@ from pathlib import Path
 import mpmath as mp
 import numpy as np
 import pytest
-from theory_judge import JUDGES
+from theory_solutions import JUDGES
 
 import winkler
 from winkler.reference import rolling as closed

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from theory_judge import JUDGES
+from theory_solutions import JUDGES
 
 import winkler
 from winkler.problems.rolling import kalker

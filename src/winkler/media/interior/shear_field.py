@@ -20,7 +20,7 @@ from winkler.media.interior.shear_field_punch import (
 from winkler.media.interior.subsurface import superposed_below
 from winkler.media.interior.surface_limit import superposed_on
 from winkler.media.medium import Displacement
-from winkler.media.pile import punch_superposition
+from winkler.media.punch_superposition import punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 

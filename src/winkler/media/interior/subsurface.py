@@ -24,8 +24,8 @@ from winkler.errors import InvalidInput
 from winkler.media.interior.point_rules import PAIRS_PER_CHUNK, POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.interior.surface_limit import superposed_on
 from winkler.media.medium import Displacement
-from winkler.media.pile import CLUSTER_DISTANCE, LoadPanel, PunchCluster, punch_superposition
 from winkler.media.punch_field import BodyField, Potentials, combine, punch_below
+from winkler.media.punch_superposition import CLUSTER_DISTANCE, LoadPanel, PunchCluster, punch_superposition
 from winkler.numerics.types import Array
 
 __all__ = ["field", "superposed_below"]

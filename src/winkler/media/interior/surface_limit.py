@@ -13,8 +13,8 @@ import numpy as np
 
 from winkler.media.interior.point_rules import POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.medium import Displacement
-from winkler.media.pile import LoadPanel, punch_superposition
 from winkler.media.punch_field import punch_surface
+from winkler.media.punch_superposition import LoadPanel, punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 

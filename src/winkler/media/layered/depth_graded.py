@@ -3,7 +3,7 @@ r"""Half-spaces whose stiffness changes with depth by any law, to a stated toler
 A stiffness k(a) is a least energy, so it rises wherever the compliance falls: if two bodies differ in
 :math:`C(\xi)` by less than a part :math:`\varepsilon` at every wave number, every k(a) differs by less than
 :math:`\varepsilon`.  The body is cut into cells until C moves by less than the tolerance
-(`winkler.media.layered.depth_climb`); they get thinner towards the surface, in proportion to the depth, because
+(`winkler.media.layered.depth_recursion`); they get thinner towards the surface, in proportion to the depth, because
 narrow contacts feel the very top alone.
 """
 

@@ -1,6 +1,6 @@
 r"""Stresses and displacements inside a body graded in depth, by Hankel integrals.
 
-The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay with depth as `winkler.media.layered.depth_climb`
+The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay with depth as `winkler.media.layered.depth_recursion`
 computes. Near the surface, where short waves count, the field of a homogeneous half-space made of the surface under the
 same pressure is taken out: it is known without an integral over waves (`winkler.media.interior.subsurface`), and what
 is left of the amplitudes falls like :math:`1/\xi` even on the surface.  Waves shorter than a 3000th of the contact are
@@ -32,7 +32,7 @@ from winkler.media.layered.coated_interior import (
     waves_of,
 )
 from winkler.media.layered.coated_load import CarriedLoad
-from winkler.media.layered.depth_climb import Mesh, mesh, states_with_depth
+from winkler.media.layered.depth_recursion import Mesh, mesh, states_with_depth
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.layered.layers import half_space
 from winkler.media.punch_field import BodyField

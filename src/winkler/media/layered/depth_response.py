@@ -1,9 +1,9 @@
 r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
 Up to :math:`\xi_1`, a few hundred over the depth across which the surface changes, the recursion runs through the body
-(`winkler.media.layered.depth_climb`).  Beyond, 1 + M is a power series in :math:`1/\xi`, whose first terms are taken
-from M just below :math:`\xi_1`.  There :math:`M\approx A/\xi`: the kernel has a logarithm at zero distance, which is
-rounded off over a length :math:`\delta`, M times
+(`winkler.media.layered.depth_recursion`).  Beyond, 1 + M is a power series in :math:`1/\xi`, whose first terms are
+taken from M just below :math:`\xi_1`.  There :math:`M\approx A/\xi`: the kernel has a logarithm at zero distance, which
+is rounded off over a length :math:`\delta`, M times
 
 .. math:: 1-(1-e^{-2\xi\delta})^3 .
 
@@ -21,7 +21,13 @@ import numpy as np
 
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Elastic, Rigid, Solid
-from winkler.media.layered.depth_climb import Mesh, mesh, surface_compliance, surface_compliance_across, surface_depth
+from winkler.media.layered.depth_recursion import (
+    Mesh,
+    mesh,
+    surface_compliance,
+    surface_compliance_across,
+    surface_depth,
+)
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 

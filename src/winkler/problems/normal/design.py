@@ -15,7 +15,7 @@ from winkler.media import body_of
 from winkler.media.body_of import Imprint
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
-from winkler.media.springs_behind import springs_behind
+from winkler.media.springs_of_curve import springs_of_curve
 from winkler.media.under_pressure import PressureIndentation, pressed_in
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.panels.convex_spline import ConvexCurve, fit_convex, hollow, local_scatter
@@ -86,7 +86,7 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
     k, layered = body_of.exponent_of(medium), isinstance(medium, LayeredMedium)
     curve, accuracy = _convex(depth, force)
     tolerance = max(accuracy, LAYERED_TOLERANCE if layered else TOLERANCE)
-    springs, exact = springs_behind(curve, medium, 0.1 * tolerance)
+    springs, exact = springs_of_curve(curve, medium, 0.1 * tolerance)
     if exact.flat > 0.0:
         tolerance = max(tolerance, FLAT_TOLERANCE)
     end = exact.reach

@@ -24,7 +24,7 @@ from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["CurveProfile", "TabulatedProfile", "springs_behind"]
+__all__ = ["CurveProfile", "TabulatedProfile", "springs_of_curve"]
 
 LARGEST_RADIUS_RATIO = 500.0
 """Greatest contact radius for which layers are solved, over their total thickness."""
@@ -115,7 +115,7 @@ class TabulatedProfile:
         return self.slopes(x)
 
 
-def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tuple[EquivalentProfile, CurveProfile]:
+def springs_of_curve(curve: ConvexCurve, medium: Medium, tolerance: float) -> tuple[EquivalentProfile, CurveProfile]:
     """Return springs for quick use, with an error of g' relative to its greatest value, and the exact ones.
 
     They are the same where g starts at the end of a flat with a broken power.

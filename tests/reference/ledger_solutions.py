@@ -11,7 +11,7 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
-from judges import Judges, frac
+from reference_solutions import Judges, frac
 from scipy.optimize import brentq
 
 Numbers = list[Any]

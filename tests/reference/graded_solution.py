@@ -13,10 +13,10 @@ import math
 from functools import cached_property
 from typing import Any
 
-import mp_judge
+import mp_solutions
 import mpmath as mp
 import numpy as np
-from case_judge import body, si
+from case_solutions import body, si
 
 
 def factor(k: mp.mpf, nu: mp.mpf) -> mp.mpf:
@@ -79,7 +79,7 @@ class Answer:
             surface = si(solid["young"]) / si(solid["depth_scale"]) ** self.k
             flexible += (1 - nu**2) / (factor(self.k, nu) * surface)
         self.surface = 1 / flexible
-        self.body: mp_judge.Body = body(problem["bed"]["profile"])
+        self.body: mp_solutions.Body = body(problem["bed"]["profile"])
         assert len(self.body.pieces) == 1, "smooth bodies alone"
         self.exponent = mp.mpf({"paraboloid": 2, "cone": 1, "flat_punch": 1}.get(problem["bed"]["profile"]["kind"], 0))
         if problem["bed"]["profile"]["kind"] == "power_law":

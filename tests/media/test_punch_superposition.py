@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from winkler.media.pile import FEWEST_MEMBERS, punch_superposition
+from winkler.media.punch_superposition import FEWEST_MEMBERS, punch_superposition
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
-from judges import Judges, frac
+from reference_solutions import Judges, frac
 from scipy.integrate import solve_ivp
 
 Numbers = dict[str, Any]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
-import mp_judge as judge
+import mp_solutions as judge
 import mpmath as mp
 
 PREFIXES = {"": "1", "m": "1e-3", "u": "1e-6", "n": "1e-9", "k": "1e3", "M": "1e6", "G": "1e9"}
