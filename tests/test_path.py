@@ -1,4 +1,4 @@
-"""A path and the steps it may be told in: points, turning points, kinds of loads, tables, errors."""
+"""A path and the steps it may be stated in: points, turning points, kinds of loads, tables, errors."""
 
 from __future__ import annotations
 
@@ -152,10 +152,10 @@ def test_an_oscillation_does_not_tell_its_first_point_twice():
 
 
 def test_the_oscillation_is_the_same_as_the_builder_of_paths():
-    told = Program([Start(Depth(1e-6)), Oscillate(lateral=Shift(2e-7), cycles=3.0, frequency=2.0)])
+    stated = Program([Start(Depth(1e-6)), Oscillate(lateral=Shift(2e-7), cycles=3.0, frequency=2.0)])
     built = Path.oscillation(depth=1e-6, amplitude=2e-7, cycles=3.0, frequency=2.0)
-    assert np.array_equal(told.time, built.time)
-    assert np.array_equal(told.along, built.along)
+    assert np.array_equal(stated.time, built.time)
+    assert np.array_equal(stated.along, built.along)
 
 
 def test_a_circle():

@@ -301,8 +301,8 @@ def test_any_text_is_read_or_refused(text, unit):
 
 @pytest.mark.parametrize(("written", "loaded"), [("1 mm", "False"), ("1 kN/GPa/mm", "False"), ("1 inch", "True")])
 def test_pint_is_loaded_only_for_names_that_the_table_lacks(written, loaded):
-    ask = f"u.quantity({written!r}, 'm', what='x')"
-    code = f"import sys, winkler.units as u; {ask}; print('pint' in sys.modules)"
+    request = f"u.quantity({written!r}, 'm', what='x')"
+    code = f"import sys, winkler.units as u; {request}; print('pint' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert done.stdout.split() == [loaded]
 

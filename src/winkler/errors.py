@@ -9,7 +9,7 @@
     |-- Mistake           (also a RuntimeError)   winkler itself is wrong; only points of a sweep are caught so
     `-- Interrupted       the reader stopped a batch; what was done is kept
 
-Each message says what was given, what is allowed, and what to do.  `suggest` finds the nearest known word, `mistake_in`
+Each message states what was given, what is allowed, and what to do.  `suggest` finds the nearest known word, `mistake_in`
 describes an unexpected error.
 """
 

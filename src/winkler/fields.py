@@ -148,7 +148,7 @@ def restore(
     if is_dragged(solution) or isinstance(solution, TorsionState):
         if z is not None:
             raise InvalidInput(
-                "restore: below a sheared or twisted contact the stress has all six components; ask "
+                "restore: below a sheared or twisted contact the stress has all six components; use "
                 "restore_body(solution, x, y, z)."
             )
         if isinstance(solution, TorsionState):

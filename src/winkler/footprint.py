@@ -61,7 +61,7 @@ class UnknownOutline:
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the bed stands for {self.origin}: it tells force, depth and stiffness, not the outline of the contact; "
+            f"the bed stands for {self.origin}: it gives force, depth and stiffness, not the outline of the contact; "
             f"{self.instead}"
         )
 
@@ -91,8 +91,8 @@ class EllipticOutline:
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the bed stands for an ellipse of b/a = {self.slenderness:.4g}: it tells force, depth, stiffness and "
-            "area; ask EllipticIndentation for its pressure, or give Foundation(profile, medium) of a round body"
+            f"the bed stands for an ellipse of b/a = {self.slenderness:.4g}: it gives force, depth, stiffness and "
+            "area; use EllipticIndentation for its pressure, or give Foundation(profile, medium) of a round body"
         )
 
     @property

@@ -1,8 +1,8 @@
 """A path: the normal and the lateral loads of two bodies, point after point.
 
 Between two points everything that is prescribed changes in proportion to time.  Before the first point the bodies are
-pressed straight down as far as its normal load says, and then moved along the surface as its lateral load says.  A path
-that is stated in steps (go there, wait, oscillate) is a `winkler.program.Program`.
+pressed straight down according to its normal load, and then moved along the surface according to its lateral load.  A
+path that is stated in steps (go there, wait, oscillate) is a `winkler.program.Program`.
 
 Loads of which a problem takes one number, not an array, are types of fields here (`OneLoad`, `OnePositiveNormal`, ...).
 """

@@ -76,7 +76,7 @@ class Program(Path):
         """Return the start, after checking that all steps go on from it."""
         steps = self.steps
         if not steps or not isinstance(steps[0], Start):
-            raise InvalidInput("Program: the first step must be a Start, which says where the path begins.")
+            raise InvalidInput("Program: the first step must be a Start, which states where the path begins.")
         begun = steps[0]
         for number, step in enumerate(steps[1:], start=2):
             where = f"Program: step {number} ({type(step).__name__})"

@@ -11,14 +11,14 @@ import pytest
 import winkler as wk
 
 COMPUTING = ("numpy", "scipy", "numba", "pandas", "xarray", "pint", "matplotlib", "winkler.public")
-"""Not pydantic: typer itself asks for it where it is installed, before it shows the help of a command."""
+"""Not pydantic: typer itself imports it where it is installed, before it shows the help of a command."""
 
 
 @pytest.mark.parametrize("words", ["--help", "run --help", "show --help", "--version"])
 def test_help_loads_nothing_that_computes(words):
     code = f"import sys; from winkler.cli import main; main({words.split()!r}); print(*sys.modules, file=sys.stderr)"
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    loaded = set(answer.stderr.split())
+    solution = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(solution.stderr.split())
     assert "winkler.cli.app" in loaded
     assert loaded.isdisjoint(COMPUTING)
 
@@ -43,8 +43,8 @@ OF_REPORTS = {"matplotlib", "h5netcdf", "h5py", "tomli_w", "rich"}
 def modules_after(code: str, folder: Path | None = None) -> set[str]:
     """Return what a new process has loaded after some lines."""
     code = f"{code}; import sys; print(*sys.modules, file=sys.stderr)"
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
-    return set(answer.stderr.split())
+    solution = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
+    return set(solution.stderr.split())
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""What the judges of the ledger have in common."""
+"""What the reference solutions of the ledger have in common."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from typing import Any
 import mpmath as mp
 
 
-class Judges(dict[str, Callable[[], Any]]):
-    """Case -> who tells its numbers without winkler."""
+class ReferenceSolutions(dict[str, Callable[[], Any]]):
+    """Case -> the function that computes its numbers without winkler."""
 
-    def judged(self, function: Callable[[], Any]) -> Callable[[], Any]:
-        """Take a function for the judge of the case of its name; it works with 20 digits, and only once."""
+    def of_case(self, function: Callable[[], Any]) -> Callable[[], Any]:
+        """Register a function as the reference of the case of its name; it works with 20 digits, and only once."""
 
         @functools.cache
-        def judge() -> Any:
+        def reference() -> Any:
             with mp.workdps(20):
                 return function()
 
-        self[function.__name__] = judge
-        return judge
+        self[function.__name__] = reference
+        return reference
 
 
 def frac(text: str) -> mp.mpf:

@@ -1,8 +1,8 @@
-"""Which numbers a field of a value may hold, written as its type: ``young: Positive``, ``poisson: PoissonRatio``.
+"""The numbers that a field of a value may hold, written as its type: ``young: Positive``, ``poisson: PoissonRatio``.
 
 A type such as `Positive` is ``Annotated[float, Number(...)]``: a float for type checkers, and for `value` what contents
 are compared with when a value is made.  The sentence of a refusal ends with the unit of the field, which the glossary
-knows, and with the `Advice` beside the type: ``Annotated[Positive, Advice("leave a layer of none out")]``.
+has, and with the `Advice` beside the type: ``Annotated[Positive, Advice("leave a layer of none out")]``.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ LEAST_RADIUS_RATIO = 1e-6
 """Where slopes at the axis are taken, relative to the first radius."""
 UNKNOWN_OUTLINE = UnknownOutline(
     "measured or computed stiffnesses",
-    "of a height map ask SurfaceContact or SurfaceConduction, of a contact that is known to be a disc give "
+    "for a height map use SurfaceContact or SurfaceConduction, for a contact that is known to be a disc give "
     "MeasuredBed(..., disc=True) or Foundation(profile, medium)",
 )
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
@@ -248,7 +248,7 @@ class MeasuredBed:
         """c_T(x) [Pa], the Mindlin ratio times c_N(x)."""
         if self.mindlin_ratio == 0.0:
             raise OutsideValidity(
-                "MeasuredBed: a normal force curve does not tell the tangential stiffness; give mindlin_ratio = G*/E*, "
+                "MeasuredBed: a normal force curve does not determine the tangential stiffness; give mindlin_ratio = G*/E*, "
                 "2 (1 - nu) / (2 - nu) for a homogeneous body."
             )
         return np.asarray(self.mindlin_ratio * self.normal_stiffness(x))

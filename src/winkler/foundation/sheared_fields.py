@@ -202,7 +202,7 @@ def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bo
     if not isinstance(body, Elastic):
         raise OutsideValidity(
             f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in it: "
-            "ask for the other side."
+            "request the other side."
         )
 
     def field(part: Displacement, along: Array, across: Array) -> Array:
@@ -227,7 +227,7 @@ def _half_space(pressed: PressedSprings) -> HalfSpace:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         raise OutsideValidity(
-            f"The fields of a traction inside a {type(medium).__name__} are not known to winkler; ask for the surface "
+            f"The fields of a traction inside a {type(medium).__name__} are not known to winkler; request the surface "
             "(restore(solution, r)), or use HalfSpace."
         )
     return medium

@@ -20,7 +20,7 @@ NOT_STATED = float("nan")
 """Marks a work of adhesion that was left out; recognised by identity, so that no other nan passes."""
 
 
-NO_ATTRACTION_ADVICE = Advice("for bodies that do not attract each other ask for Indentation")
+NO_ATTRACTION_ADVICE = Advice("for bodies that do not attract each other use Indentation")
 
 
 @value

@@ -63,8 +63,8 @@ class PowerLawGraded:
     def __post_init__(self) -> None:
         if self.exponent == 1.0 and self.poisson != 0.5:
             raise InvalidInput(
-                f"PowerLawGraded: exponent 1 with poisson {self.poisson!r} has no answer, since the surface would give "
-                "way without limit; Gibson's solid needs poisson = 0.5, or give an exponent below 1."
+                f"PowerLawGraded: exponent 1 with poisson {self.poisson!r} has no solution, since the surface would "
+                "move without limit; Gibson's solid needs poisson = 0.5, or give an exponent below 1."
             )
 
     def young_at(self, depth: float) -> float:

@@ -62,7 +62,7 @@ class WilliamsLandelFerry:
         above = temperature - self.reference_temperature
         if self.second_constant + above <= 0.0:
             raise OutsideValidity(
-                f"WilliamsLandelFerry: at {temperature:g} K the law has no answer; it holds well above "
+                f"WilliamsLandelFerry: at {temperature:g} K the law gives no value; it holds well above "
                 f"{self.reference_temperature - self.second_constant:g} K."
             )
         return float(10.0 ** (-self.first_constant * above / (self.second_constant + above)))

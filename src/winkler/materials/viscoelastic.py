@@ -247,7 +247,7 @@ class GeneralisedKelvin(ViscoelasticSolid):
                 "retardation_times; give one time for each compliance."
             )
         if not (self.glassy_compliance > 0.0 or self.fluidity > 0.0 or self.compliances.size):
-            raise InvalidInput("GeneralisedKelvin: nothing gives way; give a compliance, or use Rigid().")
+            raise InvalidInput("GeneralisedKelvin: all compliances are zero; give a compliance, or use Rigid().")
 
     @property
     def series(self) -> RelaxationSeries:

@@ -188,7 +188,7 @@ class HalfSpace(HomogeneousMedium):
         if not isinstance(body, Elastic):
             raise OutsideValidity(
                 f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
-                "it: ask for the other side."
+                "it: request the other side."
             )
         return subsurface.field(displacement, r, z, modulus=self.modulus, poisson=body.poisson, shear=body.shear)
 

@@ -162,7 +162,7 @@ def any_task(seed):
 
 @pytest.mark.parametrize("first", range(0, 60, 20))
 def test_whatever_is_pressed_is_solved(first):
-    """Random sizes, shapes, units, loads and hardnesses: every answer is looked at again."""
+    """Random sizes, shapes, units, loads and hardnesses: every result is checked again."""
     for seed in range(first, first + 20):
         h, pixel, drive, periodic, ceiling = any_task(seed)
         found = press(h, pixel, drive, periodic=periodic, ceiling=ceiling, tolerance=1e-7)
@@ -194,7 +194,7 @@ def test_the_box_around_the_contact_changes_nothing(monkeypatch):
 
 @pytest.mark.parametrize("periodic", [False, True])
 def test_memory_is_counted(periodic):
-    """What numpy held at most, of a rough contact all over the map, is less than what is said, and not much less."""
+    """What numpy held at most, of a rough contact all over the map, is less than what is stated, and not much less."""
     heights = np.random.default_rng(4).random((300, 300))
     heights -= heights.min()
     drive = ByDepth(0.4)

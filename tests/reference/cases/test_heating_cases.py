@@ -1,4 +1,4 @@
-"""The numbers of the heating cases, judged by sums of point sources and rings of heat, and the closed forms besides."""
+"""The numbers of the heating cases, against sums of point sources and rings of heat, and the closed forms besides."""
 
 import tomllib
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The cases that came last say what `ledger_judge` says, and that is what the theory prints."""
+"""The last cases agree with `ledger_solutions`, and these with the theory."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import rolling_elements
-from ledger_solutions import JUDGES
+from ledger_solutions import REFERENCES
 
 import winkler
 from winkler.reference import impact, rolling, wear
@@ -27,13 +27,13 @@ def expected(name):
     return [item["value"] for item in tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))["expect"]]
 
 
-@pytest.mark.parametrize("name", JUDGES)
+@pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_says_what_the_judge_says(name):
-    told = JUDGES[name]()
+    stated = REFERENCES[name]()
     found = expected(name)
-    assert len(found) == len(told)
-    for case, judge in zip(found, told, strict=True):
-        numbers = [float(number) for number in (judge if isinstance(judge, list) else [judge])]
+    assert len(found) == len(stated)
+    for case, reference in zip(found, stated, strict=True):
+        numbers = [float(number) for number in (reference if isinstance(reference, list) else [reference])]
         np.testing.assert_allclose(np.atleast_1d(case), numbers, rtol=CLOSE.get(name, 1e-13), err_msg=name)
 
 
@@ -67,9 +67,9 @@ def test_how_far_traction_exceeds_friction_in_the_plane(name, r, over):
     assert math.hypot(*expected(name)) / (0.6 / math.pi * math.sqrt(1.0 - r * r)) == pytest.approx(over, abs=6e-4)
 
 
-def closed(judge):
+def closed(number_of_reference):
     with mp.workdps(20):
-        return np.array([float(number) for number in np.ravel(judge())])
+        return np.array([float(number) for number in np.ravel(number_of_reference())])
 
 
 def test_carter():
@@ -105,12 +105,12 @@ def test_the_even_flux():
 
 def test_the_restitution_of_kuwabara_and_kono():
     """Section 7."""
-    for ratio, judge, shown in (
+    for ratio, number_of_reference, shown in (
         (0.1, ledger_solutions.kuwabara_kono_weak, ".828586"),
         (0.5, ledger_solutions.kuwabara_kono_strong, ".444772"),
     ):
         found = impact.kuwabara_kono_restitution(ratio)
-        assert found == pytest.approx(closed(judge)[0], rel=1e-8)
+        assert found == pytest.approx(closed(number_of_reference)[0], rel=1e-8)
         printed(shown, found)
 
 
@@ -161,7 +161,7 @@ def test_the_exponent_of_rough_lines():
 
 @pytest.mark.slow
 def test_coefficients_of_rolling_by_boundary_elements():
-    """Section 3, where 84 patches across give 4.127, 3.684 and 1.499: the last has a way to go."""
+    """Section 3, where 84 patches across give 4.127, 3.684 and 1.499: the last has not converged yet."""
     found = rolling_elements.extrapolated(0.25)
     words = ("c11", "c22", "c23")
     np.testing.assert_allclose([expected(f"kalker_{word}_boundary_elements")[0] for word in words], found, rtol=1e-9)
@@ -187,6 +187,6 @@ def test_the_square_pyramid_of_another_code(shared_data):
 
 
 def test_the_remarks_name_cases_that_there_are():
-    told = set(re.findall(r"`([a-z0-9_]+)`", remarks()))
-    assert len(told) > 5
-    assert [name for name in sorted(told) if not (CASES / f"{name}.toml").is_file()] == []
+    stated = set(re.findall(r"`([a-z0-9_]+)`", remarks()))
+    assert len(stated) > 5
+    assert [name for name in sorted(stated) if not (CASES / f"{name}.toml").is_file()] == []

@@ -210,7 +210,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
                 Assumption.CONDUCTION,
                 Standing.EXACT,
                 "The platings conduct as layers bonded without resistance; their halves of the "
-                "resistance are told apart as if each met its like.",
+                "resistance are separated as if each met its like.",
                 OWN_SOLUTION,
             )
         )

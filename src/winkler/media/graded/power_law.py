@@ -229,7 +229,7 @@ class GradedHalfSpace:
         """Refused: the stresses below the surface of a graded body are not known to winkler."""
         raise OutsideValidity(
             "The stresses inside a GradedHalfSpace are not known to winkler: below the surface the power law has no "
-            "closed flat-punch field; ask for the surface (without z), or sample the grading by a layered medium."
+            "closed flat-punch field; request the surface (without z), or sample the grading by a layered medium."
         )
 
 

@@ -82,7 +82,7 @@ def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[floa
     if isinstance(body, Elastic):
         return body.shear, 1.0
     if isinstance(body, Rigid):
-        raise OutsideValidity("A rigid body is not deformed by a twist; ask for the other side.")
+        raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
     c66 = 0.5 * (body.c11 - body.c12)
     return math.sqrt(body.c44 * c66), math.sqrt(c66 / body.c44)
 

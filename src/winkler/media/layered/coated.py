@@ -148,7 +148,7 @@ class LayeredMedium:
             return self.inside(load, r, z)
         if not isinstance(second, Elastic):
             raise OutsideValidity(
-                "The second body (z < 0) is rigid; there is no stress field in it: ask for the other side."
+                "The second body (z < 0) is rigid; there is no stress field in it: request the other side."
             )
         return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
 

@@ -1,7 +1,7 @@
 r"""Stresses and displacements inside a stack of layers, by Hankel integrals over what differs from a half-space.
 
 The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay through the layers as `winkler.media.layered.layers`
-tells.  In the uppermost layer the field of a homogeneous half-space under the same pressure is known without an
+computes.  In the uppermost layer the field of a homogeneous half-space under the same pressure is known without an
 integral over waves (`winkler.media.interior.subsurface`); what the interfaces add dies out like
 :math:`e^{-\xi(2h-z)}`, so that points on and just below the surface are as good as all others.  Deeper layers lie at
 least h below the load and need no such help.
@@ -72,7 +72,7 @@ def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: floa
     bottoms = np.cumsum([layer.thickness for layer in layers])
     if not isinstance(on, Elastic) and np.any(z > bottoms[-1]):
         raise OutsideValidity(
-            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of coating; ask for points in it."
+            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of coating; request points in it."
         )
     result = np.zeros((6, r.size))
     if load.radius > 0.0 and r.size:

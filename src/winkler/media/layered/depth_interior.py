@@ -92,7 +92,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
     if (end * (a + farthest)) * (end * a) * (NODES / LARGEST_PHASE) ** 2 > 0.5 * MOST_PAIRS:
         raise OutsideValidity(
             f"Stresses inside a graded body at r = {farthest:.6g} m and z = {depths[0]:.6g} m under a contact of "
-            f"{a:.6g} m would need too many waves; ask for points deeper or nearer to the axis, or for the surface."
+            f"{a:.6g} m would need too many waves; request points deeper or nearer to the axis, or for the surface."
         )
     waves = waves_of(load, modulus, farthest, end)
     for start in range(0, depths.size, WAVES_AT_ONCE):

@@ -129,7 +129,7 @@ def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, de
         count += int(np.count_nonzero(good))
         if count + low.size > MOST_CELLS:
             raise NotConverged(
-                f"DepthGradedHalfSpace: more than {MOST_CELLS} cells would be needed for the tolerance; ask for less, "
+                f"DepthGradedHalfSpace: more than {MOST_CELLS} cells would be needed for the tolerance; request less, "
                 "or smooth the grading."
             )
     return np.append(np.sort(np.concatenate(done)), reach)

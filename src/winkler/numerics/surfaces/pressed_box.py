@@ -137,7 +137,7 @@ class BoxContact:
         raise NotConverged(
             f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
             f"{left[1]:.3g} of the work on gaps, after {MOST_ITERATIONS} steps; allowed are {tolerance:.3g} of both. "
-            "Ask for a larger tolerance, or smooth the heights."
+            "Allow a larger tolerance, or smooth the heights."
         )
 
     def _unsettled(self, gap: Array) -> Array:

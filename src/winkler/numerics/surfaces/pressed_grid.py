@@ -163,7 +163,7 @@ def _pressed(
     raise NotConverged(
         f"the contact of {shape[0]} x {shape[1]} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
         f"{left[1]:.3g} of the work on gaps, after {MOST_ROUNDS} rounds; allowed are {tolerance:.3g} of both. "
-        "Ask for a larger tolerance, or smooth the heights."
+        "Allow a larger tolerance, or smooth the heights."
     )
 
 

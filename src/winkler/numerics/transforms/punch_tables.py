@@ -112,7 +112,7 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
                 raise NotConverged(
                     f"Flat punches with radii of {low / response.length:.3g} to {high / response.length:.3g} "
                     f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
-                    "beyond what winkler can carry: ask for narrower contacts."
+                    "beyond what winkler can carry: request narrower contacts."
                 )
             done.append(table)
         else:
@@ -206,7 +206,7 @@ def _enough(response: WaveResponse, high: float, panels: Array) -> int:
     if change > max(LAST_TOLERANCE, 100.0 * settled):
         raise NotConverged(
             f"A flat punch with a radius of {high / response.length:.3g} {IN_LENGTHS} still moves by {change:.1e}; the "
-            "contrasts of the stack are beyond what winkler can carry: ask for a narrower contact."
+            "contrasts of the stack are beyond what winkler can carry: request a narrower contact."
         )
     return NODE_COUNTS[-1]
 

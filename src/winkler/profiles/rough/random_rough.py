@@ -65,7 +65,7 @@ def random_topography(spectrum: Spectrum, shape: tuple[int, int], lengths: Array
         size = shape[0] * shape[1] * BYTES_PER_PIXEL / 1e9
         raise InvalidInput(
             f"random_topography: {shape[0]} x {shape[1]} pixels need {size:.3g} GB of memory, which this machine does "
-            "not give; ask for fewer."
+            "not have; request fewer."
         ) from None
 
 

@@ -4,7 +4,7 @@ r"""Power spectra of isotropic rough surfaces: how much of the roughness has whi
           \,\mathrm d^2x , \qquad \langle h^2\rangle = 2\pi\int C\,q\,\mathrm dq , \quad
           \langle|\nabla h|^2\rangle = 2\pi\int C\,q^3\,\mathrm dq .
 
-T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, tell
+T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, explain
 how spectra are measured, and what goes wrong; their C is (2 pi)^2 times this one.
 """
 
