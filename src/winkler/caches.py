@@ -1,4 +1,4 @@
-"""Folders of compiled kernels and of the list of fonts between runs, also where the user's folders are read-only.
+"""Folders of compiled kernels and of the list of fonts between runs, also for users whose own folders are read-only.
 
 numba keeps kernels beside the package or in the home of the user, matplotlib its list of fonts there.  In a container
 often neither can be written, or there is no home at all; then numba refuses to work, and matplotlib warns.  There they

@@ -7,10 +7,10 @@
     |-- OutsideValidity   (also a ValueError)   the input is sound, the theory does not reach it
     |-- NotConverged      (also an ArithmeticError)   a solver did not converge; it never returns half a result
     |-- Mistake           (also a RuntimeError)   winkler itself is wrong; only points of a sweep are caught so
-    `-- Interrupted       the reader stopped a batch; what was done is kept
+    `-- Interrupted       the reader stopped a batch; finished parts remain
 
-Each message states what was given, what is allowed, and what to do.  `suggest` finds the nearest known word, `mistake_in`
-describes an unexpected error.
+Each message states what was given, what is allowed, and what to do.  `suggest` finds the nearest known word,
+`mistake_in` describes an unexpected error.
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ FIELD_ADVICE = "the field"
 
 @value
 class SurfaceFields:
-    """What happens on the surface, at distances r from the axis.
+    """Pressure, displacement and gap of the surface at distances r from the axis.
 
     Parameters
     ----------

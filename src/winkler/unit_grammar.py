@@ -1,4 +1,4 @@
-"""What a unit is: a factor to SI and a dimension, read by a small grammar of names, ``* / ^`` and brackets.
+"""Units: a factor to SI and a dimension, read by a small grammar of names, ``* / ^`` and brackets.
 
 Symbols of the SI with their prefixes, and a few units beside it, stand in a table here, which takes microseconds;
 pint, which takes most of a second to load and has many more, resolves other names alone.  Factors are exact

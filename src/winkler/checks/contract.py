@@ -1,4 +1,4 @@
-"""Whether a part of a value is of the kinds that its field names: of a class, or with each member of a protocol."""
+"""Checks of the parts of a value against the kinds of their fields: classes, or protocols member by member."""
 
 from __future__ import annotations
 

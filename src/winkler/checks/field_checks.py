@@ -1,4 +1,4 @@
-"""What the fields of a value may hold, read from their types once for each class.
+"""Checks of the fields of a value, derived from their types once for each class.
 
 A float is a number, an ``Array`` an array of numbers, the name of a class a value of that class, the name of a protocol
 whatever has its members.  ``Annotated`` types restrict numbers (`number_checks`) and, by `Condition`, parts.  A type

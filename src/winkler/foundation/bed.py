@@ -1,4 +1,4 @@
-"""What a bed is: the springs that every problem holds, as functions of x, without a grid."""
+"""The contract of a bed: the springs of a problem as functions of x, without a grid."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ class Bed(Protocol):
 
     @property
     def medium(self) -> Medium:
-        """What translates between springs and body."""
+        """The transforms between springs and body."""
         ...
 
     @property
     def footprint(self) -> Footprint:
-        """What outline the contact has: what needs a disc is refused on a bed without one."""
+        """The outline of the contact: problems that need a disc are refused on a bed without one."""
         ...
 
     @property
     def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
+        """The greatest x for which the bed is defined [m]."""
         ...
 
     @property
@@ -128,7 +128,7 @@ class PressedSprings:
 
     @property
     def touching(self) -> float:
-        """Up to which radius the surfaces touch [m]."""
+        """The radius of the area in which the surfaces touch [m]."""
         return self.radius
 
     @property

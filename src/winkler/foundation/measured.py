@@ -1,4 +1,4 @@
-r"""A bed known from measurements: how stiff the contact is, and how deep, at every contact radius.
+r"""A bed from measurements: stiffness and depth of the contact as functions of the contact radius.
 
 Two functions are enough, k(a) and g(a), and both can be measured: k is the slope dF/dd, the contact radius is read
 from a microscope or, on a medium of known modulus, from the stiffness itself, :math:`a = k/(2E^*)`, and g(a) is the
@@ -154,7 +154,7 @@ class MeasuredBed:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the points are, and how well they were met."""
+        """What the points are, and how well they were fitted."""
         how = (
             f"; the force curve behind them is met within {self.scatter:.3g} N (root mean square)"
             if self.scatter
@@ -248,8 +248,8 @@ class MeasuredBed:
         """c_T(x) [Pa], the Mindlin ratio times c_N(x)."""
         if self.mindlin_ratio == 0.0:
             raise OutsideValidity(
-                "MeasuredBed: a normal force curve does not determine the tangential stiffness; give mindlin_ratio = G*/E*, "
-                "2 (1 - nu) / (2 - nu) for a homogeneous body."
+                "MeasuredBed: a normal force curve does not determine the tangential stiffness; give mindlin_ratio = "
+                "G*/E*, 2 (1 - nu) / (2 - nu) for a homogeneous body."
             )
         return np.asarray(self.mindlin_ratio * self.normal_stiffness(x))
 

@@ -47,7 +47,7 @@ class UnderProfile(OnMedium):
 
     @property
     def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
+        """The greatest x for which the bed is defined [m]."""
         return self.profile.reach
 
     @property

@@ -56,7 +56,7 @@ class PlaneFoundation(OnMedium):
 
     @property
     def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
+        """The greatest x for which the bed is defined [m]."""
         return self.plane_profile.reach
 
     @property

@@ -1,4 +1,4 @@
-r"""The springs of a sheared contact: how far each is stretched along the surface.
+r"""The springs of a sheared contact: their displacements along the surface.
 
 Distinguished by the depth :math:`\gamma=g(x)` at which they touch, springs of one kind are stretched by
 

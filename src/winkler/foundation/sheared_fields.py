@@ -22,7 +22,7 @@ __all__ = ["BodyFields", "ShearedFields", "body_of_pressed", "body_of_sheared", 
 
 @value
 class ShearedFields:
-    """What happens on the surface of a sheared contact, at distances r from the axis.
+    """Traction, slip and shift of the surface of a sheared contact at distances r from the axis.
 
     Parameters
     ----------

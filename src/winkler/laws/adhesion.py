@@ -1,4 +1,4 @@
-r"""How surfaces attract each other: what it costs to part them, and over what distance.
+r"""Laws of adhesion: the work of adhesion and the range of the attraction.
 
 Every law has the work of adhesion :math:`w`, the energy per area that parting takes.  They differ in how far the
 attraction reaches: not at all (`ShortRange`, the limit of Johnson, Kendall and Roberts), with a constant stress
@@ -116,7 +116,7 @@ class Dugdale:
 
     @property
     def range(self) -> float:
-        """How far the attraction reaches, work / strength [m]."""
+        """The range of the attraction, work / strength [m]."""
         return self.work / self.strength
 
 

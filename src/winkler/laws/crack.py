@@ -1,4 +1,4 @@
-r"""What it takes to open a crack along the surface of rubber: the more, the faster it runs.
+r"""Rate-dependent work of adhesion: the energy that opens a crack along rubber rises with the speed of the crack.
 
 The loss happens near the tip, where everything is fast, and is described by a work of opening that depends on the
 speed,

@@ -1,4 +1,4 @@
-r"""What drives a current through a contact, and how hot that makes it.
+r"""The electric load of a contact, current or voltage, and the temperature from the voltage (Wiedemann and Franz).
 
 In metals the thermal conductivity times the resistivity is :math:`L\,T` (Wiedemann, Franz, Lorenz).  Voltage and
 temperature then go together, whatever the shape of the contact (Kohlrausch): between ends of the temperature T_0

@@ -1,4 +1,4 @@
-"""What resists between the surfaces: a film that current tunnels through, a thermal interface."""
+"""Resistance between the surfaces: a film for electric current, an interface for heat."""
 
 from __future__ import annotations
 

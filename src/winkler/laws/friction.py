@@ -1,4 +1,4 @@
-r"""Dry friction: how much traction two surfaces bear before they slide.
+r"""Laws of dry friction: the traction at which two surfaces slide.
 
 Coulomb: :math:`|\tau|\le\mu p` wherever the surfaces touch, and equality against the motion where they slide.  A point
 that has not slid yet may bear more than one that slides (static and kinetic friction).

@@ -1,4 +1,4 @@
-r"""Wear: how deep a surface is worn down where it slips under pressure.
+r"""Laws of wear: the depth that a surface loses by slip under pressure.
 
 Archard (Reye, Preston): the worn depth grows with pressure and slip,
 

@@ -1,4 +1,4 @@
-"""What a medium is: the transforms between a body and its springs."""
+"""The contract of a medium: the transforms between a body and its springs."""
 
 from __future__ import annotations
 

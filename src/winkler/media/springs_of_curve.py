@@ -1,4 +1,4 @@
-r"""The springs behind a force curve: what g(x) a medium must be pressed by for the force to follow it.
+r"""The equivalent profile g(x) of a force curve: the profile that gives this curve on a medium.
 
 The slope k(d) = dF/dd is the stiffness of the contact, which the medium has at one contact radius alone; the depth
 there is the equivalent profile, :math:`g(a) = d` where :math:`k_\mathrm{medium}(a) = k(d)`, with the slope

@@ -1,4 +1,4 @@
-r"""How far a prescribed pressure on a disc presses the surface of a medium in.
+r"""The displacement of the surface of a medium under a prescribed pressure on a disc.
 
 Under :math:`p(r)` on :math:`r\le a` the springs of a homogeneous (k = 0) or graded half-space sink by
 
@@ -86,7 +86,7 @@ class PressureIndentation:
         return np.asarray(((1.0 - t) * (1.0 + t) * self.bulge.derivative(t) - 2.0 * t * self.bulge(t)) / self.radius)
 
     def rise(self, r: Array) -> Array:
-        """How fast the surface rises with the distance from the axis [-], r < a."""
+        """The slope of the surface over the distance from the axis [-], r < a."""
         from scipy.special import hyp2f1
 
         r, k, a = np.asarray(r, dtype=float), self.exponent, self.radius

@@ -1,4 +1,4 @@
-"""Many independent pieces of work, shared out among the cores; what they run must let other threads run meanwhile."""
+"""Parallel evaluation of many independent items in threads; the function must release the interpreter lock."""
 
 from __future__ import annotations
 

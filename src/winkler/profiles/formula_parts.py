@@ -1,4 +1,4 @@
-"""What the formula of a profile consists of: powers that have transforms in closed form, a rest, and its corners."""
+"""The parts of the formula of a profile: powers with transforms in closed form, a remainder, and its corners."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""What a profile is, and what every shape inherits.
+r"""The contract of a profile, and the base class of all shapes.
 
 A profile is the axisymmetric gap :math:`f(r)` between the undeformed bodies, :math:`f(0)=0`.  The method of
 dimensionality reduction replaces it by the equivalent plane profile

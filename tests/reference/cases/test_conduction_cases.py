@@ -74,7 +74,7 @@ def disc_heat(problem: dict) -> dict:
 
 
 @pytest.mark.parametrize(
-    "judge",
+    "solve_reference",
     [holm_silver_ball, kohlrausch_metal, greenwood_two_spots, barber_bounds, disc_heat],
     ids=lambda f: f.__name__,
 )

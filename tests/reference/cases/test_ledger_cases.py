@@ -67,9 +67,9 @@ def test_how_far_traction_exceeds_friction_in_the_plane(name, r, over):
     assert math.hypot(*expected(name)) / (0.6 / math.pi * math.sqrt(1.0 - r * r)) == pytest.approx(over, abs=6e-4)
 
 
-def closed(number_of_reference):
+def closed(numbers_of):
     with mp.workdps(20):
-        return np.array([float(number) for number in np.ravel(number_of_reference())])
+        return np.array([float(number) for number in np.ravel(numbers_of())])
 
 
 def test_carter():
@@ -105,12 +105,12 @@ def test_the_even_flux():
 
 def test_the_restitution_of_kuwabara_and_kono():
     """Section 7."""
-    for ratio, number_of_reference, shown in (
+    for ratio, numbers_of, shown in (
         (0.1, ledger_solutions.kuwabara_kono_weak, ".828586"),
         (0.5, ledger_solutions.kuwabara_kono_strong, ".444772"),
     ):
         found = impact.kuwabara_kono_restitution(ratio)
-        assert found == pytest.approx(closed(number_of_reference)[0], rel=1e-8)
+        assert found == pytest.approx(closed(numbers_of)[0], rel=1e-8)
         printed(shown, found)
 
 

@@ -1,4 +1,4 @@
-"""Pairs of conducting bodies, and what lies between their surfaces."""
+"""Pairs of conducting bodies, with a film or an interface between their surfaces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""The fields of a twisted contact: traction, displacement of the surface, and what is below it.
+r"""The fields of a twisted contact: traction, displacement of the surface, and stresses below it.
 
 Springs with the load :math:`q(x) = x\,h(x)` stand for the body of revolution
 

@@ -1,4 +1,4 @@
-r"""How waves die out in a body graded in depth: compliances and tractions at any depth, to a stated tolerance.
+r"""The decay of waves in a body graded in depth: compliances and tractions at each depth, to a stated tolerance.
 
 The body is cut into cells no thicker than a part of their depth, across which E changes little; breaks of E are edges
 of cells.  A cell replaced by c equal homogeneous layers, each with the moduli of its middle, errs by a series in

@@ -1,4 +1,4 @@
-r"""What every medium has in common whose springs relax, all by the same function of time.
+r"""The common base of media whose springs all relax by the same function of time.
 
 Its equivalent profile g does not change in time.  What the springs of the elastic medium alike would bear, and how far
 they are pressed in, then give the fields: pressure and stresses are those of the elastic medium whose springs are

@@ -1,4 +1,4 @@
-r"""How much less a disc constricts what comes through a tube: the disc of one voltage on the end of a round rod.
+r"""The constriction of a disc of one voltage on the end of a round rod, relative to that on a half-space.
 
 The field of a half-space leaves through the side of the rod; a second field, regular inside, sends it back.  Both are
 superpositions of :math:`K_0(yr)\cos yz` and :math:`I_0(yr)\cos yz`, and on the line the disc of one voltage becomes

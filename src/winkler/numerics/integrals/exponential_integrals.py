@@ -1,4 +1,4 @@
-r"""Integrals over a step of what fades away, for any ratio :math:`x=h/\tau` of the step to a relaxation time.
+r"""Integrals of decaying exponentials over a step, for any ratio :math:`x=h/\tau` of the step to a relaxation time.
 
 All that a Maxwell element does in a step of steady motion is a sum of
 

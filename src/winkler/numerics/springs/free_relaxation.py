@@ -1,4 +1,4 @@
-r"""How the memories of a pressed spring become those of a free one, and back.
+r"""Conversion of the memories of a pressed spring into those of a free one, and back.
 
 A spring bears :math:`q=M_\infty u+\eta\dot u+\sum_i S_i`, :math:`\dot S_i=-S_i/\tau_i+M_i\dot u`, while it is pressed.
 Left alone it recovers, :math:`u=\sum_k w_k e^{-r_k t}`, with the rates of
@@ -20,7 +20,7 @@ Law = tuple[float, float, Array, Array, Array, Array, Array, Array, Array]
 
 @value
 class Recovery:
-    """How memories of a pressed spring become those of a free one, and back.
+    """The conversion of the memories of a pressed spring into those of a free one, and back.
 
     Parameters
     ----------

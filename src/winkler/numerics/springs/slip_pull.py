@@ -1,4 +1,4 @@
-r"""Kernels: how far springs that stick and slip must be pulled along a line for a given force."""
+r"""Kernels: the displacement along a line at which springs that stick and slip bear a given force."""
 
 from __future__ import annotations
 

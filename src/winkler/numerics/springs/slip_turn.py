@@ -1,4 +1,4 @@
-r"""One spring that is dragged in the plane under a bound: where it begins to slip, and how it turns while it slips."""
+r"""One spring that is dragged in the plane under a bound: the onset of slip, and the rotation of its load in slip."""
 
 from __future__ import annotations
 

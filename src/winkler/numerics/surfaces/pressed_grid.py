@@ -35,7 +35,7 @@ INNER_RATIO = 0.6
 
 
 class PressedSurface(NamedTuple):
-    """What was found.
+    """The pressed surface.
 
     Parameters
     ----------

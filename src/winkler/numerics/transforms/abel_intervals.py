@@ -1,4 +1,4 @@
-"""Where an Abel integral is cut, and what rounding does to it there."""
+"""The intervals of an Abel integral, and the effect of rounding at their ends."""
 
 from __future__ import annotations
 

@@ -1,11 +1,11 @@
-r"""Power spectra of isotropic rough surfaces: how much of the roughness has which wave number.
+r"""Power spectra of isotropic rough surfaces: the density of the roughness over the wave number.
 
 .. math:: C(q) = \frac{1}{(2\pi)^2}\int\langle h(\mathbf x)\,h(\mathbf 0)\rangle\,e^{-i\mathbf q\mathbf x}
           \,\mathrm d^2x , \qquad \langle h^2\rangle = 2\pi\int C\,q\,\mathrm dq , \quad
           \langle|\nabla h|^2\rangle = 2\pi\int C\,q^3\,\mathrm dq .
 
-T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, explain
-how spectra are measured, and what goes wrong; their C is (2 pi)^2 times this one.
+T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, on
+the measurement of spectra and its errors; their C is (2 pi)^2 times this one.
 """
 
 from __future__ import annotations

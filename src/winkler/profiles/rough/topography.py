@@ -81,7 +81,7 @@ class Topography:
 
     @property
     def missing(self) -> int:
-        """How many heights are missing."""
+        """The number of missing heights."""
         return int(np.count_nonzero(np.isnan(self.heights)))
 
     @property
@@ -91,7 +91,7 @@ class Topography:
 
     @property
     def gaps(self) -> Array:
-        """How far every pixel lies below the highest one [m], (nx, ny)."""
+        """The distances of the pixels below the highest one [m], (nx, ny)."""
         return np.asarray(np.nanmax(self.heights) - self.heights)
 
     @property
