@@ -48,7 +48,7 @@ class Staircase:
         By how much each sinks [m].
     modulus : float
         Effective modulus E* of the medium [Pa].
-    pressed : Pressed
+    pressed : PressedSprings
         The springs of the contact that is taken apart.
     """
 

@@ -121,7 +121,7 @@ class ShearedSprings:
 
     Parameters
     ----------
-    pressed : Pressed
+    pressed : PressedSprings
         Across the surface.
     mindlin_ratio : float
         c_T/c_N [-], the same for all springs.

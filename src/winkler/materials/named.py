@@ -59,7 +59,7 @@ class NamedMaterial:
         Its name.
     told : str
         Which sort of it.
-    figures : tuple of Figure
+    figures : tuple of TabulatedProperty
         What is known: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
         ``heat_capacity`` [J/(kg K)], ``conductivity`` [W/(m K)], ``resistivity`` [ohm m], ``temperature_coefficient``
         [1/K].

@@ -54,7 +54,7 @@ def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: floa
 
     Parameters
     ----------
-    load : Carried
+    load : CarriedLoad
         The pressure.
     layers, on
         The stack.

@@ -51,7 +51,7 @@ class CarriedLoad:
     ----------
     displacement : Displacement
         u(x) of the springs of the layered medium.
-    response : Response
+    response : WaveResponse
         Of the medium.
     """
 

@@ -58,7 +58,7 @@ def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: f
 
     Parameters
     ----------
-    load : Carried
+    load : CarriedLoad
         The pressure.
     grading : DepthGrading
         A value.

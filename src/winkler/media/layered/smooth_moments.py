@@ -45,7 +45,7 @@ def smooth_moments(response: WaveResponse, profile: Profile, octave: int, a: Arr
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
     profile : Profile
         Without a kink below the radii.
     octave : int

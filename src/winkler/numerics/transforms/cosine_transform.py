@@ -77,7 +77,7 @@ class ScaledResponse:
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
         In its own unit.
     unit : float
         [m].

@@ -114,7 +114,7 @@ def on_pieces(response: WaveResponse, a: Array, ratio: Array, low: Array, high: 
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
     a : ndarray, (m,)
         Radii [m], positive.
     ratio : ndarray, (m, q, n)

@@ -62,7 +62,7 @@ def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
         Of which C is the transform.
     a : float
         End of the panels [m].

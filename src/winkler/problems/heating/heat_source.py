@@ -31,7 +31,7 @@ class HeatSource:
 
     Parameters
     ----------
-    pressed : Pressed
+    pressed : PressedSprings
         The springs.
     source : LineSource
         Line load of the flux, whose integral is 1 W.

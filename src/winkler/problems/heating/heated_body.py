@@ -26,7 +26,7 @@ class HeatedBody:
         Velocity of its surface along x, past the contact [m/s].
     heat_rate : float
         What flows into it [W].
-    pressed : Pressed
+    pressed : PressedSprings
         The springs; the flux has the shape of their pressure.
     """
 

@@ -39,7 +39,7 @@ class Swing(NamedTuple):
 
     Parameters
     ----------
-    legs : tuple of Marched
+    legs : tuple of IntegratedStates
         Depth [m] and velocity [m/s], piece after piece.
     turn : float
         When the depth is greatest [s].

@@ -66,7 +66,7 @@ def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float =
 
     Parameters
     ----------
-    pressed : Pressed
+    pressed : PressedSprings
         The springs of the contact.
     part : StrongPart
     friction : float

@@ -103,7 +103,7 @@ def yield_notes(contacts: list[PressedSprings], rubbing: Rubbing = FRICTIONLESS)
 
     Parameters
     ----------
-    contacts : list of Pressed
+    contacts : list of PressedSprings
         The deepest first.
     rubbing : Rubbing
 
