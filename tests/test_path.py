@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from winkler.errors import InvalidInput
 from winkler.io.tables.path_table import read_path
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
-from winkler.numerics.equations.oscillation_times import sine, swings
+from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.path import Path
 from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start, Unchanged
 from winkler.program import Program
@@ -90,7 +90,7 @@ def test_sine_of_turns(turns):
     lead=st.floats(-2.0, 2.0),
 )
 def test_moments_hold_every_turning_point(cycles, count, rate, lead):
-    moments = swings(cycles, count, ((1.0, 0.0), (rate, lead)))
+    moments = oscillation_moments(cycles, count, ((1.0, 0.0), (rate, lead)))
     assert moments[0] == 0.0
     assert moments[-1] == cycles
     assert np.all(np.diff(moments) > 0.0)

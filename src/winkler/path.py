@@ -18,7 +18,7 @@ from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
 from winkler.loading import Angle, Depth, Force, Lateral, Load, Normal, Radius, ShearForce, Shift, Torque
-from winkler.numerics.equations.oscillation_times import sine, swings
+from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.numerics.types import Array, Quantity
 from winkler.values import frozen_array, value
 
@@ -149,7 +149,7 @@ class Path:
                 f"Path: the amplitude of an oscillation has the shape {size.shape}; give one number, or in the plane a "
                 "Program with Oscillate."
             )
-        turns = swings(cycles, count)
+        turns = oscillation_moments(cycles, count)
         if not (math.isfinite(frequency) and frequency > 0.0):
             raise InvalidInput(f"Path: the frequency is {frequency!r}; it must be positive and finite, in Hz.")
         normal = Force(force) if math.isnan(depth) else Depth(depth)

@@ -14,7 +14,7 @@ from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Count, Finite, NonNegative, Positive, Whole, affordable
 from winkler.limits import PATH_POINTS
 from winkler.loading import Lateral, Normal, ShearForce, Shift
-from winkler.numerics.equations.oscillation_times import sine, swings
+from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.numerics.types import Array
 from winkler.path import POINTS_PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
 from winkler.values import value
@@ -182,14 +182,14 @@ class Oscillate:
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = POINTS_PER_CYCLE
 
     def __post_init__(self) -> None:
-        swings(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
+        oscillation_moments(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
 
     def rows(self, across: float, along: Array) -> PathRows:
         """Return the points of all cycles."""
         lead = self.phase / (2.0 * math.pi)
         waves = () if isinstance(self.lateral, Unchanged) else ((1.0, lead),)
         waves = (*waves, *(() if isinstance(self.normal, Unchanged) else ((self.ratio, 0.0),)))
-        turns = swings(self.cycles, self.count, waves or ((1.0, 0.0),))
+        turns = oscillation_moments(self.cycles, self.count, waves or ((1.0, 0.0),))
         high = 0.0 if isinstance(self.normal, Unchanged) else _one(self.normal)
         far = np.zeros(2) if isinstance(self.lateral, Unchanged) else _pair(self.lateral)
         return PathRows(
@@ -226,11 +226,11 @@ class Circle:
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = POINTS_PER_CYCLE
 
     def __post_init__(self) -> None:
-        swings(self.cycles, self.count)
+        oscillation_moments(self.cycles, self.count)
 
     def rows(self, across: float, along: Array) -> PathRows:
         """Return the points of all rounds."""
-        turns = swings(self.cycles, self.count)
+        turns = oscillation_moments(self.cycles, self.count)
         round_ = np.stack([sine(turns + 0.25), sine(turns)], axis=1)
         return PathRows(turns / self.frequency, np.full(turns.size, across), along + _one(self.lateral) * round_)
 

@@ -180,8 +180,10 @@ def quantity(text: str | float, unit: str, *, what: str) -> float:
         )
     if stated.offset and unit != "K":
         raise InvalidInput(f"{what}: '{text}' is a temperature, not a difference of two; write the difference in K.")
-    target = unit_of(unit).factor
-    return _float(number, stated._replace(factor=stated.factor / target, offset=stated.offset / target), text, what)
+    target_factor = unit_of(unit).factor
+    return _float(
+        number, stated._replace(factor=stated.factor / target_factor, offset=stated.offset / target_factor), text, what
+    )
 
 
 def _fitting(written: str, unit: str) -> str:

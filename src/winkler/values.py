@@ -109,13 +109,13 @@ def value(cls: type[T]) -> type[T]:
         refuse_outline(self)
         refuse_relaxing(self)
         contents = self.__dict__
-        for name, checked in given():
+        for name, checked in checks_of_fields():
             content = contents[name]
-            kept = content if type(content) in FROZEN_TYPES else _frozen(content)
+            unchanging = content if type(content) in FROZEN_TYPES else _frozen(content)
             if checked is not None:
-                kept = checked(kept)
-            if kept is not content:
-                contents[name] = kept
+                unchanging = checked(unchanging)
+            if unchanging is not content:
+                contents[name] = unchanging
         if check is not None:
             try:
                 with np.errstate(**overflow):
@@ -145,6 +145,6 @@ def value(cls: type[T]) -> type[T]:
                 setattr(cls, name, property(guarded_result(member.fget), doc=member.__doc__))
     made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
     made.__init__ = checked_arguments(made, made.__init__)
-    given = functools.cache(functools.partial(checks_of, made))
+    checks_of_fields = functools.cache(functools.partial(checks_of, made))
     result: type[T] = made
     return result

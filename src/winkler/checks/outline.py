@@ -60,12 +60,12 @@ def refuse_relaxing(content: Any) -> None:
         return
     for field in dataclasses.fields(content):
         part = getattr(content, field.name)
-        for body in (part, _held(part, "medium")):
-            if (refusal := _held(body, "timeless")) is not None:
+        for body in (part, _attribute(part, "medium")):
+            if (refusal := _attribute(body, "timeless")) is not None:
                 raise refusal()
 
 
-def _held(holder: Any, name: str) -> Any:
+def _attribute(holder: Any, name: str) -> Any:
     """Return an attribute, or None; of a class that lacks it no value is read, since its refusal takes longer."""
     return None if _lacks(holder.__class__, name) else getattr(holder, name, None)
 

@@ -130,7 +130,7 @@ def shift_of_surface(sheared: ShearedSprings, x: Array, y: Array) -> Array:
             swerve = np.zeros(r.shape)
             for body in (medium.first, medium.second):
                 if isinstance(body, Elastic):
-                    swerve = swerve + shear_field.swerve(
+                    swerve = swerve + shear_field.angular_shift(
                         part, r, modulus=medium.shear_modulus, poisson=body.poisson, shear=body.shear
                     )
             along, across = mean + swerve * np.cos(2.0 * in_axes), swerve * np.sin(2.0 * in_axes)

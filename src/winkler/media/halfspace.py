@@ -79,7 +79,7 @@ class HomogeneousMedium:
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
-        return PunchFacts(pulls=False, least=0.0, most=1.0, telling=True)
+        return PunchFacts(pulls=False, least=0.0, most=1.0, gives_separation=True)
 
     def normal_stiffness(self, x: Array) -> Array:
         """c_N = E* [Pa], the same for every spring."""

@@ -18,17 +18,17 @@ class PunchFacts(NamedTuple):
 
     Where none `pulls` and g never falls, no contact needs tension, since its pressure is a sum of flat punches'.
 
-    `telling` is whether springs beyond the edge give the separation: it is then an integral of g - d with a positive
-    kernel.  In other media the separation at r is that of :math:`g'(x)(1-u_1(r;x))` from the edge to r, u1 the
-    displacement of the surface outside a flat punch of radius x, which lies between `least` and `most`.  Farther than
-    `calm` [m] from the edge of the punch it lies above `LEAST_SURFACE_RISE`.
+    `gives_separation` is whether springs beyond the edge give the separation: it is then an integral of g - d with a
+    positive kernel.  In other media the separation at r is that of :math:`g'(x)(1-u_1(r;x))` from the edge to r, u1
+    the displacement of the surface outside a flat punch of radius x, which lies between `least` and `most`.  Farther
+    than `flat_beyond` [m] from the edge of the punch it lies above `LEAST_SURFACE_RISE`.
     """
 
     pulls: bool
     least: float
     most: float
-    telling: bool
-    calm: float = 0.0
+    gives_separation: bool
+    flat_beyond: float = 0.0
 
 
 LEAST_SURFACE_RISE = -0.25

@@ -90,8 +90,8 @@ def punch_superposition(displacement: Displacement) -> PunchSuperposition:
 
 
 @functools.lru_cache(maxsize=32)
-def _punch_superposition(given: Hashable) -> PunchSuperposition:
-    displacement = cast(Displacement, given)
+def _punch_superposition(cache_key: Hashable) -> PunchSuperposition:
+    displacement = cast(Displacement, cache_key)
     panels = tuple(_panels(displacement))
     nodes, weights = gauss_legendre(SAMPLES)
     radii, parts = [], []

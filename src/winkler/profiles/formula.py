@@ -92,7 +92,7 @@ class Formula(Shape):
         if "kinks" in named:
             raise InvalidInput("Formula: radii where the slope jumps are given as corners=(...), not as kinks.")
         try:
-            known = dict(constants) | named
+            numbers = dict(constants) | named
             listed = tuple(corners)
         except (TypeError, ValueError):
             raise InvalidInput(
@@ -100,7 +100,7 @@ class Formula(Shape):
                 f"[1e-3]; constants is {constants!r:.60} and corners {corners!r:.60}."
             ) from None
         object.__setattr__(self, "expression", expression)
-        object.__setattr__(self, "constants", tuple(sorted(known.items())))
+        object.__setattr__(self, "constants", tuple(sorted(numbers.items())))
         object.__setattr__(self, "reach", reach)
         object.__setattr__(self, "corners", listed)
         self.__post_init__()

@@ -197,12 +197,12 @@ def _gap_slope(curve: Spline, x: Array) -> Array:
     chunk = max(1, 2_000_000 // max(inner.size, 1))
     for start in range(0, flat.size if inner.size else 0, chunk):
         part = slice(start, start + chunk)
-        total[part] += _beyond(flat[part, None], inner) @ half_jumps
+        total[part] += _slope_beyond(flat[part, None], inner) @ half_jumps
     result: Array = total.reshape(x.shape)
     return result
 
 
-def _beyond(x: Array, b: Array) -> Array:
+def _slope_beyond(x: Array, b: Array) -> Array:
     """Return what a slope (r - b)^2 beyond b adds to g'(x).
 
     With s = sqrt(x^2 - b^2) and A = arccos(b/x): 3 W2 - 4 b W1 + b^2 W0 = (1.5 x^2 + b^2) A - 2.5 b s; the inverse

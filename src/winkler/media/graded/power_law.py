@@ -189,7 +189,7 @@ class GradedHalfSpace:
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
-        return PunchFacts(pulls=False, least=0.0, most=1.0, telling=True)
+        return PunchFacts(pulls=False, least=0.0, most=1.0, gives_separation=True)
 
     def _stiffness(self, modulus: float, x: Array) -> Array:
         x, k = np.asarray(x, dtype=float), self.exponent

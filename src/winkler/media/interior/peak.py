@@ -75,8 +75,8 @@ def greatest(
     for _ in range(zooms):
         around_r = np.unique(np.clip(best.r + dr * np.linspace(-1.0, 1.0, 7), least, None))
         around_z = np.unique(np.clip(best.z + depth_step * np.linspace(-1.0, 1.0, 7), top, bottom))
-        found = _best(field, around_r, around_z)
-        best = found if found.value >= best.value else best
+        best_place = _best(field, around_r, around_z)
+        best = best_place if best_place.value >= best.value else best
         dr, depth_step = 0.36 * dr, 0.36 * depth_step
     return best
 
@@ -121,8 +121,8 @@ def _zoomed(field: Callable[[Array, Array, Array], Array], best: StressSpot, rad
     for _ in range(REFINEMENTS):
         line = np.linspace(-1.0, 1.0, 5)
         x, y = (part.ravel() for part in np.meshgrid(best.x + wide * line, best.y + wide * line))
-        found = _spot(field, x, y, np.unique(np.clip(best.z + high * line, 0.0, None)))
-        best = found if found.value >= best.value else best
+        best_place = _spot(field, x, y, np.unique(np.clip(best.z + high * line, 0.0, None)))
+        best = best_place if best_place.value >= best.value else best
         wide, high = 0.5 * wide, 0.5 * high
     return best
 

@@ -24,7 +24,7 @@ from winkler.media.punch_superposition import punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["field", "swerve"]
+__all__ = ["angular_shift", "field"]
 
 NODES = 48
 """Nodes of the one rule that is used on the surface, where points are few."""
@@ -67,8 +67,10 @@ def field(
     return combine_shear(potentials, x, y, z, modulus=modulus, poisson=poisson, shear=shear)
 
 
-def swerve(displacement: Displacement, r: Array, *, modulus: float, poisson: float, shear: float) -> Array:
-    r"""Return how far the surface of one body swerves: B in :math:`u_x=\bar u+B\cos2\theta,\ u_y=B\sin2\theta`.
+def angular_shift(displacement: Displacement, r: Array, *, modulus: float, poisson: float, shear: float) -> Array:
+    r"""Return the part of the shift of a surface that varies with the angle.
+
+    It is B in :math:`u_x=\bar u+B\cos2\theta,\ u_y=B\sin2\theta`, of one body.
 
     Parameters
     ----------

@@ -158,10 +158,12 @@ def _tabulated(key: Hashable) -> RootPanels:
     def sums(count: int, x: Array) -> Array:
         return _rho_sums(load, x, kinks, count)
 
-    return fit(lambda x: _settled(sums, x, np.array([scale, scale / a]), _aim(load)), edges, kinks, tolerances)
+    return fit(
+        lambda x: _settled(sums, x, np.array([scale, scale / a]), _target_tolerance(load)), edges, kinks, tolerances
+    )
 
 
-def _aim(load: CarriedLoad) -> float:
+def _target_tolerance(load: CarriedLoad) -> float:
     """Return the relative error aimed at: not less than that of the response."""
     return max(SETTLED_TOLERANCE, load.response.precision)
 
@@ -245,4 +247,4 @@ def _spread(key: Hashable, octave: int, order: int) -> RootPanels:
     def tolerances(values: Array) -> Array:
         return np.asarray(_smooth(load) * np.maximum(np.max(np.abs(values), axis=1), least))
 
-    return fit(lambda x: _settled(sums, x, least, _aim(load)), edges, np.zeros(0), tolerances)
+    return fit(lambda x: _settled(sums, x, least, _target_tolerance(load)), edges, np.zeros(0), tolerances)

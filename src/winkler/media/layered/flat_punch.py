@@ -45,7 +45,9 @@ def gap(response: WaveResponse, profile: Profile, x: Array) -> Array:
     own = np.array(profile.gap(x))
     finite = np.isfinite(own)
     here = x[finite]
-    own[finite] = (own[finite] - _moments(response, profile, here)[0]) / fredholm.edge(response, _held(profile, here))
+    own[finite] = (own[finite] - _moments(response, profile, here)[0]) / fredholm.edge(
+        response, _within_profile(profile, here)
+    )
     return own
 
 
@@ -56,7 +58,7 @@ def gap_slope(response: WaveResponse, profile: Profile, x: Array) -> Array:
     finite = np.isfinite(own)
     here = x[finite]
     lost, lost_slope, _ = _moments(response, profile, here)
-    place = _held(profile, here)
+    place = _within_profile(profile, here)
     edge, edge_slope = fredholm.edge(response, place), fredholm.edge_slope(response, place)
     g = (profile.gap(here) - lost) / edge
     falling = np.where(edge_slope == 0.0, 0.0, g * edge_slope)
@@ -67,7 +69,7 @@ def gap_slope(response: WaveResponse, profile: Profile, x: Array) -> Array:
 def kinks(response: WaveResponse, profile: Profile) -> tuple[tuple[float, float], ...]:
     """Return ``(x, strength)`` where g is not smooth: the moments are, so that only the edge divides b jump."""
     return tuple(
-        (b, b * jump / float(fredholm.edge(response, _held(profile, np.asarray(b)))) if jump else 0.0)
+        (b, b * jump / float(fredholm.edge(response, _within_profile(profile, np.asarray(b)))) if jump else 0.0)
         for b, jump in profile.kinks
     )
 
@@ -81,7 +83,7 @@ def _end(profile: Profile) -> float:
     return min(profile.reach, profile.rim)
 
 
-def _held(profile: Profile, x: Array) -> Array:
+def _within_profile(profile: Profile, x: Array) -> Array:
     return np.minimum(x, _end(profile))
 
 
@@ -116,7 +118,7 @@ def _unit_power(exponent: float) -> PowerLaw:
 
 def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the same of a profile in the lengths of the response."""
-    flat = _held(profile, x).ravel()
+    flat = _within_profile(profile, x).ravel()
     octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST_OCTAVE)
     result = np.zeros((3, flat.size))
     waiting = np.ones(flat.size, dtype=bool)
@@ -124,15 +126,15 @@ def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
     tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
     for octave in np.unique(tabled[whole]):
         (members,) = np.nonzero(whole & (tabled == octave))
-        found, holds = smooth_moments(response, profile, int(octave), flat[members])
-        result[:, members[holds]] = found[:, holds]
+        table_moments, holds = smooth_moments(response, profile, int(octave), flat[members])
+        result[:, members[holds]] = table_moments[:, holds]
         waiting[members[holds]] = False
     for octave in np.unique(octaves[waiting]):
         (members,) = np.nonzero(waiting & (octaves == octave))
         if octave == LOWEST_OCTAVE:
             result[2, members] = profile.gap_integral(flat[members])
             continue
-        steep = flat[members] > _tame(cast(Hashable, profile))
+        steep = flat[members] > _table_end(cast(Hashable, profile))
         for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
             if chosen.size:
                 result[:, chosen] = moments(response, profile, int(octave), flat[chosen])
@@ -140,7 +142,7 @@ def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
 
 
 @functools.lru_cache(maxsize=256)
-def _tame(body: Hashable) -> float:
+def _table_end(body: Hashable) -> float:
     """Return up to where the moments are tabulated: not quite to the equator of a sphere, where it is vertical."""
     profile = cast(Profile, body)
     end = _end(profile)
@@ -163,7 +165,7 @@ def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -
 def _octave(key: Hashable, body: Hashable, octave: int) -> RootPanels:
     response, profile = cast(WaveResponse, key), cast(Profile, body)
     high = punch_tables.first_radius(response) * 2.0**octave
-    low, high = 0.5 * high, min(high, _tame(body))
+    low, high = 0.5 * high, min(high, _table_end(body))
     kinks = np.array([b for b, _ in profile.kinks if b < high])
     steps = [table.high for table in punch_tables.tables(response, octave) if low < table.high < high]
     edges = np.unique(np.concatenate([[low, high], kinks[kinks > low], steps]))
@@ -192,7 +194,7 @@ def _integrated(response: WaveResponse, profile: Profile, a: Array, panels: Arra
     """Integrate over the springs of contacts with radii a ``(m,)`` of one octave, which has these panels of x/a."""
     kinks = np.array([b for b, _ in profile.kinks if b < np.max(a)])
     inner, end = doubled(list(kinks), float(np.max(a))), _end(profile)
-    if np.max(a) > 0.5 * end > 0.5 * _tame(cast(Hashable, profile)):  # where the profile ends it is vertical
+    if np.max(a) > 0.5 * end > 0.5 * _table_end(cast(Hashable, profile)):  # where the profile ends it is vertical
         inner = np.concatenate([inner, end * (1.0 - 0.5 ** np.arange(1, 49))])
     edges = np.concatenate([np.minimum(inner, a[:, None]), a[:, None] * panels], axis=1)
     edges.sort(axis=1)

@@ -46,13 +46,15 @@ def facts(response: WaveResponse, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
     response, unit = in_own_lengths(response)
     radius /= unit
-    pull, least, most, calm = math.inf, LEAST_SURFACE_RISE, 1.0, 0.0
+    pull, least, most, flat_beyond = math.inf, LEAST_SURFACE_RISE, 1.0, 0.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
         if _weight_of_octave(cast(Hashable, response), octave) < SMALL_KERNEL_INTEGRAL:
             break  # and so are all narrower ones
         first, low, high, far = _octave(cast(Hashable, response), octave)
-        pull, least, most, calm = min(pull, first), min(least, low), max(most, high), max(calm, far)
-    return PunchFacts(pulls=bool(pull < radius), least=least, most=most, telling=False, calm=unit * calm)
+        pull, least, most, flat_beyond = min(pull, first), min(least, low), max(most, high), max(flat_beyond, far)
+    return PunchFacts(
+        pulls=bool(pull < radius), least=least, most=most, gives_separation=False, flat_beyond=unit * flat_beyond
+    )
 
 
 @functools.lru_cache(maxsize=512)
@@ -90,7 +92,7 @@ def _first_pull(table: Punches) -> float:
 
 
 def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, float]:
-    """Return least and greatest displacement of the surface outside a table's widest punch, and where it is calm."""
+    """Return least and greatest displacement outside a table's widest punch, and the distance where it is flat."""
     a = table.high
     nodes, weights = gauss_legendre(24)
     width = np.diff(table.panels)[:, None]
@@ -112,7 +114,7 @@ def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, floa
     legs = y[1:, None] * (np.sqrt((1.0 - start) * (1.0 + start)) - np.sqrt((1.0 - stop) * (1.0 + stop)))
     moved = 1.0 - (2.0 / math.pi) * (shares @ (v[:-1] - rise * y[:-1]) + legs @ rise)
     heaved = np.flatnonzero(moved < LEAST_SURFACE_RISE)
-    calm = 0.0
+    flat_beyond = 0.0
     if heaved.size:  # moved[i] stands at x[i + 1]
-        calm = float(x[heaved[-1] + 2]) - a if heaved[-1] + 2 < x.size else math.inf
-    return float(np.min(moved)), float(np.max(moved)), calm
+        flat_beyond = float(x[heaved[-1] + 2]) - a if heaved[-1] + 2 < x.size else math.inf
+    return float(np.min(moved)), float(np.max(moved)), flat_beyond

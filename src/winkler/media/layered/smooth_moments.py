@@ -68,9 +68,9 @@ def smooth_moments(response: WaveResponse, profile: Profile, octave: int, a: Arr
     result = np.zeros((3, a.size))
     if not holds.any():
         return result, holds
-    rules, found = _rules(cast(Hashable, own), max(octave, 0)), punch_tables.tables(response, octave)
-    which = np.searchsorted([table.high for table in found[:-1]], a)
-    for index, (table, rule) in enumerate(zip(found, rules, strict=True)):
+    rules, octave_tables = _rules(cast(Hashable, own), max(octave, 0)), punch_tables.tables(response, octave)
+    which = np.searchsorted([table.high for table in octave_tables[:-1]], a)
+    for index, (table, rule) in enumerate(zip(octave_tables, rules, strict=True)):
         (mine,) = np.nonzero((which == index) & holds)
         if not mine.size:
             continue

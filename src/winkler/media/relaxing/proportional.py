@@ -119,7 +119,7 @@ class RelaxingInProportion(RelaxingMedium):
         Both are linear in the displacement of the springs: stresses in what they bear, displacements in how far they
         are pressed in.
         """
-        borne = self.loads_of(displacement)
+        borne = self.elastic_parts(displacement)
         moved = np.array(self.medium.interior(displacement, r, z, below=below))
         loaded = np.array(self.medium.interior(borne[0], r, z, below=below)) if borne else np.zeros(moved.shape)
         return BodyField(*loaded[:4], *moved[4:])

@@ -64,7 +64,7 @@ class RelaxingMedium:
             "ViscoelasticIndentation(bed, path), or an elastic medium."
         )
 
-    def loads_of(self, displacement: Displacement) -> tuple[Displacement, ...]:
+    def elastic_parts(self, displacement: Displacement) -> tuple[Displacement, ...]:
         """Return what elastic springs would bear the same; refuse springs without memory."""
         borne = getattr(displacement, "borne", None)
         if not isinstance(borne, tuple):
@@ -113,7 +113,7 @@ class RelaxingMedium:
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa] of springs with a history."""
-        parts = [self.elastic.pressure(part, r) for part in self.loads_of(displacement)]
+        parts = [self.elastic.pressure(part, r) for part in self.elastic_parts(displacement)]
         return np.asarray(sum(parts, np.zeros(np.shape(r))))
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:

@@ -133,7 +133,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         OutsideValidity
             If the body is rigid, or both creep and not in proportion: how much each of them moves is then not known.
         """
-        borne = self.loads_of(displacement)
+        borne = self.elastic_parts(displacement)
         body, other = (self.first, self.second) if below else (self.second, self.first)
         if isinstance(body, Rigid):
             raise OutsideValidity(

@@ -13,7 +13,7 @@ from winkler.errors import InvalidInput
 from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
 
-__all__ = ["sine", "swings"]
+__all__ = ["oscillation_moments", "sine"]
 
 MOMENT_TOLERANCE = 1e-9
 """Moments closer than that are one: at a turning point the sine does not resolve them."""
@@ -46,7 +46,7 @@ def sine(turns: Array) -> Array:
     return np.asarray(np.where(np.mod(whole, 2.0) == 0.0, even, odd) + 0.0)
 
 
-def swings(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = ((1.0, 0.0),)) -> Array:
+def oscillation_moments(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = ((1.0, 0.0),)) -> Array:
     """Return moments from 0 to `cycles` at which waves sin(2 pi (rate t + lead)) are to be known.
 
     Parameters

@@ -23,7 +23,7 @@ from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["ConvexCurve", "fit_convex", "hollow", "local_scatter"]
+__all__ = ["ConvexCurve", "first_concave_part", "fit_convex", "local_scatter"]
 
 EXPONENTS = (0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0)
 LEAST_RISE = 1e-7
@@ -102,7 +102,7 @@ class ConvexCurve:
         return np.asarray(s)
 
 
-def hollow(depth: Array, force: Array, tolerance: float) -> tuple[float, float] | None:
+def first_concave_part(depth: Array, force: Array, tolerance: float) -> tuple[float, float] | None:
     """Return the first two depths between which a curve through 0 and the points is not convex; None if it is.
 
     Depths strictly ascending and positive; slopes may fall by `tolerance` of the greatest one.
@@ -243,7 +243,7 @@ def _fitted(depth: Array, force: Array, beta: float, pieces: int) -> tuple[float
     rows, aim = _grouped(whole), _grouped(target)
     size = np.linalg.norm(rows, axis=0)
     head = slice(0, max(1, len(depth) // 50))
-    score, found = np.inf, np.zeros(whole.shape[1])
+    score, best_fit = np.inf, np.zeros(whole.shape[1])
     for columns in (whole.shape[1] - 1, whole.shape[1]):
         flat = columns == whole.shape[1]
         some, misfit = nnls(rows[:, :columns] / size[:columns], aim, maxiter=200 * columns)
@@ -253,8 +253,8 @@ def _fitted(depth: Array, force: Array, beta: float, pieces: int) -> tuple[float
         share = min((int(np.count_nonzero(some)) + 1) / len(rows), 0.95)
         own = float(misfit**2 / len(rows) / (1.0 - share) ** 2) * (FLAT_GAIN_RATIO if flat else 1.0)
         if own < score:
-            score, found = own, coefficients
-    misfit = float(np.sqrt(np.mean((whole @ found - target) ** 2)))
-    series = splines @ (found[:-1] + least)
-    series[:, 0] += found[-1]
+            score, best_fit = own, coefficients
+    misfit = float(np.sqrt(np.mean((whole @ best_fit - target) ** 2)))
+    series = splines @ (best_fit[:-1] + least)
+    series[:, 0] += best_fit[-1]
     return score, ConvexCurve(end, beta, Panels(knots, series), misfit)

@@ -20,7 +20,7 @@ from winkler.numerics.integrals.exponential_integrals import first, second
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["borne", "sunk"]
+__all__ = ["forces_of_motion", "motion_of_forces"]
 
 MOST_TERMS = 60
 ROOT_TOLERANCE = 1e-13
@@ -78,7 +78,7 @@ def _past(
 
 
 @compiled
-def borne(
+def forces_of_motion(
     time: Array, place: Array, turn: int, compliance: float, relaxed: float, viscosity: float, moduli: Array,
     times: Array, deepest: float, table: Array, slopes: Array, force: Array, depth: Array, edge: Array, drift: Array,
     load: Array, phi: Array,
@@ -208,7 +208,7 @@ def borne(
 
 
 @compiled
-def sunk(
+def motion_of_forces(
     time: Array, force: Array, glassy: float, fluidity: float, compliances: Array, times: Array, deepest: float,
     table: Array, slopes: Array, depth: Array,
 ) -> None:  # fmt: skip
@@ -221,7 +221,7 @@ def sunk(
     glassy, fluidity, compliances, times
         The creep C(t).
     deepest, table, slopes
-        As for `borne`.
+        As for `forces_of_motion`.
     depth : ndarray, (n,)
         Written.
     """

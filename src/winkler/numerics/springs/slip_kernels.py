@@ -130,7 +130,7 @@ def _press_alike(
 
 
 @compiled
-def _enter(
+def _press_in(
     u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float
 ) -> tuple[float, float, float]:
     """Move springs that come into contact: each by what is left of the step from then on."""
@@ -151,7 +151,7 @@ def _enter(
 
 
 @compiled
-def _leave(u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float) -> float:
+def _unload(u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float) -> float:
     """Move springs that lose contact, from a depth on, and set them at rest; return what they lose."""
     loss = 0.0
     for i in range(u.size):
@@ -208,7 +208,7 @@ def march_line(
                 else:
                     pull, held, loss = _press(v[:stay], g[:stay], k[:stay], b[:stay], depth[t + 1], sunk, moved)
                 if after > before:
-                    more, further, waste = _enter(
+                    more, further, waste = _press_in(
                         v[before:after],
                         g[before:after],
                         k[before:after],
@@ -221,7 +221,7 @@ def march_line(
                     held += further
                     loss += waste
                 elif after < before:
-                    loss += _leave(
+                    loss += _unload(
                         v[after:before],
                         g[after:before],
                         k[after:before],

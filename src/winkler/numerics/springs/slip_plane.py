@@ -184,7 +184,7 @@ def _circle_still(u: Pair, last: Array, mx: float, my: float, new: Three) -> int
 
 
 @compiled
-def _beyond(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
+def _count_slipping(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
     """Return how many springs of a row would be beyond their bound if they stuck."""
     count = 0
     for i in range(ux.size):
@@ -194,7 +194,7 @@ def _beyond(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
 
 
 @compiled
-def _follow(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tuple[float, float, float]:
+def _move_sticking(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tuple[float, float, float]:
     """Move springs that stick; return their force and twice what they store."""
     pull_x = pull_y = held = 0.0
     for i in range(ux.size):
@@ -207,7 +207,7 @@ def _follow(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tup
 
 
 @compiled
-def _settle(ux: Array, uy: Array, nx: Array, ny: Array, stiffness: Array, waste: Array) -> float:
+def _store_state(ux: Array, uy: Array, nx: Array, ny: Array, stiffness: Array, waste: Array) -> float:
     """Put springs where they are found to be; return what they lost."""
     loss = 0.0
     for i in range(ux.size):
@@ -222,8 +222,8 @@ def _row(
 ) -> tuple[float, float, float, float]:
     """Move a row of springs that stay in contact; return their force, twice what they store, and what they lose."""
     (ux, uy), (first, last), (nx, ny, waste) = u, ends, new
-    if hold == 1.0 and _beyond(ux, uy, last, mx, my) == 0:
-        pull_x, pull_y, held = _follow(ux, uy, stiffness, mx, my)
+    if hold == 1.0 and _count_slipping(ux, uy, last, mx, my) == 0:
+        pull_x, pull_y, held = _move_sticking(ux, uy, stiffness, mx, my)
         return pull_x, pull_y, held, 0.0
     odd = ux.size
     if hold == 1.0:
@@ -231,8 +231,8 @@ def _row(
     for i in range(ux.size if odd > 0 else 0):
         if hold > 1.0 or waste[i] < 0.0:
             nx[i], ny[i], waste[i], slips[i] = travel(ux[i], uy[i], first[i], last[i], mx, my, hold, slips[i])
-    loss = _settle(ux, uy, nx, ny, stiffness, waste)
-    pull_x, pull_y, held = _follow(ux, uy, stiffness, 0.0, 0.0)
+    loss = _store_state(ux, uy, nx, ny, stiffness, waste)
+    pull_x, pull_y, held = _move_sticking(ux, uy, stiffness, 0.0, 0.0)
     return pull_x, pull_y, held, loss
 
 

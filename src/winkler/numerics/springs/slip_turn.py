@@ -63,7 +63,7 @@ def _turn(
 
 
 @compiled
-def _hit(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
+def _slip_onset(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
     """Return the part of the path after which a spring that moves by m reaches a circle that goes to radius `last`."""
     scale = max(bound, last, abs(ux), abs(uy), abs(mx), abs(my))
     x, y, dx, dy = ux / scale, uy / scale, mx / scale, my / scale
@@ -92,7 +92,7 @@ def travel(
             rim = hold * last
             if tx * tx + ty * ty <= rim * rim:
                 return tx, ty, loss, False
-            part = _hit(ux, uy, hold * bound, rim, left * mx, left * my)
+            part = _slip_onset(ux, uy, hold * bound, rim, left * mx, left * my)
             ux, uy = ux + part * left * mx, uy + part * left * my
             left *= 1.0 - part
             size = math.sqrt(ux * ux + uy * uy)

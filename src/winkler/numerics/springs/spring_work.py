@@ -85,7 +85,7 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
         hits = stuck & ~ends
         hit = rows[hits]
         if hit.size:
-            part = _met(at[hit], hold * now[hit], hold * last[hit], rest[hits])
+            part = _slip_onset(at[hit], hold * now[hit], hold * last[hit], rest[hits])
             reached = at[hit] + part[:, None] * rest[hits]
             work[hit] += 0.5 * np.sum((reached - at[hit]) * (at[hit] + reached), axis=1)
             left[hit] *= 1.0 - part
@@ -99,7 +99,7 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
     return work
 
 
-def _met(u: Array, bound: Array, last: Array, move: Array) -> Array:
+def _slip_onset(u: Array, bound: Array, last: Array, move: Array) -> Array:
     """Return the part of the travel after which springs reach a circle whose radius goes from `bound` to `last`."""
     scale = np.maximum(np.maximum(bound, last), np.maximum(np.abs(u).max(axis=1), np.abs(move).max(axis=1)))
     scale = np.where(scale > 0.0, scale, 1.0)

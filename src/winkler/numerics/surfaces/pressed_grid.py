@@ -127,8 +127,8 @@ def press(
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
     begin = np.asarray(start) / strain
-    found = _pressed(heights / unit, (1.0, pixel[1] / pixel[0]), scaled, periodic, ceiling / strain, tolerance, begin)
-    return found._replace(pressure=strain * found.pressure, gap=unit * found.gap, depth=unit * found.depth)
+    pressed = _pressed(heights / unit, (1.0, pixel[1] / pixel[0]), scaled, periodic, ceiling / strain, tolerance, begin)
+    return pressed._replace(pressure=strain * pressed.pressure, gap=unit * pressed.gap, depth=unit * pressed.depth)
 
 
 def _pressed(
@@ -194,7 +194,7 @@ def _from_coarser(
         return nothing
     twice = 2.0 * pixel[0], 2.0 * pixel[1]
     try:
-        found = _pressed(coarse - lowest, twice, easier, periodic, ceiling, COARSE_TOLERANCE, np.empty(0))
+        pressed = _pressed(coarse - lowest, twice, easier, periodic, ceiling, COARSE_TOLERANCE, np.empty(0))
     except NotConverged:  # the coarse grid is only a first guess
         return nothing
-    return _doubled(found.pressure, heights.shape)
+    return _doubled(pressed.pressure, heights.shape)

@@ -76,22 +76,22 @@ def punch(
             inner = exact = SurfaceGrid.of(shape, aspect, periodic=periodic)
         before = left
         try:
-            p -= _relieving(inner, there, wrong.astype(inner.response.dtype), INNER_RATIO * tolerance)
+            p -= _correction(inner, there, wrong.astype(inner.response.dtype), INNER_RATIO * tolerance)
         except NotConverged:
             if inner.response.dtype == DOUBLE:
                 raise
             before = 0.0
-    raise _lost(touching)
+    raise _not_converged(touching)
 
 
-def _lost(touching: Array) -> NotConverged:
+def _not_converged(touching: Array) -> NotConverged:
     return NotConverged(
         f"the pressure under a flat punch of {int(np.sum(touching))} pixels was not found; smooth the heights, or give "
         "the map other pixels."
     )
 
 
-def _relieving(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) -> Array:
+def _correction(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) -> Array:
     """Return the pressures that displace the pixels under the punch by `wrong`, up to the tolerance."""
     number = wrong.dtype.type
     none = number(0.0)
@@ -114,4 +114,4 @@ def _relieving(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) 
             break
         length = number(new / bent)
         p, wrong, product = p + length * along, wrong - length * sunk, new
-    raise _lost(there)
+    raise _not_converged(there)

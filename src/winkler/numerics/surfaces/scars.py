@@ -47,11 +47,11 @@ def _across(numbers: Array, times: float, periodic: bool) -> Array:
     around = [(beyond, beyond), (0, 0)]
     steps = np.diff(np.pad(numbers, [(0, 1), (0, 0)], mode="wrap") if periodic else numbers, axis=0)
     middle, scale = _spread(steps)
-    known = np.pad(steps, around, mode="wrap") if periodic else np.pad(steps, around, constant_values=np.nan)
+    framed = np.pad(steps, around, mode="wrap") if periodic else np.pad(steps, around, constant_values=np.nan)
     if not periodic:
-        known = np.concatenate((known, np.full((1, numbers.shape[1]), np.nan)))
+        framed = np.concatenate((framed, np.full((1, numbers.shape[1]), np.nan)))
         middle, scale = (np.concatenate((part, part[-1:])) for part in (middle, scale))
-    off = known - np.pad(middle, around, mode="edge")
+    off = framed - np.pad(middle, around, mode="edge")
     size, scale = np.abs(off), np.pad(scale, around, mode="edge")
     marked = np.zeros(numbers.shape, dtype=bool)
     for wide in range(1, min(WIDEST_SCAR, n - 2) + 1):

@@ -80,7 +80,7 @@ def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -
     x, w = panel_nodes(a * halving_panels(halvings), count)
     matrix = _sums(kernel, x, a, halvings, count) * w
     _correct(matrix[:, :count], response, kernel, -x, 0.0, a if halvings == 0 else 0.5 * a, count)
-    hook = _hooks(cast(Hashable, response), count)
+    hook = _first_panel_tables(cast(Hashable, response), count)
     for step in range(halvings + 1):
         right, below = hook(a * 0.5**step, halvings - step)
         start, stop = step * count, (step + 1) * count
@@ -111,13 +111,13 @@ def _samples(halvings: int, count: int) -> tuple[Array, Array]:
 
 
 @functools.lru_cache(maxsize=16)
-def _hooks(key: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
-    """Return `_hook` of a response with a memory of its own: a response is compared once, not for every panel."""
-    return functools.lru_cache(maxsize=1024)(functools.partial(_hook, cast(WaveResponse, key), count))
+def _first_panel_tables(key: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
+    """Return `_first_panel_table` of a response with a cache of its own: the response is compared only once."""
+    return functools.lru_cache(maxsize=1024)(functools.partial(_first_panel_table, cast(WaveResponse, key), count))
 
 
-def _hook(response: WaveResponse, count: int, a: float, halvings: int) -> tuple[Array, Array]:
-    """Return what the first panel feels of C(x - t) on all panels, and what all others feel of it on the first."""
+def _first_panel_table(response: WaveResponse, count: int, a: float, halvings: int) -> tuple[Array, Array]:
+    """Return the matrix of C(x - t) from all panels on the first, and from the first on all others."""
     kernel = transform(response, a)
     edges = a * halving_panels(halvings)
     x, w = panel_nodes(edges, count)
@@ -143,13 +143,13 @@ def _correct(
     (near,) = np.nonzero(np.maximum(low - place, place - high) <= FAR_DISTANCE_RATIO * width)
     if near.size == 0:
         return
-    distance, weights = _towards(place[near], low, high, response)
+    distance, weights = _graded_rule(place[near], low, high, response)
     t = place[near, None] + distance
     basis = np.polynomial.chebyshev.chebvander(np.clip((2.0 * t - low - high) / width, -1.0, 1.0), n - 1)
     matrix[near] = np.einsum("ij,ijk->ik", weights * kernel(np.abs(distance)), basis) @ legendre_to_chebyshev(n)
 
 
-def _towards(place: Array, low: float, high: float, response: WaveResponse) -> tuple[Array, Array]:
+def _graded_rule(place: Array, low: float, high: float, response: WaveResponse) -> tuple[Array, Array]:
     """Return nodes, as distances from `place`, and weights on [low, high] in pieces that shrink towards `place`."""
     farthest = float(np.max(np.maximum(high - place, place - low)))
     step = 2.0 * response.smooth

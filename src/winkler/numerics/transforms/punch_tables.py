@@ -66,8 +66,8 @@ def first_radius(response: WaveResponse) -> float:
 
 
 @functools.lru_cache(maxsize=256)
-def _first_radius(given: Hashable) -> float:
-    response = cast(WaveResponse, given)
+def _first_radius(cache_key: Hashable) -> float:
+    response = cast(WaveResponse, cache_key)
     strength = abs(float(transform(response, response.length)(np.zeros(1))[0]))
     return 0.5 * response.length / (1.0 + response.length * strength)
 
@@ -92,14 +92,14 @@ def tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
 
 
 @functools.lru_cache(maxsize=512)
-def _stretched(given: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
+def _stretched(cache_key: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
     """Return the tables with radii in m, of a response in units of a length [m]."""
-    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(given, octave))
+    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(cache_key, octave))
 
 
 @functools.lru_cache(maxsize=512)
-def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
-    response = cast(WaveResponse, given)
+def _tables(cache_key: Hashable, octave: int) -> tuple[Punches, ...]:
+    response = cast(WaveResponse, cache_key)
     high = first_radius(response) * 2.0**octave
     waiting = [(0.5 * high if octave else 0.0, high, 0)]
     done: list[Punches] = []

@@ -18,7 +18,7 @@ from winkler.media.medium import Medium
 from winkler.media.springs_of_curve import springs_of_curve
 from winkler.media.under_pressure import PressureIndentation, pressed_in
 from winkler.numerics.panels.chebyshev import fit_panels
-from winkler.numerics.panels.convex_spline import ConvexCurve, fit_convex, hollow, local_scatter
+from winkler.numerics.panels.convex_spline import ConvexCurve, first_concave_part, fit_convex, local_scatter
 from winkler.numerics.types import Array, ArrayLike, Curve
 from winkler.profiles.designed import Designed
 
@@ -176,7 +176,7 @@ def _convex(depth: ArrayLike, force: ArrayLike) -> tuple[ConvexCurve, float]:
     d, f = d[d > 0.0], f[d > 0.0]
     if d.size < FEWEST:
         raise InvalidInput(f"design_profile: {d.size} depths above zero were given; give at least {FEWEST}.")
-    where = hollow(d, f, CONVEX)
+    where = first_concave_part(d, f, CONVEX)
     scatter = local_scatter(d, f) if where is not None else 0.0
     pulled = np.flatnonzero(f <= -BEYOND_SCATTER * scatter)
     if pulled.size or f[-1] <= 0.0:

@@ -162,7 +162,7 @@ def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
         place = r[np.argmin(pressure)]
         cause = (
             "the true contact has a gap there; the profile is too concave or wavy for this load"
-            if bed.medium.punch_facts(radius).telling
+            if bed.medium.punch_facts(radius).gives_separation
             else "the layers bend away from the body there; ask for another load, or for a softer or thicker coating"
         )
         raise OutsideValidity(
@@ -219,7 +219,7 @@ def _lowest_rise(bed: Bed, depth: float, radius: float, end: float) -> float:
     r = np.geomspace(radius, far, 400)
     height = bed.height(r)
     high = (height >= (1.0 + bulge) * depth) | (
-        (r >= radius + beside.calm) & (height >= (1.0 - LEAST_SURFACE_RISE) * depth)
+        (r >= radius + beside.flat_beyond) & (height >= (1.0 - LEAST_SURFACE_RISE) * depth)
     )
     if not high.any() and far < end:
         return np.inf
@@ -234,7 +234,7 @@ def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
     with np.errstate(over="ignore", invalid="ignore"):
         height = bed.height(places)
         high = (height >= depth + _bulge(bed, radius, facts.least)) | (
-            (places >= radius + facts.calm) & (height >= depth + _bulge(bed, radius, LEAST_SURFACE_RISE))
+            (places >= radius + facts.flat_beyond) & (height >= depth + _bulge(bed, radius, LEAST_SURFACE_RISE))
         )
     low = places[~high]
     if not low.size:
@@ -274,7 +274,7 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
     """
     near, far = _outside(radius, end)
     facts = bed.medium.punch_facts(radius)
-    if not facts.telling:
+    if not facts.gives_separation:
         places = np.concatenate(
             [near[:: SAMPLES // 400], _troughs(bed, near), far[:: SAMPLES // 400], _troughs(bed, far)]
         )

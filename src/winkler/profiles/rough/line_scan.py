@@ -145,7 +145,7 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
         t = edges[:-1, None] + np.diff(edges)[:, None] * nodes
         s = low * np.cosh(t)
         inner = steep[k:, None] * line[k:-1, None] * (q[k:-1, None] / s) ** steep[k:, None] / s
-        density[k] = np.sum(np.diff(edges)[:, None] * weights * inner) + _beyond(low, q[-1], line[-1], tail)
+        density[k] = np.sum(np.diff(edges)[:, None] * weights * inner) + _continued(low, q[-1], line[-1], tail)
     return PowerSpectrum(q, density / np.pi)
 
 
@@ -169,7 +169,7 @@ def _falling(density: Array) -> Array:
     return np.repeat(means, counts)
 
 
-def _beyond(low: float, last: float, density: float, tail: float) -> float:
+def _continued(low: float, last: float, density: float, tail: float) -> float:
     """Return the integral from the last wave number on, under a power law: an incomplete beta function."""
     from scipy.special import beta, betainc
 
