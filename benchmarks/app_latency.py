@@ -41,7 +41,7 @@ WATCH = """() => {
   }, true);
   return plots.length;
 }"""
-"""Redrawing gives a picture another object of data; after the frame in which that happens, or the next, it is seen."""
+"""Redrawing gives a picture another object of data; after the frame in which that happens, or the next, it is shown."""
 
 
 def free_port() -> int:
@@ -52,7 +52,7 @@ def free_port() -> int:
 
 
 def begun(port: int) -> subprocess.Popen[bytes]:
-    """Start the app, and wait until it answers."""
+    """Start the app, and wait until it responds."""
     words = [sys.executable, "-m", "winkler", "app", "--port", str(port), "--no-browser"]
     process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
     end = monotonic() + 60.0
@@ -88,7 +88,7 @@ def measured(port: int, browser: str) -> list[float]:
 
 
 def main() -> int:
-    """Measure, print, and tell by the exit code whether the target was met."""
+    """Measure, print, and state by the exit code whether the target was met."""
     browser = sys.argv[1] if len(sys.argv) > 1 else shutil.which("chromium") or shutil.which("google-chrome")
     if not browser:
         raise SystemExit("no browser was found; give the path of one")

@@ -39,7 +39,7 @@ def bench_equilibrium_curve(benchmark, below):
 
 
 def bench_force_curve(benchmark, below):
-    """F at 2,000 depths of an adhesive ball, as a fit asks for it."""
+    """F at 2,000 depths of an adhesive ball, as a fit needs it."""
     problem = AdhesiveIndentation(BALL, LAW, wk.Depth(np.linspace(-1e-6, 5e-5, 2000)))
     contact = benchmark.pedantic(problem.solve, setup=forget, rounds=20, warmup_rounds=2)
     assert np.all(np.diff(contact.force) > 0.0)

@@ -33,7 +33,7 @@ STEEP = DepthGradedHalfSpace(ExponentialGrading(2.1e9, 210e9, depth_scale=3e-6, 
 
 
 def bench_first_stiffness(benchmark, below):
-    """k of one radius on a stack never seen before."""
+    """k of one radius on a stack that is new."""
     k = benchmark.pedantic(STACK.punch_stiffness, args=(np.array(2e-6),), setup=forget, rounds=5)
     assert 2.0 * 210e9 / 0.91 * 2e-6 < float(k) < 2.0 * 400e9 / 0.96 * 2e-6
     below(0.5, "three-layer coating, k of one radius, from nothing")

@@ -1,4 +1,4 @@
-"""The way back: pressure on 1,000 radii, and all stresses on a map of 100 x 100 points, nothing cached.
+"""Restoring the body: pressure on 1,000 radii, and all stresses on a map of 100 x 100 points, nothing cached.
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """

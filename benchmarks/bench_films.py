@@ -59,7 +59,7 @@ TURNING = {
 @pytest.mark.parametrize("name", TURNING)
 @pytest.mark.parametrize("width", [0.001, 1.0, 10.0, 100.0])
 def bench_force_curve_of_a_turning_profile(benchmark, below, name, width):
-    """The same for shapes whose g is not known to rise: all contacts are looked at for tension and overlap."""
+    """The same for shapes whose g is not known to rise: all contacts are checked for tension and overlap."""
     a = width * THICKNESS
     bed = wk.Foundation(TURNING[name](a), film(1e3, THICKNESS, 0.5))
     deepest = float(bed.gap(np.array([a]))[0])
@@ -95,7 +95,7 @@ def bench_fit_on_a_rigid_base(benchmark, below, name):
 
 
 def bench_fit_on_glass(benchmark, below):
-    """The same on an elastic base: every modulus is another contrast, and asks for tables of its own."""
+    """The same on an elastic base: every modulus is another contrast, and needs tables of its own."""
     found = benchmark.pedantic(_fit, args=(wk.Paraboloid(5e-6), wk.Elastic(70e9, 0.2)), rounds=3)
     assert found.values == pytest.approx([1.2e3, 2e-6, 3e-6], rel=0.1)
     below(10.0, "film on glass, paraboloid, fit of 2,000 points, three free numbers")

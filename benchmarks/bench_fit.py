@@ -30,14 +30,14 @@ def sticky(young: float, work: float) -> AdhesiveIndentation:
 
 def there_and_back(count: int) -> ForceCurve:
     """A sphere that snaps in and comes off, on a cantilever, with noise."""
-    way = np.linspace(-1e-6, 1.5e-6, count // 2)
+    path = np.linspace(-1e-6, 1.5e-6, count // 2)
     model = sticky(YOUNG, WORK)
-    answer = response(states_of(model.bed, model.law), 1.0 / SPRING, 1.5e-6)
-    inward = np.where(way >= 0.0, answer.closing(way).force, 0.0)
-    outward = np.where(way >= answer.loss()[0], answer.opening(way, 1.5e-6).force, 0.0)
+    solution = response(states_of(model.bed, model.law), 1.0 / SPRING, 1.5e-6)
+    inward = np.where(path >= 0.0, solution.closing(path).force, 0.0)
+    outward = np.where(path >= solution.loss()[0], solution.opening(path, 1.5e-6).force, 0.0)
     force = np.concatenate([inward, outward[::-1]])
     noise = NOISE * np.random.default_rng(0).standard_normal(count)
-    return ForceCurve(np.concatenate([way, way[::-1]]) + 2e-6, force + 1e-10 + noise, SPRING)
+    return ForceCurve(np.concatenate([path, path[::-1]]) + 2e-6, force + 1e-10 + noise, SPRING)
 
 
 def check(found) -> None:

@@ -49,7 +49,7 @@ def bench_springs_along_a_line(benchmark, below, count, pressing):
 
 @pytest.mark.parametrize("amplitude", [0.1, 0.3])
 def bench_springs_in_the_plane(benchmark, below, amplitude):
-    """A circular way; the shift of sliding is 0.4: an eighth, or half, of the springs slip in every step."""
+    """A circular path; the shift of sliding is 0.4: an eighth, or half, of the springs slip in every step."""
     count = 500
     gap, stiffness, slope = row(count)
     depth = np.ones(STEPS + 1)

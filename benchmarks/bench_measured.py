@@ -51,7 +51,7 @@ def bench_ten_thousand_points(benchmark, below, steel_on_steel):
 
 
 def bench_reading_again(benchmark, steel_on_steel):
-    """The same profile at other depths: the transform is remembered."""
+    """The same profile at other depths: the transform is cached."""
     bed = wk.Foundation(wk.Measured(*noisy_points()), steel_on_steel)
     problem = wk.Indentation(bed, wk.Depth(np.linspace(0.0, 0.5e-6, 200)))
     contact = benchmark.pedantic(problem.solve, rounds=100, warmup_rounds=3)

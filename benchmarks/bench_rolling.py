@@ -38,8 +38,8 @@ def bench_simplified_creep_curve_of_200_points(benchmark, below, spin):
 def bench_start_of_rolling(benchmark, below):
     """A hundred states over two widths of the contact, 800 springs: 30 ms."""
     problem = wk.RollingStart(WHEEL, MU, wk.Creepage(1e-3), LOAD, 24e-3)
-    answer = benchmark(problem.solve)
-    assert abs(answer.shear_force[-1] / answer.steady.longitudinal_force - 1.0) < 1e-5
+    solution = benchmark(problem.solve)
+    assert abs(solution.shear_force[-1] / solution.steady.longitudinal_force - 1.0) < 1e-5
     below(0.03, "start of rolling, 800 springs")
 
 

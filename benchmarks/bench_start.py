@@ -1,8 +1,8 @@
-"""How soon winkler answers: its help, one name, all names, numbers and a report of one contact, each in a new process.
+"""The time to start winkler: its help, one name, all names, numbers and a report of one contact, each in a new process.
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 
-What is loaded is looked at by tests/package/test_cold_start.py; this looks at the clock.
+What is loaded is checked by tests/package/test_cold_start.py; this measures time.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ def bench_a_cold_start(benchmark, below, name, tmp_path):
     """The page cache is warm, the process is new."""
     words, target = STARTS[name]
     (tmp_path / "ball.toml").write_text(STUDY, encoding="utf-8")
-    answer = benchmark.pedantic(
+    solution = benchmark.pedantic(
         lambda: subprocess.run([sys.executable, *words], capture_output=True, text=True, check=True, cwd=tmp_path),
         rounds=5,
         warmup_rounds=1,
     )
-    assert answer.stderr == ""
+    assert solution.stderr == ""
     below(target, name)

@@ -29,7 +29,7 @@ def ball(count: int = COUNT) -> wk.Topography:
 
 def forget() -> None:
     """Empty the cache of grids."""
-    surface_grid._kept.cache_clear()
+    surface_grid._cached_grid.cache_clear()
 
 
 def bench_hertz_from_cold(benchmark, below):

@@ -1,4 +1,4 @@
-"""Sweeps: ten thousand points from the study file to the whole folder of results, and what a point costs on the way.
+"""Sweeps: ten thousand points from the study file to the whole folder of results, and what a point costs in between.
 
 Run it:  pytest benchmarks -m bench -n 0 --benchmark-only
 """
@@ -58,7 +58,7 @@ def bench_ten_thousand_points_with_all_results(benchmark, below, tmp_path):
 
 
 def bench_ten_thousand_points_recalled(benchmark, below, tmp_path):
-    """From a whole journal to the table of answers, nothing solved: 5 s."""
+    """From a whole journal to the table of results, nothing solved: 5 s."""
     forces, youngs = np.geomspace(1.0, 1e3, 100), np.geomspace(50e9, 500e9, 100)
     study = Study("x", BALL, sweep=(Axis(KEYS[0].key, forces), Axis(KEYS[1].key, youngs)))
     path = tmp_path / "x.journal"
@@ -85,7 +85,7 @@ def bench_a_thousand_drawn_points(benchmark, below):
 
 
 def bench_indices_of_sobol(benchmark, below):
-    """Five answers over two keys, 256 pairs, with their intervals: 1 s."""
+    """Five results over two keys, 256 pairs, with their intervals: 1 s."""
     outcome = run(Study("x", BALL, sweep=KEYS, design=Sensitivity(256)))
 
     def indices():

@@ -1,8 +1,8 @@
-"""Everything that winkler remembers of layered media, to be forgotten before a round."""
+"""All caches of winkler for layered media, to be cleared before a round."""
 
 from __future__ import annotations
 
-from winkler.media.layered import coated_load, depth_climb, depth_response, flat_punch, punch_facts, smooth_moments
+from winkler.media.layered import coated_load, depth_recursion, depth_response, flat_punch, punch_facts, smooth_moments
 from winkler.numerics.transforms import cosine_transform, fredholm, kernel_matrix, punch_tables
 from winkler.problems.normal import single_contact
 
@@ -15,7 +15,7 @@ PAGES = (
     flat_punch,
     punch_facts,
     coated_load,
-    depth_climb,
+    depth_recursion,
     depth_response,
     single_contact,
 )

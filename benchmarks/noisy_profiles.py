@@ -1,9 +1,9 @@
-"""Two ways to the g(x) of a noisy profile, side by side: a spline of the heights, and the integral form of T1.
+"""Two methods for the g(x) of a noisy profile, side by side: a spline of the heights, and the integral form of T1.
 
 Prints the table of docs/decisions/noisy-profiles.md: the root mean square error of g, relative to its largest value,
 over twelve seeded profiles of 1,001 points.  For the integral form, g = H' with H(x) the integral of
 r f / sqrt(x^2 - r^2) taken exactly over the polygon through the points, the number of pieces is the best one, chosen
-with the true g in hand: no method could do better that way.
+with the true g: no method could do better.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def half_integral(r: np.ndarray, f: np.ndarray, x: np.ndarray) -> np.ndarray:
 
 
 def errors(shape: wk.Shape, noise: float, seed: int) -> tuple[float, float]:
-    """Return the errors of both ways for one noisy profile."""
+    """Return the errors of both methods for one noisy profile."""
     r = np.linspace(0.0, 1.0, 1001)
     true = shape.height(r)
     f = true + noise * true[-1] * np.random.default_rng(seed).standard_normal(r.size)

@@ -1,11 +1,11 @@
 """Hertz' contact by winkler and by boundary-element codes, side by side in one run.
 
 The task is the same for all: a paraboloid of R = 1 on a half-space of E* = 1 is pressed with the force that gives a
-contact radius of 0.1; asked is the depth.  The error is that of the force against Hertz' closed form at the depth that
-was found.  What is counted: for the peers the solve alone, their grids, height maps and transforms having been set up
-before; for winkler everything, from the shape to the answer.
+contact radius of 0.1; the depth is prescribed.  The error is that of the force against Hertz' closed form at the depth
+that was found.  What is counted: for the peers the solve alone, their grids, height maps and transforms having been set
+up before; for winkler everything, from the shape to the result.
 
-The peers compute any height map; winkler uses that this one is a body of revolution.  The figure therefore says what
+The peers compute any height map; winkler uses that this one is a body of revolution.  The figure therefore shows what
 it costs to use a tool for everything where the special one exists, and not that the peers are slow.  winkler's own
 height maps (`SurfaceContact`) stand beside them on the same grids.
 
@@ -79,7 +79,7 @@ def by_winkler() -> float:
 
 
 def by_winkler_without_closed_form() -> float:
-    """Return the depth by winkler for the same shape given as a formula, of which it knows no closed form."""
+    """Return the depth by winkler for the same shape given as a formula, of which it has no closed form."""
     medium = wk.HalfSpace.between(wk.Elastic(young=1.0, poisson=0.0))
     shape = wk.Formula("r**2 / (2*R)", R=RADIUS)
     return wk.Indentation(wk.Foundation(shape, medium), wk.Force(FORCE)).solve().depth
@@ -99,7 +99,7 @@ def by_height_map(points: int) -> Callable[[], tuple[float, float]]:
     surface = wk.Topography(heights(points), [SIDE, SIDE])
 
     def run() -> tuple[float, float]:
-        surface_grid._kept.cache_clear()
+        surface_grid._cached_grid.cache_clear()
         start = time.perf_counter()
         contact = wk.SurfaceContact(surface, medium, wk.Force(FORCE)).solve()
         elapsed = time.perf_counter() - start
@@ -246,10 +246,10 @@ def equally_accurate(rows: list[Row]) -> str:
     """Return a table of the time that each code takes for an error: on the coarsest of its grids that reaches it."""
     codes = ["winkler", *(code for code in PEERS if any(row.code == code for row in rows))]
     lines = []
-    for asked in (1e-4, 1e-5, 5e-6):
-        cells = [f"{asked:.0e}"]
+    for requested in (1e-4, 1e-5, 5e-6):
+        cells = [f"{requested:.0e}"]
         for code in codes:
-            enough = [row for row in rows if row.code == code and abs(row.error) <= asked]
+            enough = [row for row in rows if row.code == code and abs(row.error) <= requested]
             best = min(enough, key=lambda row: row.points, default=None)
             grid = f" ({best.points}²)" if best and best.points else ""
             cells.append(f"{spoken(best.median)}{grid}" if best else f"not on {GRIDS[-1]}²")

@@ -22,8 +22,8 @@ gc.set_threshold(100_000, 10, 10)
 
 ROOT = Path(__file__).resolve().parents[1]
 
-hypothesis.settings.register_profile("house", deadline=None, derandomize=True, database=None, print_blob=True)
-hypothesis.settings.load_profile("house")
+hypothesis.settings.register_profile("winkler", deadline=None, derandomize=True, database=None, print_blob=True)
+hypothesis.settings.load_profile("winkler")
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -42,7 +42,7 @@ def test_the_folder_is_private_and_its_name_cannot_be_guessed(place):
 
 
 def test_what_a_killed_process_left_is_removed_and_nothing_else(place):
-    left, link = place / f"{caches.PREFIX}left", place / f"{caches.PREFIX}x"
+    left, link = place / f"{caches.FOLDER_PREFIX}left", place / f"{caches.FOLDER_PREFIX}x"
     victim, other = place / "victim", place / "y"
     for folder in (left, victim, other):
         (folder / "inside").mkdir(parents=True)
@@ -60,15 +60,15 @@ def test_a_place_where_others_could_exchange_it_is_not_taken(place, mode, taken)
 
 
 def test_kernels_and_fonts_lie_there_if_nothing_else_can_be_written(place, monkeypatch):
-    asked = []
-    monkeypatch.setattr(caches, "_writable", asked.append)
+    requested = []
+    monkeypatch.setattr(caches, "_writable", requested.append)
     monkeypatch.setenv("HOME", "/home/of/nobody")
     assert caches.with_kernels(Path("/package/module.py"))
     caches.with_fonts()
-    assert Path("/package/__pycache__") in asked
-    assert Path("/home/of/nobody/.cache/numba") in asked
+    assert Path("/package/__pycache__") in requested
+    assert Path("/home/of/nobody/.cache/numba") in requested
     for name in ("NUMBA_CACHE_DIR", "MPLCONFIGDIR", "XDG_CACHE_HOME"):
-        assert Path(os.environ[name]).relative_to(place).parts[0].startswith(caches.PREFIX)
+        assert Path(os.environ[name]).relative_to(place).parts[0].startswith(caches.FOLDER_PREFIX)
         monkeypatch.delenv(name)
 
 

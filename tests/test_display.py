@@ -50,7 +50,10 @@ def many():
     ],
 )
 def test_a_small_value_is_the_call_that_makes_it(small):
-    assert eval(repr(small), {"inf": math.inf, "array": np.array}, vars(wk)) == small
+    assert (
+        eval(repr(small), {"inf": math.inf, "array": np.array}, {name: getattr(wk, name) for name in wk.__all__})
+        == small
+    )
 
 
 def test_an_answer_of_a_thousand_loads_takes_a_few_lines(many):

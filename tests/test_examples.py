@@ -45,7 +45,7 @@ def test_script(script, tmp_path, monkeypatch):
 @pytest.mark.slow
 @pytest.mark.parametrize("script", SCRIPTS, ids=map(name, SCRIPTS))
 def test_script_on_its_own(script, tmp_path):
-    answer = subprocess.run(
+    solution = subprocess.run(
         [sys.executable, str(script)],
         cwd=tmp_path,
         env={**os.environ, "MPLBACKEND": "Agg", "PYTHONWARNINGS": "error::RuntimeWarning", "PYTHONIOENCODING": "utf-8"},
@@ -56,7 +56,7 @@ def test_script_on_its_own(script, tmp_path):
         timeout=600,
         check=False,
     )
-    assert answer.returncode == 0, answer.stdout + answer.stderr
+    assert solution.returncode == 0, solution.stdout + solution.stderr
 
 
 # what another study shows as well, and what takes long, runs among the slow tests

@@ -135,7 +135,7 @@ def test_point_forces_agree(name):
     breaks = [b for b, _ in profile.kinks if b < a][:6]
     r = a * np.array([0.0, 0.37, 0.97, 1.0, 1.03, 2.0])
 
-    def pressure(s):  # a node of the judge that falls on a kink, where the pressure is infinite, is moved aside
+    def pressure(s):  # a node of the reference that falls on a kink, where the pressure is infinite, is moved aside
         return wk.restore(contact, np.where(np.isin(s, breaks), np.nextafter(s, 9.0), s)).pressure
 
     direct = superpose(pressure, contact.radius, r, 1.0, edge=edge, breaks=breaks)
@@ -148,7 +148,7 @@ def test_point_forces_agree(name):
 
 @pytest.mark.parametrize("name", SHAPES)
 def test_near_a_kink_the_axis_and_the_edge(name):
-    """Every place may be asked for, also those a rounding away from where something happens."""
+    """Every place may be evaluated, also those a rounding away from where something happens."""
     profile, a, more = SHAPES[name]
     contact = wk.Indentation(
         wk.Foundation(profile, UNIT), wk.Depth(float(profile.gap(np.array([a]))[0]) + more)
@@ -248,7 +248,7 @@ def test_fields_of_two_elastic_bodies():
 def test_the_side_of_a_rigid_body_is_refused():
     contact = solved(wk.Paraboloid(1.0), 0.3)
     wk.restore(contact, 0.1, 0.1)
-    with pytest.raises(wk.OutsideValidity, match="rigid; there is no stress field in it: ask for the other side"):
+    with pytest.raises(wk.OutsideValidity, match="rigid; there is no stress field in it: request the other side"):
         wk.restore(contact, [0.1, 0.1], [0.1, -0.1])
 
 
@@ -261,7 +261,7 @@ def test_the_inside_of_a_transversely_isotropic_body_is_refused():
 
 
 def test_an_even_pressure_that_does_not_settle_is_told():
-    """g' is infinite at its edge: a sentence says why there is no number, and numpy does not warn before it."""
+    """g' is infinite at its edge: a sentence states why there is no number, and numpy does not warn before it."""
     bed = wk.PlaneFoundation(wk.Ellipsoid(1.0, 1.0), wk.HalfSpace(wk.Elastic(1.0, 0.0)))
     contact = wk.Indentation(bed, wk.Depth(1.0)).solve()
     with pytest.raises(wk.NotConverged, match="not smooth"):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -267,6 +267,6 @@ def test_refused():
     bed = wk.Foundation(wk.Paraboloid(R), coat)
     with pytest.raises(wk.OutsideValidity, match="layers"):
         sheared_by_pieces(bed, 0.4, 0.1, [0.0, 0.4], [0.1], [0.0])
-    pressed = Pressed(wk.Foundation(wk.Paraboloid(R), PAIR), 0.48, A)
+    pressed = PressedSprings(wk.Foundation(wk.Paraboloid(R), PAIR), 0.48, A)
     with pytest.raises(wk.InvalidInput, match="shape"):
         ShearedSprings(pressed, 0.8, 0.1, np.array([0.48]), np.array([A]), np.zeros((1, 2)), np.zeros((1, 2)))

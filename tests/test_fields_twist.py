@@ -64,7 +64,7 @@ def test_body_is_the_sum_of_pressure_and_twist(side):
     np.testing.assert_allclose(along.yz_stress, twist.axial_twist_stress, rtol=1e-9, atol=1e-16)
     np.testing.assert_allclose(along.y_displacement, twist.hoop_displacement, rtol=1e-9)
     np.testing.assert_allclose(along.xx_stress, meridian.radial_stress, rtol=1e-9)
-    # the displacement along y, seen along x and along y
+    # the displacement along y, along x and along y
     upright = wk.restore_body(STATE, 0.0, r, z)
     np.testing.assert_allclose(upright.x_displacement, -along.y_displacement, rtol=1e-9)
     np.testing.assert_allclose(upright.xz_stress, -along.yz_stress, rtol=1e-9, atol=1e-16)

@@ -1,4 +1,4 @@
-"""The manual is whole: nothing that can be asked is missing from it."""
+"""The manual is whole: no problem is missing from it."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def test_every_problem_has_a_page_in_the_gallery(root):
         "BallImpacts",
         "OliverPharr",
     ]
-    asked = {name for name in problems for script in scripts if re.search(rf"\b{name}(\.\w+)?\(", script)}
-    assert [name for name in problems if name not in asked] == []
+    requested = {name for name in problems for script in scripts if re.search(rf"\b{name}(\.\w+)?\(", script)}
+    assert [name for name in problems if name not in requested] == []
 
 
 def test_the_interface_names_the_whole_front_door(root):
@@ -42,8 +42,8 @@ def test_the_interface_names_the_whole_front_door(root):
     conf = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(conf)
     page = conf.front_door()
-    told = re.findall(r"^\.\. (?:autoclass|autofunction|py:data):: winkler\.(\w+)$", page, re.MULTILINE)
-    assert sorted(told) == sorted(name for name in wk.__all__ if not name.startswith("__"))
+    documented = re.findall(r"^\.\. (?:autoclass|autofunction|py:data):: winkler\.(\w+)$", page, re.MULTILINE)
+    assert sorted(documented) == sorted(name for name in wk.__all__ if not name.startswith("__"))
 
 
 @pytest.mark.parametrize("column", [1, 2, 3])
@@ -67,7 +67,7 @@ def test_the_page_on_coatings_says_which_problems_take_which_medium(root, column
 @pytest.mark.parametrize("medium", ["coated_half_space", "depth_graded_half_space"])
 @pytest.mark.parametrize("kind", ["bimodal_damping", "fretting_heat"])
 def test_what_needs_one_ratio_of_stiffnesses_is_refused_on_layers(kind, medium):
-    """As coatings.md says; of an oblique impact tests/problems/impact/test_impact.py says so."""
+    """As coatings.md states; for an oblique impact see tests/problems/impact/test_impact.py."""
     with pytest.raises(wk.OutsideValidity, match="tangential"):
         build(example_study(kind, medium=medium)["problem"]).solve()
 
@@ -98,7 +98,7 @@ def test_the_puzzle_is_the_first_page(root):
 PROMISES = re.compile(
     r"\b(?:any|every|all)\s+(?:histor|profile|shape|medium|media|speed|amplitude|solid|law)\w*", re.IGNORECASE
 )
-KEPT = {
+ALLOWED = {
     "conduction.md": {
         "any shape": "Barber's analogy, tests/problems/conduction/test_constriction.py presses an ellipse"
     },
@@ -115,21 +115,21 @@ def test_no_page_promises_more_than_was_tested(root):
         *(docs / "chapters").glob("*.md"),
         *(docs / "tutorials").glob("*.md"),
     ]:
-        said = {" ".join(words.split()).lower() for words in PROMISES.findall(path.read_text(encoding="utf-8"))}
-        found += [f"{path.name}: {words}" for words in said - set(KEPT.get(path.name, ()))]
+        text = {" ".join(words.split()).lower() for words in PROMISES.findall(path.read_text(encoding="utf-8"))}
+        found += [f"{path.name}: {words}" for words in text - set(ALLOWED.get(path.name, ()))]
     assert found == []
 
 
 @pytest.mark.parametrize("medium", sorted(CATALOGUE["medium"]))
 def test_elastic_media_are_pressed_stick_and_wear_to_a_limit(medium):
-    """As adhesion.md and wear.md say: half-spaces, layers and gradings; bodies that relax are refused."""
+    """As adhesion.md and wear.md state: half-spaces, layers and gradings; bodies that relax are refused."""
     bed = wk.Foundation(wk.Paraboloid(0.01), build(example_study(medium)["problem"]).bed.medium)
-    asked = (
+    requested = (
         lambda: wk.Indentation(bed, wk.Depth(1e-6)),
         lambda: wk.AdhesiveIndentation(bed, wk.ShortRange(0.05), wk.Depth(1e-6)),
         lambda: wk.LimitingProfile(bed, wk.Coulomb(0.5), wk.Depth(1e-6), wk.Shift(0.2e-6)),
     )
-    for problem in asked:
+    for problem in requested:
         if medium in {"viscoelastic_half_space", "relaxing_in_proportion"}:
             with pytest.raises(wk.OutsideValidity, match="changes in time"):
                 problem()
@@ -139,7 +139,7 @@ def test_elastic_media_are_pressed_stick_and_wear_to_a_limit(medium):
 
 @pytest.mark.parametrize(("softer", "low", "high"), [(None, 0.08, 0.13), (10.0, -0.35, -0.28), (100.0, -0.75, -0.695)])
 def test_when_a_coating_matters(softer, low, high):
-    """What choosing.md says of the stiffness at a tenth of the thickness, from nu = 0 to 0.5."""
+    """What choosing.md states of the stiffness at a tenth of the thickness, from nu = 0 to 0.5."""
     changes = []
     for poisson in (0.0, 0.3, 0.5):
         layer = wk.Elastic(1e9, poisson)

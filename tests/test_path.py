@@ -1,4 +1,4 @@
-"""A path and the steps it may be told in: points, turning points, kinds of loads, tables, errors."""
+"""A path and the steps it may be stated in: points, turning points, kinds of loads, tables, errors."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from winkler.errors import InvalidInput
 from winkler.io.tables.path_table import read_path
 from winkler.loading import Angle, Depth, Force, ShearForce, Shift, Torque
-from winkler.numerics.equations.oscillation_times import sine, swings
+from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.path import Path
-from winkler.path_steps import Circle, Follow, Hold, Kept, Oscillate, Ramp, Start
+from winkler.path_steps import Circle, Follow, Hold, Oscillate, Ramp, Start, Unchanged
 from winkler.program import Program
 
 
@@ -90,7 +90,7 @@ def test_sine_of_turns(turns):
     lead=st.floats(-2.0, 2.0),
 )
 def test_moments_hold_every_turning_point(cycles, count, rate, lead):
-    moments = swings(cycles, count, ((1.0, 0.0), (rate, lead)))
+    moments = oscillation_moments(cycles, count, ((1.0, 0.0), (rate, lead)))
     assert moments[0] == 0.0
     assert moments[-1] == cycles
     assert np.all(np.diff(moments) > 0.0)
@@ -152,10 +152,10 @@ def test_an_oscillation_does_not_tell_its_first_point_twice():
 
 
 def test_the_oscillation_is_the_same_as_the_builder_of_paths():
-    told = Program([Start(Depth(1e-6)), Oscillate(lateral=Shift(2e-7), cycles=3.0, frequency=2.0)])
+    stated = Program([Start(Depth(1e-6)), Oscillate(lateral=Shift(2e-7), cycles=3.0, frequency=2.0)])
     built = Path.oscillation(depth=1e-6, amplitude=2e-7, cycles=3.0, frequency=2.0)
-    assert np.array_equal(told.time, built.time)
-    assert np.array_equal(told.along, built.along)
+    assert np.array_equal(stated.time, built.time)
+    assert np.array_equal(stated.along, built.along)
 
 
 def test_a_circle():
@@ -227,7 +227,7 @@ def test_wrong_programs(steps, sentence):
     ("make", "sentence"),
     [
         (lambda: Start(Shift(1.0)), r"Start: normal is Shift\(.*\); give Depth\(d\) or Force\(F\) with one number"),
-        (lambda: Start(Kept()), "Start: normal is Kept"),
+        (lambda: Start(Unchanged()), "Start: normal is Unchanged"),
         (
             lambda: Start(Force([1.0, 2.0])),
             r"Start: normal is Force\(force=array.*; give Depth\(d\) or Force\(F\) with one number",

@@ -1,4 +1,4 @@
-"""Every Python block of README.md and of the manual runs, and prints what the page says it prints.
+"""Every Python block of README.md and of the manual runs, and prints what the page shows.
 
 The blocks of one page share their names, as they do for a reader who types them in one after the other.  The
 folder they run in holds a copy of `examples/`, like the checkout in which the reader sits.  A block of text below
@@ -143,7 +143,7 @@ def test_the_front_page_is_short_and_its_numbers_are_those_of_the_benchmarks():
 
 
 def test_the_picture_of_the_front_page_can_be_drawn_again():
-    """What its script takes from the package is there; the picture itself is looked at by people."""
+    """What its script takes from the package is there; the picture itself is checked by eye."""
     page = ROOT / "docs" / "front_picture.py"
     assert callable(runpy.run_path(str(page), run_name="front_picture")["main"])
     assert (ROOT / "docs" / "figures" / "front.png").stat().st_size < 150_000

@@ -21,7 +21,7 @@ from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.rounded import RoundedPunch
 from winkler.profiles.sphere import Sphere
-from winkler.stairs import Staircase, staircase
+from winkler.punch_staircase import Staircase, staircase
 
 UNIT = HalfSpace(Elastic(1.0, 0.0))  # E* = 1
 COUNTS = (40, 80, 160, 320, 640)

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from winkler.errors import InvalidInput
-from winkler.unit_grammar import ALONE, PREFIXED, PREFIXES, ZEROS, _named_by_pint, si_unit
+from winkler.unit_grammar import PREFIXED_UNITS, PREFIXES, SCALE_ZEROS, UNPREFIXED_UNITS, _named_by_pint, si_unit
 from winkler.units import format_quantity, quantity, scale, to_si
 from winkler.vocabulary import GLOSSARY, OWNED
 
@@ -301,15 +301,20 @@ def test_any_text_is_read_or_refused(text, unit):
 
 @pytest.mark.parametrize(("written", "loaded"), [("1 mm", "False"), ("1 kN/GPa/mm", "False"), ("1 inch", "True")])
 def test_pint_is_loaded_only_for_names_that_the_table_lacks(written, loaded):
-    ask = f"u.quantity({written!r}, 'm', what='x')"
-    code = f"import sys, winkler.units as u; {ask}; print('pint' in sys.modules)"
+    request = f"u.quantity({written!r}, 'm', what='x')"
+    code = f"import sys, winkler.units as u; {request}; print('pint' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
     assert done.stdout.split() == [loaded]
 
 
 def test_the_table_of_units_says_what_pint_says():
     """A second source for each factor, dimension and zero, with the exact fractions of pint's own definitions."""
-    names = [*ALONE, *ZEROS, *PREFIXED, *(prefix + symbol for symbol in PREFIXED for prefix in PREFIXES)]
+    names = [
+        *UNPREFIXED_UNITS,
+        *SCALE_ZEROS,
+        *PREFIXED_UNITS,
+        *(prefix + symbol for symbol in PREFIXED_UNITS for prefix in PREFIXES),
+    ]
     assert {name for name in names if si_unit(name) != _named_by_pint(name)} == set()
     assert si_unit("kfurlong") is si_unit("inch") is si_unit("") is None
 

@@ -92,7 +92,7 @@ VALUES = [
 
 @pytest.mark.parametrize("sample", VALUES)
 def test_pickle_and_copies(sample):
-    hash(sample)  # a remembered hash must not travel
+    hash(sample)  # a stored hash must not travel
     for other in (pickle.loads(pickle.dumps(sample)), copy.copy(sample), copy.deepcopy(sample)):
         assert other == sample
         assert hash(other) == hash(sample)
@@ -136,6 +136,6 @@ def test_frozen_array(given, kind):
 
 
 def test_what_is_masked_is_missing():
-    """The number that lies below a mask is none; as nan it is seen by whoever asks for finite ones."""
+    """The number that lies below a mask is none; as nan it is refused where finite ones are required."""
     given = np.ma.masked_array([1, 2, 3], mask=[False, True, False])
     np.testing.assert_array_equal(frozen_array(given), [1.0, np.nan, 3.0])

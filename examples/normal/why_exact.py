@@ -13,8 +13,8 @@ import numpy as np
 
 import winkler as wk
 from winkler.plot import draw
+from winkler.punch_staircase import staircase
 from winkler.reference import point_forces
-from winkler.stairs import staircase
 
 # %%
 # The contact

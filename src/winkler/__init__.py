@@ -11,7 +11,7 @@ transformed profile; solved there, exactly where the method is exact; and brough
 (186.626, 3.4829)
 """
 
-TYPE_CHECKING = False  # as type checkers know it; `typing` takes longer to load than the rest of this page
+TYPE_CHECKING = False  # the name that type checkers evaluate; `typing` takes longer to load than this module
 
 if TYPE_CHECKING:
     from winkler.public import *  # noqa: F403
@@ -33,7 +33,7 @@ else:
                 _MODULES.update(dict.fromkeys(names, "winkler.public"))
                 return _MODULES
             imports = [line for line in ast.parse(source).body if isinstance(line, ast.ImportFrom)]
-            _MODULES.update({known.name: line.module for line in imports for known in line.names})
+            _MODULES.update({imported.name: line.module for line in imports for imported in line.names})
         return _MODULES
 
     def __getattr__(name):
@@ -45,18 +45,18 @@ else:
         if name.startswith("__") and name != "__all__":
             raise AttributeError(f"module 'winkler' has no attribute {name!r}")
         if name == "__all__":
-            found = sorted([*_modules(), "__version__"])
+            attribute = sorted([*_modules(), "__version__"])
         elif name in _modules():
             from importlib import import_module
 
-            found = getattr(import_module(_modules()[name]), name)
+            attribute = getattr(import_module(_modules()[name]), name)
         else:
             from winkler.errors import suggest
 
             near = suggest(name, __getattr__("__all__"))
             raise AttributeError(f"module 'winkler' has no attribute {name!r}{near}", name=name)
-        globals()[name] = found
-        return found
+        globals()[name] = attribute
+        return attribute
 
     def __dir__():
         """List the public names."""

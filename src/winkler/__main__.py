@@ -1,4 +1,4 @@
-"""``python -m winkler`` is the command ``winkler``, and this is where both begin.
+"""The entry point of the command ``winkler`` and of ``python -m winkler``.
 
 Nothing but the interpreter's own modules is imported before signals are heard: a Ctrl-C while the rest is loaded ends
 the process at once, without a traceback.

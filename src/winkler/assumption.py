@@ -1,4 +1,4 @@
-"""The closed list of what an answer may rest on."""
+"""The closed list of the assumptions on which a result may rest."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ __all__ = ["Assumption"]
 
 
 class Assumption(Enum):
-    """What an answer may rest on.
+    """An assumption on which a result may rest.
 
     Those with a number that is compared with a limit are `checked`: a violation has the standing "outside", or raises
-    `OutsideValidity`.  The others are stated with their error, which has a bound, or is not known and said to be so.
+    `OutsideValidity`.  The others are stated with their error, which has a bound, or stated to be unknown.
     """
 
     RESPONSE = "response of the bodies"

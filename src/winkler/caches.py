@@ -1,4 +1,4 @@
-"""Where compiled kernels and the list of fonts are kept between runs, also where nothing of the user's can be written.
+"""Folders of compiled kernels and of the list of fonts between runs, also for users whose own folders are read-only.
 
 numba keeps kernels beside the package or in the home of the user, matplotlib its list of fonts there.  In a container
 often neither can be written, or there is no home at all; then numba refuses to work, and matplotlib warns.  There they
@@ -22,7 +22,7 @@ from winkler.errors import InvalidInput
 
 __all__ = ["private_folder", "with_fonts", "with_kernels"]
 
-PREFIX = "winkler-cache-"
+FOLDER_PREFIX = "winkler-cache-"
 
 
 def with_kernels(source: Path) -> bool:
@@ -33,8 +33,8 @@ def with_kernels(source: Path) -> bool:
     source
         The file in which the kernels are written.
     """
-    given = os.environ.get("NUMBA_CACHE_DIR", "")
-    if _writable(Path(given)) or _writable(source.parent / "__pycache__") or _writable(_home("CACHE") / "numba"):
+    stated = os.environ.get("NUMBA_CACHE_DIR", "")
+    if _writable(Path(stated)) or _writable(source.parent / "__pycache__") or _writable(_xdg_folder("CACHE") / "numba"):
         return True
     folder = private_folder()
     if folder is not None:
@@ -50,7 +50,9 @@ def with_fonts() -> None:
     InvalidInput
         If there is none, not even for temporary files.
     """
-    if os.environ.get("MPLCONFIGDIR") or all(_writable(_home(name) / "matplotlib") for name in ("CACHE", "CONFIG")):
+    if os.environ.get("MPLCONFIGDIR") or all(
+        _writable(_xdg_folder(name) / "matplotlib") for name in ("CACHE", "CONFIG")
+    ):
         return
     folder = private_folder()
     if folder is not None:
@@ -65,7 +67,7 @@ def with_fonts() -> None:
         ) from None
 
 
-def _home(name: str) -> Path:
+def _xdg_folder(name: str) -> Path:
     """Return where programs keep what they cache, or how they are set up; not absolute if the user has no home."""
     return Path(os.environ.get(f"XDG_{name}_HOME") or os.path.expanduser(f"~/.{name.lower()}"))
 
@@ -74,8 +76,8 @@ def _writable(folder: Path) -> bool:
     """Return whether a folder can be written, or made if it is missing."""
     if not folder.is_absolute():
         return False
-    there = next((path for path in (folder, *folder.parents) if os.path.lexists(path)), folder)
-    return there.is_dir() and os.access(there, os.W_OK | os.X_OK)
+    existing = next((path for path in (folder, *folder.parents) if os.path.lexists(path)), folder)
+    return existing.is_dir() and os.access(existing, os.W_OK | os.X_OK)
 
 
 @functools.cache
@@ -83,10 +85,10 @@ def private_folder() -> Path | None:
     """Return a new folder that only this user can enter, removed when this process ends; None if there is no place."""
     try:
         parent = Path(tempfile.gettempdir())
-        if not _kept_apart(parent):
+        if not _protected(parent):
             return None
         _clear(parent)
-        folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=parent))
+        folder = Path(tempfile.mkdtemp(prefix=FOLDER_PREFIX, dir=parent))
         if _locked(folder) is None or not folder.is_dir():  # another process took it for one that was left
             return None
     except OSError:
@@ -100,13 +102,13 @@ def _remove(folder: Path, owner: int) -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def _kept_apart(parent: Path) -> bool:
+def _protected(parent: Path) -> bool:
     """Return whether no other user can put a folder of theirs in the place of one of ours."""
     if os.name == "nt":
         return True
-    found = parent.stat()
-    shared = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH) and not found.st_mode & stat.S_ISVTX
-    return not shared and found.st_uid in (0, os.geteuid())
+    status = parent.stat()
+    shared = status.st_mode & (stat.S_IWGRP | stat.S_IWOTH) and not status.st_mode & stat.S_ISVTX
+    return not shared and status.st_uid in (0, os.geteuid())
 
 
 def _locked(folder: Path) -> int | None:
@@ -126,7 +128,7 @@ def _locked(folder: Path) -> int | None:
 
 def _clear(parent: Path) -> None:
     """Remove the folders of this user that processes left which were killed."""
-    for path in parent.glob(f"{PREFIX}*") if os.name != "nt" else ():
+    for path in parent.glob(f"{FOLDER_PREFIX}*") if os.name != "nt" else ():
         with contextlib.suppress(OSError):
             lock = _locked(path) if path.lstat().st_uid == os.geteuid() else None
             if lock is not None:

@@ -1,13 +1,14 @@
-"""How a value shows itself: a line or a few for ``repr``, a table with units for notebooks.
+"""The display of a value: one or a few lines for ``repr``, a table with units for notebooks.
 
-A small value reads as the call that makes it, ``Sphere(curvature_radius=0.01)``.  An answer, and what does not fit a
-line, becomes a block: a line for each field, numbers with the unit of the glossary, arrays as shape and range::
+A small value reads as the call that makes it, ``Sphere(curvature_radius=0.01)``.A solution, and a value that does not
+fit a line, becomes a block: a line for each field, numbers with the unit of the glossary, arrays as shape and range::
 
     IndentationSolution
       problem  Indentation(bed=Foundation(...), load=Force(...))
       depth    (1000,) 1.617e-08 ... 1.617e-06 m
 
-Only fields are shown, because these are known already; the notes on validity, which notebooks show too, are computed.
+Only fields are shown, because these are computed already; the notes on validity, which notebooks show too, are
+computed.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ MOST_LINES = 9
 """Most lines of a block below its title; further fields are named in the last one."""
 
 
-class Row(NamedTuple):
+class FieldRow(NamedTuple):
     """One field: its name, its unit (None if it is no quantity), what it means, its content, the error of that."""
 
     name: str
@@ -46,7 +47,7 @@ class Row(NamedTuple):
 
 def short(content: Any) -> str:
     """Return the ``repr`` of a value: a call if it is small, else a block of a few lines."""
-    if not _is_answer(content):
+    if not _is_solution(content):
         text = _call(content, CALL_WIDTH) or _outline(content, LINE_WIDTH)
         if "(...)" not in text:
             return text
@@ -56,10 +57,10 @@ def short(content: Any) -> str:
 def block(content: Any) -> str:
     """Return the title of a value and a line for each of its fields."""
     rows = list(_rows(content))
-    kept = rows if len(rows) <= MOST_LINES else rows[: MOST_LINES - 1]
-    width = max((len(row.name) for row in kept), default=0)
-    lines = [type(content).__name__, *(f"  {row.name:<{width}}  {_plain(row, LINE_WIDTH - width)}" for row in kept)]
-    if rest := [row.name for row in rows[len(kept) :]]:
+    listed = rows if len(rows) <= MOST_LINES else rows[: MOST_LINES - 1]
+    width = max((len(row.name) for row in listed), default=0)
+    lines = [type(content).__name__, *(f"  {row.name:<{width}}  {_plain(row, LINE_WIDTH - width)}" for row in listed)]
+    if rest := [row.name for row in rows[len(listed) :]]:
         lines.append(f"  and {_cut(', '.join(rest), LINE_WIDTH)}")
     return "\n".join(lines)
 
@@ -79,28 +80,28 @@ def html_table(content: Any) -> str:
     return f"<table>{title}<tbody>{cells}</tbody></table>" + (f"<ul>{notes}</ul>" if notes else "")
 
 
-def _is_answer(content: Any) -> bool:
+def _is_solution(content: Any) -> bool:
     return "problem" in getattr(content, "__dataclass_fields__", ())
 
 
-def _rows(content: Any) -> Iterator[Row]:
-    """Yield the fields of a value; of a fit first what it found."""
-    found = {"model", "names", "values", "standard_errors"}
+def _rows(content: Any) -> Iterator[FieldRow]:
+    """Yield the fields of a value; of a fit first its result."""
+    FIT_FIELDS = {"model", "names", "values", "standard_errors"}
     fields = [field.name for field in dataclasses.fields(content) if field.repr]
-    if found.issubset(fields):
+    if FIT_FIELDS.issubset(fields):
         for path, number, error in zip(content.names, content.values, content.standard_errors, strict=True):
             yield _row(_owner(content.model, path), path.rpartition(".")[2], number)._replace(name=path, error=error)
-        fields = [name for name in fields if name not in {*found, "correlation"}]
+        fields = [name for name in fields if name not in {*FIT_FIELDS, "correlation"}]
     for name in fields:
         yield _row(type(content).__name__, name, getattr(content, name))
 
 
-def _row(owner: str, name: str, content: Any) -> Row:
+def _row(owner: str, name: str, content: Any) -> FieldRow:
     try:
         entry = word(owner, name)
     except KeyError:
-        return Row(name, None, "", content)
-    return Row(name, entry.unit, entry.meaning, content)
+        return FieldRow(name, None, "", content)
+    return FieldRow(name, entry.unit, entry.meaning, content)
 
 
 def _owner(model: Any, path: str) -> str:
@@ -120,14 +121,14 @@ def _notes(content: Any) -> list[str]:
         return [str(error)]
 
 
-def _call(content: Any, room: int) -> str:
+def _call(content: Any, width_left: int) -> str:
     """Return the call that makes a value, or the number or text that it is; empty if it does not fit."""
     if dataclasses.is_dataclass(content) and not isinstance(content, type):
         parts: list[str] = []
         used = len(type(content).__name__) + 2
         for field in dataclasses.fields(content):
             if field.repr:
-                part = _call(getattr(content, field.name), room - used - len(field.name) - 1)
+                part = _call(getattr(content, field.name), width_left - used - len(field.name) - 1)
                 if not part:
                     return ""
                 parts.append(f"{field.name}={part}")
@@ -136,32 +137,32 @@ def _call(content: Any, room: int) -> str:
     elif isinstance(content, np.ndarray):
         text = repr(content) if content.size <= FEW_NUMBERS else ""
     elif type(content) is tuple:
-        inner = [_call(item, room) for item in content] if len(content) <= FEW_NUMBERS else [""]
+        inner = [_call(item, width_left) for item in content] if len(content) <= FEW_NUMBERS else [""]
         text = f"({', '.join(inner)}{',' * (len(inner) == 1)})" if all(inner) else ""
     else:
         text = repr(content)
-    return text if len(text) <= room and "\n" not in text else ""
+    return text if len(text) <= width_left and "\n" not in text else ""
 
 
-def _outline(content: Any, room: int) -> str:
+def _outline(content: Any, width_left: int) -> str:
     """Return a call in which arrays are shape and range, and parts that do not fit are left out."""
     name = type(content).__name__
     if isinstance(content, np.ndarray):
         return _range(content, 1.0, "")
     if isinstance(content, tuple):
         kinds = {type(item).__name__ for item in content}
-        return _call(content, room) or f"{len(content)} x {kinds.pop() if len(kinds) == 1 else 'various'}"
+        return _call(content, width_left) or f"{len(content)} x {kinds.pop() if len(kinds) == 1 else 'various'}"
     if not dataclasses.is_dataclass(content) or isinstance(content, type):
-        return _cut(" ".join(repr(content).split()), room)
-    rows = list(_rows(content)) if not _is_answer(content) else []
-    for width in (room, room // 2, 0):  # the less room a part has, the more of it is left out
+        return _cut(" ".join(repr(content).split()), width_left)
+    rows = list(_rows(content)) if not _is_solution(content) else []
+    for width in (width_left, width_left // 2, 0):  # the narrower a part, the more of it is left out
         text = f"{name}({', '.join(f'{row.name}={_plain(row, width)}' for row in rows)})"
-        if rows and len(text) <= room:
+        if rows and len(text) <= width_left:
             return text
     return f"{name}(...)"
 
 
-def _plain(row: Row, room: int) -> str:
+def _plain(row: FieldRow, width_left: int) -> str:
     """Return the content of a row in SI units."""
     unit = f" {row.unit}" if row.unit else ""
     if isinstance(row.content, float):
@@ -169,10 +170,10 @@ def _plain(row: Row, room: int) -> str:
         return f"{row.content:.5g}{error}{unit}"
     if isinstance(row.content, np.ndarray):
         return _range(row.content, 1.0, unit)
-    return _call(row.content, room) or _outline(row.content, room)
+    return _call(row.content, width_left) or _outline(row.content, width_left)
 
 
-def _with_prefix(row: Row) -> str:
+def _with_prefix(row: FieldRow) -> str:
     """Return the content of a row in the unit that fits it."""
     if isinstance(row.content, float):
         text = with_unit(row.content, row.unit)
@@ -198,5 +199,5 @@ def _range(numbers: np.ndarray, factor: float, unit: str) -> str:
     return f"{shape} {finite.min() / factor:.5g} ... {finite.max() / factor:.5g}{unit}"
 
 
-def _cut(text: str, room: int) -> str:
-    return text if len(text) <= max(room, 3) else f"{text[: max(room, 3) - 3]}..."
+def _cut(text: str, width_left: int) -> str:
+    return text if len(text) <= max(width_left, 3) else f"{text[: max(width_left, 3) - 3]}..."

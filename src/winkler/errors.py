@@ -1,16 +1,16 @@
-"""The errors of the house.
+"""The errors of the package.
 
 ::
 
     WinklerError
     |-- InvalidInput      (also a ValueError)   what was given cannot be used
     |-- OutsideValidity   (also a ValueError)   the input is sound, the theory does not reach it
-    |-- NotConverged      (also an ArithmeticError)   a solver gave up; it never returns half an answer
+    |-- NotConverged      (also an ArithmeticError)   a solver did not converge; it never returns half a result
     |-- Mistake           (also a RuntimeError)   winkler itself is wrong; only points of a sweep are caught so
-    `-- Interrupted       the reader stopped a batch; what was done is kept
+    `-- Interrupted       the reader stopped a batch; finished parts remain
 
-Each message says what was given, what is allowed, and what to do.  `suggest` finds the nearest known word, `mistake_in`
-says what an unexpected error is.
+Each message states what was given, what is allowed, and what to do.  `suggest` finds the nearest known word,
+`mistake_in` describes an unexpected error.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ __all__ = [
     "suggest",
 ]
 
-LONGEST = 300
+LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
 
 
@@ -55,7 +55,7 @@ class NotConverged(WinklerError, ArithmeticError):
 
 
 class OutsideValidity(WinklerError, ValueError):
-    """The input is sound, but the theory that would answer it does not hold there."""
+    """The input is sound, but the theory does not hold there."""
 
     exit_code = 4
 
@@ -73,7 +73,7 @@ class Interrupted(WinklerError):
 
 
 def mistake_in(error: BaseException) -> str:
-    r"""Return one clause that says of an unexpected error that winkler made it: what it is, and where it was raised.
+    r"""Return one clause that attributes an unexpected error to winkler: what it is, and where it was raised.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def mistake_in(error: BaseException) -> str:
     'winkler made a mistake (ValueError: f(a) and f(b) must have different signs)'
     """
     text = " ".join(str(error).split())
-    text = text if len(text) <= LONGEST else f"{text[:LONGEST]}..."
+    text = text if len(text) <= LONGEST_TEXT else f"{text[:LONGEST_TEXT]}..."
     place, frame = "", error.__traceback__
     while frame is not None:
         module = str(frame.tb_frame.f_globals.get("__name__", ""))

@@ -1,7 +1,7 @@
-r"""From the springs back to the body: pressure and displacement of the surface, stresses below it.
+r"""Restoring the body from the springs: pressure and displacement of the surface, stresses below it.
 
 ``restore(solution, r)`` gives the fields on the surface, ``restore(solution, r, z)`` those below it; both work on any
-solution that tells how its springs are displaced.  Of a sheared contact `restore` gives traction and slip on the
+solution that holds the displacement of its springs.  Of a sheared contact `restore` gives traction and slip on the
 surface; the field below it is not symmetric about the axis any more, and ``restore_body(solution, x, y, z)`` gives it.
 """
 
@@ -11,11 +11,11 @@ from typing import overload
 
 import numpy as np
 
-from winkler.checks.float_range import guarded_answer
+from winkler.checks.float_range import guarded_result
 from winkler.checks.outline import refuse_unless_round
-from winkler.checks.physical_size import LARGEST
+from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import (
     BodyFields,
@@ -42,12 +42,12 @@ __all__ = [
     "springs_of",
 ]
 
-FIELD = "the field"
+FIELD_ADVICE = "the field"
 
 
 @value
 class SurfaceFields:
-    """What happens on the surface, at distances r from the axis.
+    """Pressure, displacement and gap of the surface at distances r from the axis.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class SubsurfaceFields:
     Parameters
     ----------
     r, z : ndarray
-        Where [m]; z as it was asked for: positive in the first body, negative in the second.
+        Where [m]; z as requested: positive in the first body, negative in the second.
     radial_stress, hoop_stress, axial_stress, shear_stress : ndarray
         [Pa], tension positive; shear in the planes that contain the axis.
     radial_displacement, axial_displacement : ndarray
@@ -114,7 +114,7 @@ def restore(solution: Restorable, r: ArrayLike, z: ArrayLike) -> SubsurfaceField
 def restore(solution: Dragged, r: ArrayLike) -> ShearedFields: ...
 @overload
 def restore(solution: TorsionState, r: ArrayLike) -> TwistedFields: ...
-@guarded_answer
+@guarded_result
 def restore(
     solution: Restorable | Dragged | TorsionState, r: ArrayLike, z: ArrayLike | None = None
 ) -> SurfaceFields | SubsurfaceFields | ShearedFields | TwistedFields:
@@ -123,7 +123,7 @@ def restore(
     Parameters
     ----------
     solution
-        The answer to a problem, for one load.
+        The solution of a problem, for one load.
     r : array_like
         Distances from the axis [m], not negative.
     z : array_like, optional
@@ -148,25 +148,25 @@ def restore(
     if is_dragged(solution) or isinstance(solution, TorsionState):
         if z is not None:
             raise InvalidInput(
-                "restore: below a sheared or twisted contact the stress has all six components; ask "
+                "restore: below a sheared or twisted contact the stress has all six components; use "
                 "restore_body(solution, x, y, z)."
             )
         if isinstance(solution, TorsionState):
             return twisted_surface(solution, radii)
-        refuse_unless_round(solution.sheared.pressed, "restore", FIELD)
+        refuse_unless_round(solution.sheared.pressed, "restore", FIELD_ADVICE)
         return sheared_surface(solution.sheared, radii)
     pressed = springs_of(solution)
     return _surface(pressed, radii) if z is None else below_surface(pressed, radii, _checked("z", z))
 
 
-@guarded_answer
+@guarded_result
 def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
     """Return stresses and displacements inside the bodies, in the axes x, y, z.
 
     Parameters
     ----------
     solution
-        The answer to a problem, for one load; sheared, twisted or neither.
+        The solution of a problem, for one load; sheared, twisted or neither.
     x, y, z : array_like
         Places [m], broadcast against each other: x along the first component of a shear force, z positive in the first
         body, negative in the second, zero just below the surface of the first.
@@ -186,7 +186,7 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
     Notes
     -----
     The traction is that of the springs, along x everywhere; its stresses are exact.  That the surfaces slide where and
-    as the springs say is exact for nu = 0; otherwise the displacement across the load is neglected.
+    as the springs predict is exact for nu = 0; otherwise the displacement across the load is neglected.
 
     References
     ----------
@@ -197,13 +197,13 @@ def restore_body(solution: Restorable | Dragged | TorsionState, x: ArrayLike, y:
         return body_of_twisted(solution, *places)
     springs = solution.sheared if is_dragged(solution) else springs_of(solution)
     if isinstance(springs, ShearedSprings):
-        refuse_unless_round(springs.pressed, "restore_body", FIELD)
+        refuse_unless_round(springs.pressed, "restore_body", FIELD_ADVICE)
         return body_of_sheared(springs, *places)
-    refuse_unless_round(springs, "restore_body", FIELD)
+    refuse_unless_round(springs, "restore_body", FIELD_ADVICE)
     return body_of_pressed(springs, *places)
 
 
-@guarded_answer
+@guarded_result
 def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     """Return how far a sheared contact drags the surfaces along, sum over both bodies.
 
@@ -228,11 +228,11 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
         If the medium is not a homogeneous isotropic half-space.
     """
     places = np.broadcast_arrays(_checked("x", x, "restore_shift"), _checked("y", y, "restore_shift"))
-    refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD)
+    refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD_ADVICE)
     return shift_of_surface(solution.sheared, *places)
 
 
-def springs_of(solution: Restorable | Dragged | TorsionState) -> Pressed:
+def springs_of(solution: Restorable | Dragged | TorsionState) -> PressedSprings:
     """Return the springs of a solution; refuse what holds none, or many loads."""
     if not is_restorable(solution):
         raise InvalidInput(
@@ -242,20 +242,20 @@ def springs_of(solution: Restorable | Dragged | TorsionState) -> Pressed:
     return solution.pressed
 
 
-def _checked(word: str, given: ArrayLike, asker: str = "restore") -> Array:
+def _checked(word: str, content: ArrayLike, asker: str = "restore") -> Array:
     try:
-        numbers = np.asarray(given, dtype=float)
+        numbers = np.asarray(content, dtype=float)
     except (TypeError, ValueError, OverflowError):
-        raise InvalidInput(f"{asker}: {word} is {given!r:.60}; give a number or an array in m.") from None
-    if not np.all(np.abs(numbers) < LARGEST):
+        raise InvalidInput(f"{asker}: {word} is {content!r:.60}; give a number or an array in m.") from None
+    if not np.all(np.abs(numbers) < LARGEST_NUMBER):
         raise InvalidInput(
-            f"{asker}: {word} holds values that are not finite, or beyond {LARGEST:g}; give places in m."
+            f"{asker}: {word} holds values that are not finite, or beyond {LARGEST_NUMBER:g}; give places in m."
         )
     return numbers
 
 
-def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
-    refuse_unless_round(pressed, "restore", FIELD)
+def _surface(pressed: PressedSprings, r: Array) -> SurfaceFields:
+    refuse_unless_round(pressed, "restore", FIELD_ADVICE)
     if pressed.radius == 0.0:
         still = np.zeros(r.shape)
         return SurfaceFields(r, still, still, _height(pressed, r) - min(pressed.depth, 0.0))
@@ -266,15 +266,15 @@ def _surface(pressed: Pressed, r: Array) -> SurfaceFields:
     return SurfaceFields(r, pressure, displacement, np.where(r <= pressed.touching, 0.0, separation))
 
 
-def _height(pressed: Pressed, r: Array) -> Array:
+def _height(pressed: PressedSprings, r: Array) -> Array:
     """Return f(r), infinite beyond what is known of the body."""
-    known = r <= pressed.bed.reach
-    return np.where(known, pressed.bed.height(np.where(known, r, 0.0)), np.inf)
+    covered = r <= pressed.bed.reach
+    return np.where(covered, pressed.bed.height(np.where(covered, r, 0.0)), np.inf)
 
 
-def below_surface(pressed: Pressed, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
+def below_surface(pressed: PressedSprings, r: Array, z: Array, surface_is_first: bool = True) -> SubsurfaceFields:
     """Return the fields at places of shapes that broadcast; the surface itself belongs to one of the bodies."""
-    refuse_unless_round(pressed, "restore", FIELD)
+    refuse_unless_round(pressed, "restore", FIELD_ADVICE)
     r, z = np.broadcast_arrays(r, z)
     first = (z >= 0.0) if surface_is_first else (z > 0.0)
     parts = np.zeros((6, *r.shape))

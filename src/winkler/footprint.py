@@ -1,4 +1,4 @@
-r"""What outline the contact behind a line of springs has: a disc, an ellipse, or one that is not known.
+r"""The outline of the contact behind a line of springs: a disc, an ellipse, or an unknown one.
 
 Stiffness and depth are those of a disc of radius :math:`a = k/(2E^*)` whatever the outline; pressure, area, yield and
 wear are not.  An ellipse of semi-axes :math:`\alpha > \beta`, :math:`m = 1-\beta^2/\alpha^2`, is as stiff as that disc
@@ -8,7 +8,7 @@ if :math:`\alpha = 2aK(m)/\pi`; moved along the surface without slip it yields, 
           s_\alpha = \frac{K-E}{mK} , \quad s_\beta = 1-s_\alpha ,
 
 since a force on the surface moves it by :math:`(1-\nu+\nu\cos^2\theta)/(2\pi Gr)` and s is the mean of
-:math:`\cos^2\theta` over the ellipse.  A disc has s = 1/2 either way.
+:math:`\cos^2\theta` over the ellipse.  A disc has s = 1/2 in both directions.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from winkler.errors import OutsideValidity
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Ellipse", "Footprint", "Round", "Unknown", "footprint_of"]
+__all__ = ["EllipticOutline", "Footprint", "RoundOutline", "UnknownOutline", "footprint_of"]
 
 
 @value
-class Round:
+class RoundOutline:
     """The contact is a disc whose radius is that of the springs."""
 
     @property
@@ -43,7 +43,7 @@ class Round:
 
 
 @value
-class Unknown:
+class UnknownOutline:
     """The contact may have any outline; the radius is that of the disc of equal stiffness.
 
     Parameters
@@ -51,7 +51,7 @@ class Unknown:
     origin : str
         What the springs stand for.
     instead : str
-        What answers questions about the outline.
+        The class that computes the outline instead.
     """
 
     origin: str
@@ -59,9 +59,9 @@ class Unknown:
 
     @property
     def unlike_disc(self) -> str:
-        """What the springs stand for, what they tell, and what to ask instead."""
+        """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the bed stands for {self.origin}: it tells force, depth and stiffness, not the outline of the contact; "
+            f"the bed stands for {self.origin}: it gives force, depth and stiffness, not the outline of the contact; "
             f"{self.instead}"
         )
 
@@ -76,7 +76,7 @@ class Unknown:
 
 
 @value
-class Ellipse:
+class EllipticOutline:
     """The contact is an ellipse, similar to itself under each load.
 
     Parameters
@@ -89,10 +89,10 @@ class Ellipse:
 
     @property
     def unlike_disc(self) -> str:
-        """What the springs stand for, what they tell, and what to ask instead."""
+        """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the bed stands for an ellipse of b/a = {self.slenderness:.4g}: it tells force, depth, stiffness and "
-            "area; ask EllipticIndentation for its pressure, or give Foundation(profile, medium) of a round body"
+            f"the bed stands for an ellipse of b/a = {self.slenderness:.4g}: it gives force, depth, stiffness and "
+            "area; use EllipticIndentation for its pressure, or give Foundation(profile, medium) of a round body"
         )
 
     @property
@@ -118,11 +118,11 @@ class Ellipse:
         return math.pi * along * across
 
 
-Footprint = Round | Unknown | Ellipse
-DISC = Round()
+Footprint = RoundOutline | UnknownOutline | EllipticOutline
+DISC = RoundOutline()
 
 
 def footprint_of(profile: Any) -> Footprint:
     """Return the outline that a profile leaves: a disc, unless it says otherwise."""
-    known = getattr(profile, "footprint", DISC)
-    return known if isinstance(known, Footprint) else DISC
+    outline = getattr(profile, "footprint", DISC)
+    return outline if isinstance(outline, Footprint) else DISC

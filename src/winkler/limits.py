@@ -1,4 +1,4 @@
-"""How much is read and computed at most: a wrong zero becomes one sentence, not a machine without memory.
+"""Limits of what is read and computed: a wrong zero becomes one sentence, not a machine without memory.
 
 What is given is compared with these numbers before anything is read, unpacked or allocated for it.  They are far above
 what instruments write: a map of 4096 x 4096 heights has 2^24 pixels.
@@ -12,24 +12,24 @@ __all__ = [
     "FILE_BYTES",
     "HEADER_LETTERS",
     "HEADER_LINES",
-    "HOLES",
     "KEY_LETTERS",
+    "LEAST_STEP_RATIO",
     "LINE_LETTERS",
     "LIST_BYTES",
     "MADE_PIXELS",
     "MEASURED_PLACES",
     "MEASURED_TIMES",
     "MOST_CURVES",
+    "MOST_HOLES",
     "MOST_NUMBERS",
+    "MOST_SPRINGS",
+    "MOST_SWEPT_RUNS",
+    "MOST_TERMS",
     "PATH_POINTS",
     "READING_BYTES",
     "RELAXING_SPRINGS",
-    "SLOWEST",
-    "SPRINGS",
     "STUDY_BYTES",
     "STUDY_MARKS",
-    "SWEPT",
-    "TERMS",
     "TEXT_BYTES",
     "TEXT_LINES",
     "UNIT_LETTERS",
@@ -40,7 +40,7 @@ TEXT_BYTES = 200_000_000
 TEXT_LINES = 2_000_000
 """Lines of such a text."""
 HEADER_LINES = 500
-"""Lines among which the header of a table is looked for,"""
+"""Lines among which the header of a table is searched for,"""
 HEADER_LETTERS = 100_000
 """characters of all of them,"""
 LINE_LETTERS = 20_000
@@ -67,23 +67,23 @@ PATH_POINTS = 10_000_000
 """Points of a path."""
 MADE_PIXELS = 2**24
 """Pixels of a map that is made at random: 4096 x 4096."""
-SPRINGS = 2**20
+MOST_SPRINGS = 2**20
 """Springs, samples and realisations of a problem,"""
 RELAXING_SPRINGS = 50_000
-"""springs that each remember,"""
-TERMS = 1000
-"""and how many things each of them remembers: terms of a series of relaxation."""
+"""springs with a history,"""
+MOST_TERMS = 1000
+"""and how many memories each of them has: terms of a series of relaxation."""
 MEASURED_TIMES = 20_000
 """Measured times or frequencies that a series is fitted to,"""
 MEASURED_PLACES = 500_000
 """and places at which a shape or a bed was measured."""
-SLOWEST = 1e-4
+LEAST_STEP_RATIO = 1e-4
 """Least exponent of a power of time; the series of a smaller one has no end, and the body hardly relaxes."""
 FIELD_PLACES = 2**20
 """Places at which fields are restored in a study."""
-SWEPT = 2**24
+MOST_SWEPT_RUNS = 2**24
 """Points of a sweep."""
-HOLES = 500_000
+MOST_HOLES = 500_000
 """Missing heights that are bridged."""
 MOST_CURVES = 100_000
 """Files of one fit."""

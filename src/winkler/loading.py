@@ -1,6 +1,6 @@
-"""Loads: what is prescribed, a force, a depth or a radius; along the surface a shift, shear force, angle or torque.
+"""Loads: a prescribed force, depth or radius; along the surface a shift, shear force, angle or torque.
 
-A load's value may be an array; the answer then has its shape.  Taken apart by ``match``.  How loads change with time is
+A load's value may be an array; the result then has its shape.  Taken apart by ``match``.  How loads change with time is
 a `winkler.path.Path`.
 """
 

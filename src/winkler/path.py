@@ -1,8 +1,8 @@
-"""A path: how the bodies are pressed and moved along the surface, point after point.
+"""A path: the normal and the lateral loads of two bodies, point after point.
 
 Between two points everything that is prescribed changes in proportion to time.  Before the first point the bodies are
-pressed straight down as far as its normal load says, and then moved along the surface as its lateral load says.  A path
-that is told in steps (go there, wait, oscillate) is a `winkler.program.Program`.
+pressed straight down according to its normal load, and then moved along the surface according to its lateral load.  A
+path that is stated in steps (go there, wait, oscillate) is a `winkler.program.Program`.
 
 Loads of which a problem takes one number, not an array, are types of fields here (`OneLoad`, `OnePositiveNormal`, ...).
 """
@@ -14,11 +14,11 @@ from typing import Annotated, TypeAlias
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
 from winkler.loading import Angle, Depth, Force, Lateral, Load, Normal, Radius, ShearForce, Shift, Torque
-from winkler.numerics.equations.oscillation_times import sine, swings
+from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.numerics.types import Array, Quantity
 from winkler.values import frozen_array, value
 
@@ -33,7 +33,7 @@ __all__ = [
     "numbers_of",
 ]
 
-PER_CYCLE = 40
+POINTS_PER_CYCLE = 40
 """Points of one oscillation."""
 
 
@@ -109,7 +109,7 @@ class Path:
         amplitude: float | Lateral,
         cycles: float = 1.0,
         frequency: float = 1.0,
-        count: int = PER_CYCLE,
+        count: int = POINTS_PER_CYCLE,
     ) -> Path:
         """Return a harmonic oscillation along the surface under a steady normal load, from the middle on.
 
@@ -149,7 +149,7 @@ class Path:
                 f"Path: the amplitude of an oscillation has the shape {size.shape}; give one number, or in the plane a "
                 "Program with Oscillate."
             )
-        turns = swings(cycles, count)
+        turns = oscillation_moments(cycles, count)
         if not (math.isfinite(frequency) and frequency > 0.0):
             raise InvalidInput(f"Path: the frequency is {frequency!r}; it must be positive and finite, in Hz.")
         normal = Force(force) if math.isnan(depth) else Depth(depth)
@@ -215,21 +215,23 @@ def _positive(load: Normal | Lateral) -> bool:
     return _one(load) and 0.0 < float(numbers_of(load)) < math.inf
 
 
-OneLoad: TypeAlias = Annotated[Load, Such(_one, "give Force, Depth or Radius with one number, and sweep over several")]
+OneLoad: TypeAlias = Annotated[
+    Load, Condition(_one, "give Force, Depth or Radius with one number, and sweep over several")
+]
 OneNormal: TypeAlias = Annotated[
-    Normal, Such(_one, "give Depth(d) or Force(F) with one number, and sweep over several")
+    Normal, Condition(_one, "give Depth(d) or Force(F) with one number, and sweep over several")
 ]
 OnePositiveNormal: TypeAlias = Annotated[
-    Normal, Such(_positive, "give Depth(d) or Force(F) with one positive number, and sweep over several")
+    Normal, Condition(_positive, "give Depth(d) or Force(F) with one positive number, and sweep over several")
 ]
 Swing: TypeAlias = Annotated[
     Shift | ShearForce,
-    Such(
+    Condition(
         lambda load: bool(np.all(numbers_of(load) >= 0.0)),
         "give Shift(U) in m or ShearForce(F_x) in N, how far to each side, zero or more",
     ),
 ]
 OnePositiveSwing: TypeAlias = Annotated[
     Shift | ShearForce,
-    Such(_positive, "give Shift(U) in m or ShearForce(F_x) in N with one positive number, how far to each side"),
+    Condition(_positive, "give Shift(U) in m or ShearForce(F_x) in N with one positive number, how far to each side"),
 ]

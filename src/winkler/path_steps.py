@@ -1,4 +1,4 @@
-"""The steps of a path that is told in words: start, go there, wait, oscillate, run round a circle, follow a table.
+"""The steps of a path stated in words: start, go there, wait, oscillate, run round a circle, follow a table.
 
 Every step goes on from where the one before it ended, and leaves as it is what it does not mention.
 """
@@ -10,19 +10,19 @@ from typing import Annotated, NamedTuple, TypeAlias
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Count, Finite, NonNegative, Positive, Whole, affordable
 from winkler.limits import PATH_POINTS
 from winkler.loading import Lateral, Normal, ShearForce, Shift
-from winkler.numerics.equations.oscillation_times import sine, swings
+from winkler.numerics.equations.oscillation_times import oscillation_moments, sine
 from winkler.numerics.types import Array
-from winkler.path import PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
+from winkler.path import POINTS_PER_CYCLE, OneNormal, OnePositiveSwing, Path, numbers_of
 from winkler.values import value
 
-__all__ = ["Circle", "Follow", "Hold", "Kept", "Oscillate", "Ramp", "Rows", "Start", "Step"]
+__all__ = ["Circle", "Follow", "Hold", "Oscillate", "PathRows", "Ramp", "Start", "Step", "Unchanged"]
 
 
-class Rows(NamedTuple):
+class PathRows(NamedTuple):
     """Points after the present one: seconds since then, loads ``(points,)`` and ``(points, 2)``."""
 
     seconds: Array
@@ -30,28 +30,28 @@ class Rows(NamedTuple):
     along: Array
 
 
-def _one_or_pair(load: Lateral | Kept) -> bool:
-    shape = () if isinstance(load, Kept) else numbers_of(load).shape
+def _one_or_pair(load: Lateral | Unchanged) -> bool:
+    shape = () if isinstance(load, Unchanged) else numbers_of(load).shape
     return shape == () or (shape == (2,) and isinstance(load, Shift | ShearForce))
 
 
 @value
-class Kept:
+class Unchanged:
     """A load that stays as it is."""
 
 
-IN_PLANE = Such(
+IN_PLANE = Condition(
     _one_or_pair,
     "give Shift, ShearForce, Angle or Torque with one number, or for a shift or a shear force in the plane two",
 )
 NextNormal: TypeAlias = Annotated[
-    Normal | Kept,
-    Such(
-        lambda load: isinstance(load, Kept) or numbers_of(load).ndim == 0,
+    Normal | Unchanged,
+    Condition(
+        lambda load: isinstance(load, Unchanged) or numbers_of(load).ndim == 0,
         "give Depth(d) or Force(F) with one number, or leave it out",
     ),
 ]
-NextLateral: TypeAlias = Annotated[Lateral | Kept, IN_PLANE._replace(demand=f"{IN_PLANE.demand}; or leave it out")]
+NextLateral: TypeAlias = Annotated[Lateral | Unchanged, IN_PLANE._replace(demand=f"{IN_PLANE.demand}; or leave it out")]
 
 
 @value
@@ -61,9 +61,9 @@ class Start:
     Parameters
     ----------
     normal : Depth or Force
-        One number; it says what drives the normal motion in all steps.
+        One number; it states what drives the normal motion in all steps.
     lateral : Shift, ShearForce, Angle or Torque, optional
-        One number, in the plane two; it says what drives the lateral motion in all steps.
+        One number, in the plane two; it states what drives the lateral motion in all steps.
 
     Raises
     ------
@@ -74,9 +74,9 @@ class Start:
     normal: OneNormal
     lateral: Annotated[Lateral, IN_PLANE] = Shift(0.0)
 
-    def rows(self, across: float, along: Array) -> Rows:
+    def rows(self, across: float, along: Array) -> PathRows:
         """Return the one point."""
-        return Rows(np.zeros(1), np.array([_one(self.normal)]), _pair(self.lateral)[None])
+        return PathRows(np.zeros(1), np.array([_one(self.normal)]), _pair(self.lateral)[None])
 
 
 @value
@@ -85,14 +85,14 @@ class Ramp:
 
     Parameters
     ----------
-    normal : Depth, Force or Kept, optional
+    normal : Depth, Force or Unchanged, optional
         Where to, one number.
-    lateral : Shift, ShearForce, Angle, Torque or Kept, optional
+    lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Where to, one number, in the plane two.
     duration : float, optional
         How long it takes [s], zero or more.
     count : int, optional
-        In how many equal parts the way is told; at least one.
+        Into how many equal parts the path is divided; at least one.
 
     Raises
     ------
@@ -100,17 +100,17 @@ class Ramp:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
-    normal: NextNormal = Kept()
-    lateral: NextLateral = Kept()
+    normal: NextNormal = Unchanged()
+    lateral: NextLateral = Unchanged()
     duration: NonNegative = 1.0
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
 
-    def rows(self, across: float, along: Array) -> Rows:
-        """Return `count` points on the way, the last of them there."""
+    def rows(self, across: float, along: Array) -> PathRows:
+        """Return `count` points on the path, the last of them at its end."""
         part = np.arange(1, self.count + 1) / self.count
-        high = across if isinstance(self.normal, Kept) else _one(self.normal)
-        far = along if isinstance(self.lateral, Kept) else _pair(self.lateral)
-        return Rows(
+        high = across if isinstance(self.normal, Unchanged) else _one(self.normal)
+        far = along if isinstance(self.lateral, Unchanged) else _pair(self.lateral)
+        return PathRows(
             part * self.duration,
             (1.0 - part) * across + part * high,
             (1.0 - part)[:, None] * along + part[:, None] * far,
@@ -137,10 +137,10 @@ class Hold:
     duration: NonNegative = 1.0
     count: Annotated[int, Whole(1, PATH_POINTS, "points")] = 1
 
-    def rows(self, across: float, along: Array) -> Rows:
+    def rows(self, across: float, along: Array) -> PathRows:
         """Return `count` points, the last of them at the end."""
         part = np.arange(1, self.count + 1) / self.count
-        return Rows(self.duration * part, np.full(self.count, across), np.tile(along, (self.count, 1)))
+        return PathRows(self.duration * part, np.full(self.count, across), np.tile(along, (self.count, 1)))
 
 
 @value
@@ -152,9 +152,9 @@ class Oscillate:
 
     Parameters
     ----------
-    normal : Depth, Force or Kept, optional
+    normal : Depth, Force or Unchanged, optional
         Amplitude of the normal load.
-    lateral : Shift, ShearForce, Angle, Torque or Kept, optional
+    lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Amplitude along the surface; in the plane two numbers, along whose direction the oscillation goes.
     cycles : float, optional
         How many, along the surface.
@@ -173,26 +173,26 @@ class Oscillate:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
-    normal: NextNormal = Kept()
-    lateral: NextLateral = Kept()
+    normal: NextNormal = Unchanged()
+    lateral: NextLateral = Unchanged()
     cycles: Finite = 1.0
     frequency: Positive = 1.0
     ratio: Finite = 1.0
     phase: Finite = 0.0
-    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = PER_CYCLE
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = POINTS_PER_CYCLE
 
     def __post_init__(self) -> None:
-        swings(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
+        oscillation_moments(self.cycles, self.count, ((1.0, 0.0), (self.ratio, 0.0)))
 
-    def rows(self, across: float, along: Array) -> Rows:
+    def rows(self, across: float, along: Array) -> PathRows:
         """Return the points of all cycles."""
         lead = self.phase / (2.0 * math.pi)
-        waves = () if isinstance(self.lateral, Kept) else ((1.0, lead),)
-        waves = (*waves, *(() if isinstance(self.normal, Kept) else ((self.ratio, 0.0),)))
-        turns = swings(self.cycles, self.count, waves or ((1.0, 0.0),))
-        high = 0.0 if isinstance(self.normal, Kept) else _one(self.normal)
-        far = np.zeros(2) if isinstance(self.lateral, Kept) else _pair(self.lateral)
-        return Rows(
+        waves = () if isinstance(self.lateral, Unchanged) else ((1.0, lead),)
+        waves = (*waves, *(() if isinstance(self.normal, Unchanged) else ((self.ratio, 0.0),)))
+        turns = oscillation_moments(self.cycles, self.count, waves or ((1.0, 0.0),))
+        high = 0.0 if isinstance(self.normal, Unchanged) else _one(self.normal)
+        far = np.zeros(2) if isinstance(self.lateral, Unchanged) else _pair(self.lateral)
+        return PathRows(
             turns / self.frequency,
             across + high * sine(self.ratio * turns),
             along + far * sine(turns + lead)[:, None],
@@ -223,16 +223,16 @@ class Circle:
     lateral: OnePositiveSwing
     cycles: Finite = 1.0
     frequency: Positive = 1.0
-    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = PER_CYCLE
+    count: Annotated[int, Whole(1, PATH_POINTS, "points")] = POINTS_PER_CYCLE
 
     def __post_init__(self) -> None:
-        swings(self.cycles, self.count)
+        oscillation_moments(self.cycles, self.count)
 
-    def rows(self, across: float, along: Array) -> Rows:
+    def rows(self, across: float, along: Array) -> PathRows:
         """Return the points of all rounds."""
-        turns = swings(self.cycles, self.count)
+        turns = oscillation_moments(self.cycles, self.count)
         round_ = np.stack([sine(turns + 0.25), sine(turns)], axis=1)
-        return Rows(turns / self.frequency, np.full(turns.size, across), along + _one(self.lateral) * round_)
+        return PathRows(turns / self.frequency, np.full(turns.size, across), along + _one(self.lateral) * round_)
 
 
 @value
@@ -258,15 +258,15 @@ class Follow:
     def __post_init__(self) -> None:
         affordable("Follow", "points", self.cycles * self.path.time.size, PATH_POINTS)
 
-    def rows(self, across: float, along: Array) -> Rows:
-        """Return its points; where the present one is its first, that is not told twice."""
+    def rows(self, across: float, along: Array) -> PathRows:
+        """Return its points; where the present one is its first, that is not stated twice."""
         path = self.path
         plane = path.along if path.in_plane else np.stack([path.along, np.zeros(path.time.size)], axis=1)
         times = path.time - path.time[0]
         seconds = np.concatenate([times + number * times[-1] for number in range(self.cycles)])
-        rows = Rows(seconds, np.tile(path.across, self.cycles), np.tile(plane, (self.cycles, 1)))
-        told = (seconds[0] == 0.0) and rows.across[0] == across and bool(np.all(rows.along[0] == along))
-        return Rows(*(part[int(told) :] for part in rows)) if len(seconds) > 1 else rows
+        rows = PathRows(seconds, np.tile(path.across, self.cycles), np.tile(plane, (self.cycles, 1)))
+        repeated = (seconds[0] == 0.0) and rows.across[0] == across and bool(np.all(rows.along[0] == along))
+        return PathRows(*(part[int(repeated) :] for part in rows)) if len(seconds) > 1 else rows
 
 
 Step = Start | Ramp | Hold | Oscillate | Circle | Follow

@@ -1,4 +1,4 @@
-"""Where a body under a contact is stressed most: the greatest equivalent stress, and its place."""
+"""The greatest equivalent stress in a body under a contact, and its place."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from winkler.values import value
 
 __all__ = ["PeakStress", "PlacedStress", "peak_stress"]
 
-ROUNDING = 1e-9
+LEAST_JUMP_RATIO = 1e-9
 """Jump of the springs at the edge over their greatest displacement that is rounding."""
-SKIN = 1e-3
-"""Stresses of a twist are looked for below this depth, in contact radii."""
+LEAST_DEPTH_RATIO = 1e-3
+"""Stresses of a twist are searched for below this depth, in contact radii."""
 
 
 @value
@@ -70,7 +70,7 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
     Parameters
     ----------
     solution
-        The answer to a problem, for one load.
+        The solution of a problem, for one load.
     below
         In the first body (z > 0) or, if False, in the second.
 
@@ -88,7 +88,7 @@ def peak_stress(solution: Restorable | Dragged | TorsionState, *, below: bool = 
     if pressed.radius == 0.0:
         return PeakStress(0.0, 0.0, 0.0)
     sharp = [b for b, strength in pressed.kinks if strength != 0.0]
-    if abs(pressed.edge) > ROUNDING * float(np.max(np.abs(pressed.value(np.array([0.0, pressed.radius]))))):
+    if abs(pressed.edge) > LEAST_JUMP_RATIO * float(np.max(np.abs(pressed.value(np.array([0.0, pressed.radius]))))):
         sharp.append(pressed.radius)
     if sharp:
         return PeakStress(float("inf"), sharp[0], 0.0)
@@ -123,10 +123,10 @@ def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:
 
 def _off(z: Array, radius: float) -> Array:
     """Return depths kept off the surface, where the field of a twist is not known."""
-    return np.maximum(z, SKIN * radius)
+    return np.maximum(z, LEAST_DEPTH_RATIO * radius)
 
 
 def _sided(sheared: ShearedSprings, x: Array, y: Array, z: Array, sign: float) -> BodyFields:
-    """Return the fields in one body; z = 0 belongs to the second one if that is asked for."""
+    """Return the fields in one body; z = 0 belongs to the second one if that is requested."""
     tiny = np.finfo(float).tiny
     return body_of_sheared(sheared, x, y, z if sign > 0.0 else -np.maximum(z, tiny))

@@ -1,4 +1,4 @@
-"""A path told in steps: start, go there, wait, oscillate, run round a circle, follow a table."""
+"""A path stated in steps: start, go there, wait, oscillate, run round a circle, follow a table."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from winkler.limits import PATH_POINTS
 from winkler.loading import Depth, Lateral, Normal, Shift
 from winkler.numerics.types import Array
 from winkler.path import Path, numbers_of
-from winkler.path_steps import Circle, Follow, Kept, Rows, Start, Step
+from winkler.path_steps import Circle, Follow, PathRows, Start, Step, Unchanged
 from winkler.values import value
 
 __all__ = ["Program"]
@@ -20,7 +20,7 @@ __all__ = ["Program"]
 
 @value
 class Program(Path):
-    """A path that is told in steps.
+    """A path that is stated in steps.
 
     Parameters
     ----------
@@ -53,11 +53,11 @@ class Program(Path):
     def __post_init__(self) -> None:
         begun = self._begun()
         time, across, along = 0.0, 0.0, np.zeros(2)
-        parts: list[Rows] = []
+        parts: list[PathRows] = []
         for step in self.steps:
             rows = step.rows(across, along)
             if parts and rows.seconds[0] == 0.0 and rows.across[0] == across and np.all(rows.along[0] == along):
-                rows = Rows(*(part[1:] for part in rows))  # where an oscillation begins, one is already
+                rows = PathRows(*(part[1:] for part in rows))  # where an oscillation begins, one is already
             affordable("Program", "points", rows.seconds.size + sum(part.seconds.size for part in parts), PATH_POINTS)
             if rows.seconds.size:
                 parts.append(rows._replace(seconds=time + rows.seconds))
@@ -76,7 +76,7 @@ class Program(Path):
         """Return the start, after checking that all steps go on from it."""
         steps = self.steps
         if not steps or not isinstance(steps[0], Start):
-            raise InvalidInput("Program: the first step must be a Start, which says where the path begins.")
+            raise InvalidInput("Program: the first step must be a Start, which states where the path begins.")
         begun = steps[0]
         for number, step in enumerate(steps[1:], start=2):
             where = f"Program: step {number} ({type(step).__name__})"
@@ -84,8 +84,8 @@ class Program(Path):
                 raise InvalidInput(f"{where} begins anew; one path has one Start, use a Ramp to go somewhere.")
             source = step.path if isinstance(step, Follow) else step
             for word in ("normal", "lateral"):
-                load, first = getattr(source, word, Kept()), getattr(begun, word)
-                if not isinstance(load, Kept) and type(load) is not type(first):
+                load, first = getattr(source, word, Unchanged()), getattr(begun, word)
+                if not isinstance(load, Unchanged) and type(load) is not type(first):
                     raise InvalidInput(
                         f"{where} is driven by {type(load).__name__} where the path began with "
                         f"{type(first).__name__}; one path is driven by one kind of {word} load throughout."
@@ -98,5 +98,5 @@ def _in_plane(step: Step) -> bool:
         return True
     if isinstance(step, Follow):
         return step.path.in_plane
-    load = getattr(step, "lateral", Kept())
-    return not isinstance(load, Kept) and numbers_of(load).shape == (2,)
+    load = getattr(step, "lateral", Unchanged())
+    return not isinstance(load, Unchanged) and numbers_of(load).shape == (2,)

@@ -1,4 +1,4 @@
-"""What `import winkler` offers, each name from the page where it lives.
+"""What `import winkler` offers, each name from the module where it is defined.
 
 The package reads these imports without running them: a name is loaded from its module when it is first used, and the
 modules of other names are not.  Type checkers and editors take them as they stand.
@@ -166,7 +166,7 @@ from winkler.profiles.socket import BallInSocket
 from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.profiles.wavy import Wavy
 from winkler.program import Program
-from winkler.stairs import Staircase, staircase
+from winkler.punch_staircase import Staircase, staircase
 from winkler.study.report.exchange import to_pandas, to_xarray
 from winkler.validity import Assumption, Note, Standing
 

@@ -1,4 +1,4 @@
-"""Numbers as they are read: with the prefix that fits them, so that 0.000187 m is 187 µm.
+"""Numbers as text for readers: with the prefix that fits them, so that 0.000187 m is 187 µm.
 
 Contents are SI, units those of the glossary.
 """
@@ -37,7 +37,7 @@ def pretty_unit(unit: str) -> str:
     ('N/m²', 'm⁻³', 'm^1.5')
     """
     unit = unit.replace("ohm", "Ω")
-    return re.sub(r"\^(-?\d+)(?![\d.])", lambda found: found[1].translate(SUPERSCRIPT), unit)
+    return re.sub(r"\^(-?\d+)(?![\d.])", lambda match: match[1].translate(SUPERSCRIPT), unit)
 
 
 def scale_of(unit: str | None, *contents: Any) -> Scale:

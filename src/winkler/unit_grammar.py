@@ -1,7 +1,7 @@
-"""What a unit is: a factor to SI and a dimension, read by a small grammar of names, ``* / ^`` and brackets.
+"""Units: a factor to SI and a dimension, read by a small grammar of names, ``* / ^`` and brackets.
 
 Symbols of the SI with their prefixes, and a few units beside it, stand in a table here, which takes microseconds;
-pint, which takes most of a second to load and knows many more, is asked about other names alone.  Factors are exact
+pint, which takes most of a second to load and has many more, resolves other names alone.  Factors are exact
 fractions; those of the table after the SI brochure, 9th edition (2019), doi:10.59161/AUEZ1291.
 """
 
@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 from winkler.errors import InvalidInput, suggest
 from winkler.limits import UNIT_LETTERS
 
-__all__ = ["COMMON", "POWERS", "Unit", "Unreadable", "si_unit", "unit_of"]
+__all__ = ["COMMON_UNITS", "POWERS", "Unit", "Unreadable", "si_unit", "unit_of"]
 
-STEEPEST = 12
+LARGEST_EXPONENT = 12
 """Largest exponent of a unit."""
-LONGEST = 1000
+MOST_FACTOR_BITS = 1000
 """Most binary digits of the factor of a unit, above and below its line."""
 
 TOKEN = re.compile(
@@ -39,11 +39,11 @@ SPELLINGS = [
     (re.compile(r"\b([kmunM]?N)m\b"), r"\1 m"),
     (re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])"), "*"),
 ]
-"""What people write, and how it is read."""
+"""Spellings in common use, and how they are read."""
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 ZERO_INSIDE = "a temperature scale with its own zero cannot be part of another unit; write K"
 
-COMMON = (
+COMMON_UNITS = (
     *("mm", "um", "nm", "cm", "km", "kPa", "MPa", "GPa", "mN", "uN", "nN", "kN", "ms", "us", "deg", "degC", "percent"),
     *(
         prefix + name
@@ -64,11 +64,11 @@ class Unit(NamedTuple):
     offset: Fraction = Fraction(0)
 
 
-BASES = ("ampere", "kelvin", "kilogram", "meter", "mole", "radian", "second")
+BASE_UNITS = ("ampere", "kelvin", "kilogram", "meter", "mole", "radian", "second")
 PREFIXES = {"T": 12, "G": 9, "M": 6, "k": 3, "c": -2, "m": -3, "u": -6, "n": -9, "p": -12, "f": -15}
 """Prefix -> power of ten."""
 
-PREFIXED: dict[str, tuple[str, tuple[int, ...]]] = {
+PREFIXED_UNITS: dict[str, tuple[str, tuple[int, ...]]] = {
     "m": ("1", (0, 0, 0, 1, 0, 0, 0)),
     "s": ("1", (0, 0, 0, 0, 0, 0, 1)),
     "g": ("0.001", (0, 0, 1, 0, 0, 0, 0)),
@@ -85,9 +85,9 @@ PREFIXED: dict[str, tuple[str, tuple[int, ...]]] = {
     "S": ("1", (2, 0, -1, -2, 0, 0, 3)),
     "Hz": ("1", (0, 0, 0, 0, 0, 0, -1)),
 }
-"""Symbol -> factor, and powers of the `BASES`."""
+"""Symbol -> factor, and powers of the `BASE_UNITS`."""
 
-ALONE: dict[str, tuple[str, tuple[int, ...]]] = {
+UNPREFIXED_UNITS: dict[str, tuple[str, tuple[int, ...]]] = {
     "percent": ("0.01", (0, 0, 0, 0, 0, 0, 0)),
     "micron": ("1e-6", (0, 0, 0, 1, 0, 0, 0)),
     "angstrom": ("1e-10", (0, 0, 0, 1, 0, 0, 0)),
@@ -102,7 +102,7 @@ ALONE: dict[str, tuple[str, tuple[int, ...]]] = {
 }
 """The same for units that take no prefix."""
 
-ZEROS = {"degC": Fraction("273.15")}
+SCALE_ZEROS = {"degC": Fraction("273.15")}
 """Temperature scale -> where its zero lies [K]."""
 
 
@@ -114,13 +114,13 @@ def si_unit(name: str) -> Unit | None:
     >>> si_unit("mm").factor, si_unit("furlong")
     (Fraction(1, 1000), None)
     """
-    if name in ZEROS:
-        return si_unit("K")._replace(offset=ZEROS[name])  # type: ignore[union-attr]
-    if name in ALONE or name in PREFIXED:
-        factor, powers = (ALONE if name in ALONE else PREFIXED)[name]
-        dimension = ((base, Fraction(power)) for base, power in zip(BASES, powers, strict=True) if power)
+    if name in SCALE_ZEROS:
+        return si_unit("K")._replace(offset=SCALE_ZEROS[name])  # type: ignore[union-attr]
+    if name in UNPREFIXED_UNITS or name in PREFIXED_UNITS:
+        factor, powers = (UNPREFIXED_UNITS if name in UNPREFIXED_UNITS else PREFIXED_UNITS)[name]
+        dimension = ((base, Fraction(power)) for base, power in zip(BASE_UNITS, powers, strict=True) if power)
         return Unit(Fraction(factor), tuple(dimension))
-    plain = si_unit(name[1:]) if name[:1] in PREFIXES and name[1:] in PREFIXED else None
+    plain = si_unit(name[1:]) if name[:1] in PREFIXES and name[1:] in PREFIXED_UNITS else None
     return plain and plain._replace(factor=plain.factor * Fraction(10) ** PREFIXES[name[0]])
 
 
@@ -138,17 +138,17 @@ def _registry() -> Any:
 @functools.lru_cache(maxsize=512)
 def _named(name: str) -> Unit:
     """Return the unit of one plain name, e.g. ``mm``."""
-    known = si_unit(name)
-    return _named_by_pint(name) if known is None else known
+    exact = si_unit(name)
+    return _named_by_pint(name) if exact is None else exact
 
 
 def _named_by_pint(name: str) -> Unit:
-    """Return the unit of a name that is not in the table, e.g. ``inch``: the only question that pint is asked."""
+    """Return the unit of a name that is not in the table, e.g. ``inch``: the only use of pint."""
     import pint
 
     try:
-        ask = _registry().Quantity
-        zero, one = ask(Fraction(0), name).to_base_units(), ask(Fraction(1), name).to_base_units()
+        quantity_of = _registry().Quantity
+        zero, one = quantity_of(Fraction(0), name).to_base_units(), quantity_of(Fraction(1), name).to_base_units()
         powers = pint.util.to_units_container(one.units)
         dimension = tuple(sorted((str(base), Fraction(str(power))) for base, power in powers.items()))
         offset = Fraction(zero.magnitude)
@@ -156,20 +156,20 @@ def _named_by_pint(name: str) -> Unit:
     except (pint.PintError, AttributeError, TypeError, AssertionError, ValueError):
         if name.istitle() and len(name) > 4:
             return _named(name.lower())  # Newton, Micrometer
-        same = [known for known in COMMON if known.lower() == name.lower()]
-        near = f" (did you mean '{same[0]}'?)" if same else suggest(name, COMMON)
+        same = [exact for exact in COMMON_UNITS if exact.lower() == name.lower()]
+        near = f" (did you mean '{same[0]}'?)" if same else suggest(name, COMMON_UNITS)
         raise Unreadable(f"the unit '{name}' is unknown{near}") from None
     return Unit(factor, dimension, offset)
 
 
 def _refuse_long(factor: Fraction, exponent: Fraction = Fraction(1)) -> None:
     """Refuse a power of a factor that no floating-point number could be multiplied by."""
-    if exponent * max(factor.numerator.bit_length(), factor.denominator.bit_length()) > LONGEST:
+    if exponent * max(factor.numerator.bit_length(), factor.denominator.bit_length()) > MOST_FACTOR_BITS:
         raise Unreadable("its size cannot be computed with")
 
 
 def _power(unit: Unit, exponent: Fraction) -> Unit:
-    if abs(exponent) > STEEPEST:
+    if abs(exponent) > LARGEST_EXPONENT:
         raise Unreadable(f"the exponent {float(exponent):g} of a unit is too large")
     if unit.offset:
         raise Unreadable(ZERO_INSIDE)
@@ -189,7 +189,7 @@ def _product(left: Unit, right: Unit) -> Unit:
     return Unit(left.factor * right.factor, tuple(sorted((base, power) for base, power in powers.items() if power)))
 
 
-ONE = Unit(Fraction(1), ())
+DIMENSIONLESS = Unit(Fraction(1), ())
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:
@@ -205,7 +205,7 @@ def _tokens(text: str) -> list[tuple[str, str]]:
 
 def _product_of(tokens: list[tuple[str, str]], depth: int = 0) -> Unit:
     """Read factors joined by ``*``, ``/`` or a space from the end of `tokens`, up to a closing bracket."""
-    total, divided = ONE, False
+    total, divided = DIMENSIONLESS, False
     first = bool(tokens) and tokens[-1] != ("sign", "/")
     while tokens and tokens[-1] != ("sign", ")"):
         sign = tokens.pop()[1] if not first and tokens[-1] in (("sign", "*"), ("sign", "/")) else ""
@@ -214,7 +214,7 @@ def _product_of(tokens: list[tuple[str, str]], depth: int = 0) -> Unit:
         first, divided = False, divided or sign == "/"
         factor = _factor(tokens, depth)
         factor = _power(factor, Fraction(-1)) if sign == "/" else factor
-        total = factor if total is ONE else _product(total, factor)
+        total = factor if total is DIMENSIONLESS else _product(total, factor)
     return total
 
 
@@ -223,8 +223,8 @@ def _factor(tokens: list[tuple[str, str]], depth: int) -> Unit:
     if kind == "name":
         unit = _named(word)
     elif kind == "one":
-        unit = ONE
-    elif word == "(" and depth < STEEPEST:
+        unit = DIMENSIONLESS
+    elif word == "(" and depth < LARGEST_EXPONENT:
         unit = _product_of(tokens, depth + 1)
         if not tokens:
             raise Unreadable("a bracket is not closed in the unit")

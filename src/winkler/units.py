@@ -1,7 +1,7 @@
-"""Numbers with units, as people write them: ``"10 mm"`` becomes 0.01, and 0.01 becomes ``"10 mm"``.
+"""Numbers with units, as they are written: ``"10 mm"`` becomes 0.01, and 0.01 becomes ``"10 mm"``.
 
-Used only at the doors (study files, command line, tables, forms); inside, everything is SI.  The number is read as an
-exact decimal and multiplied by an exact fraction, so that ``3 nm`` is the float nearest to 3e-9, and what
+Used only at the interfaces (study files, command line, tables, forms); inside, everything is SI.  The number is read as
+an exact decimal and multiplied by an exact fraction, so that ``3 nm`` is the float nearest to 3e-9, and what
 `format_quantity` writes is read back to the same float.
 """
 
@@ -14,16 +14,16 @@ from decimal import Decimal
 from fractions import Fraction
 
 from winkler.errors import InvalidInput
-from winkler.unit_grammar import COMMON, POWERS, Unit, Unreadable, unit_of
+from winkler.unit_grammar import COMMON_UNITS, POWERS, Unit, Unreadable, unit_of
 
 __all__ = ["comma_hint", "comma_readings", "format_quantity", "quantity", "scale", "to_si"]
 
-LONGEST = 100
+LONGEST_QUANTITY = 100
 """Most characters of a quantity."""
 
 QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.ASCII)
 
-KINDS = (
+KIND_NAMES = (
     ("", "a plain number", "0.3"),
     ("m", "a length", "10 mm"),
     ("N", "a force", "5 mN"),
@@ -54,13 +54,13 @@ THOUSANDS = re.compile(r"[1-9]\d{0,2}(,\d{3})+(\.\d*)?", re.ASCII)
 DECIMALS = re.compile(r"(\d*|[1-9]\d{0,2}(\.\d{3})+),\d+", re.ASCII)
 
 PREFIXED = re.compile(r"(m|N|Pa|J|W|Hz|s|V|A)(?:\^([23]))?(?![\w^])(.*)")
-LARGEST = {"m": 3, "s": 0}
+LARGEST_PREFIX = {"m": 3, "s": 0}
 PREFIXES = ((9, "G"), (6, "M"), (3, "k"), (0, ""), (-3, "m"), (-6, "u"), (-9, "n"), (-12, "p"))
 
 
 @functools.lru_cache(maxsize=1)
 def _kinds() -> dict[tuple[tuple[str, Fraction], ...], tuple[str, str]]:
-    return {unit_of(unit).dimension: (name, example) for unit, name, example in KINDS}
+    return {unit_of(unit).dimension: (name, example) for unit, name, example in KIND_NAMES}
 
 
 def _kind(unit: str) -> tuple[str, str]:
@@ -94,21 +94,21 @@ def comma_hint(text: str) -> str:
     >>> comma_hint("1,000 N")
     "a comma, which is ambiguous; write '1000 N' if it groups thousands, '1.000 N' if it is the decimal sign"
     """
-    found = comma_readings(text)
-    if len(found) > 1:
-        whole, broken = found
+    readings = comma_readings(text)
+    if len(readings) > 1:
+        whole, broken = readings
         return (
             f"a comma, which is ambiguous; write '{whole}' if it groups thousands, '{broken}' if it is the decimal sign"
         )
-    example = found[0] if found else "1234.5"
+    example = readings[0] if readings else "1234.5"
     return f"a comma; write decimals with a point and thousands without, as '{example}'"
 
 
 def _read(text: str, what: str) -> tuple[Fraction, Unit, str]:
     """Return the number, the unit and the unit's text of a quantity."""
-    if len(text) > LONGEST:
+    if len(text) > LONGEST_QUANTITY:
         raise InvalidInput(
-            f"{what}: '{text[:20]}...' is too long for a quantity; at most {LONGEST} characters are read."
+            f"{what}: '{text[:20]}...' is too long for a quantity; at most {LONGEST_QUANTITY} characters are read."
         )
     plain = text.translate(POWERS).replace("−", "-").strip()
     if "," in plain:
@@ -145,7 +145,7 @@ def quantity(text: str | float, unit: str, *, what: str) -> float:
         Number and unit, as ``"10 mm"``, ``"30 deg"``, ``"2e-14 mm^3/(N m)"``, ``"20 degC"``; where `unit` has no
         dimension, a plain number or a percentage.
     unit : str
-        The unit of the answer, an SI unit as a rule; ``""`` for a plain number.  Where it is ``"K"``, temperatures in
+        The unit of the result, an SI unit as a rule; ``""`` for a plain number.  Where it is ``"K"``, temperatures in
         degC and degF are moved to absolute ones; where it is ``"delta_degC"``, a difference, they are refused.
     what : str
         What the quantity is; error messages start with it.
@@ -170,23 +170,25 @@ def quantity(text: str | float, unit: str, *, what: str) -> float:
         if isinstance(text, bool) or not isinstance(text, int | float) or not math.isfinite(text):
             raise InvalidInput(f"{what}: {text!r} is not a quantity; give {name} such as '{example}'.")
         text = repr(text)
-    number, given, written = _read(text, what)
+    number, stated, written = _read(text, what)
     if not written and unit_of(unit).dimension:
         raise InvalidInput(f"{what}: '{text}' has no unit; give {name} such as '{example}'.")
-    if given.dimension != unit_of(unit).dimension:
+    if stated.dimension != unit_of(unit).dimension:
         near = _fitting(written, unit)
         raise InvalidInput(
             f"{what}: '{text}' is {_kind(written)[0]}, not {name}{near}; give {name} such as '{example}'."
         )
-    if given.offset and unit != "K":
+    if stated.offset and unit != "K":
         raise InvalidInput(f"{what}: '{text}' is a temperature, not a difference of two; write the difference in K.")
-    wanted = unit_of(unit).factor
-    return _float(number, given._replace(factor=given.factor / wanted, offset=given.offset / wanted), text, what)
+    target_factor = unit_of(unit).factor
+    return _float(
+        number, stated._replace(factor=stated.factor / target_factor, offset=stated.offset / target_factor), text, what
+    )
 
 
 def _fitting(written: str, unit: str) -> str:
     """Return a hint at a unit that differs from what was `written` by capitals only, and fits."""
-    same = [known for known in COMMON if known.lower() == written.lower() and _kind(known) == _kind(unit)]
+    same = [name for name in COMMON_UNITS if name.lower() == written.lower() and _kind(name) == _kind(unit)]
     return f" (did you mean '{same[0]}'?)" if same else ""
 
 
@@ -207,7 +209,7 @@ def scale(unit_from: str, unit_to: str, *, what: str = "unit") -> float:
     try:
         before, after = unit_of(unit_from), unit_of(unit_to)
     except Unreadable as reason:
-        raise InvalidInput(f"{what}: '{unit_from[:LONGEST]}' cannot be read: {reason}.") from None
+        raise InvalidInput(f"{what}: '{unit_from[:LONGEST_QUANTITY]}' cannot be read: {reason}.") from None
     if before.dimension != after.dimension:
         near = _fitting(unit_from, unit_to)
         raise InvalidInput(
@@ -247,7 +249,7 @@ def format_quantity(number: float, unit: str) -> str:
     if match and number:
         power = int(match[2] or 1)
         for exponent, prefix in PREFIXES:
-            if abs(number) >= 10.0 ** (exponent * power) and exponent <= LARGEST.get(match[1], 9):
+            if abs(number) >= 10.0 ** (exponent * power) and exponent <= LARGEST_PREFIX.get(match[1], 9):
                 shifted = Decimal(repr(number)).scaleb(-exponent * power).normalize()
                 if abs(shifted) < 1_000_000:
                     return f"{shifted:f} {prefix}{unit}"

@@ -1,8 +1,8 @@
-"""How far a result can be trusted: the assumptions behind it, what a check of each one says, and the source.
+"""The validity of a result: the assumptions behind it, the check of each one, and the source.
 
-`Assumption` is the closed list.  Every problem declares in ``assumptions`` those that its answer rests on; every
-solution carries a tuple of `Note`, each of which states one of them, and its `Standing`.  The standing of an answer is
-the worst of its notes.  docs/validity.md says for every assumption how it is tested and what violating it costs.
+`Assumption` is the closed list.  Every problem declares in ``assumptions`` those that its result rests on; every
+solution carries a tuple of `Note`, each of which states one of them, and its `Standing`.  The standing of a result is
+the worst of its notes.  docs/validity.md states for every assumption how it is tested and what violating it costs.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ __all__ = ["Assumption", "Note", "Standing", "standing_of", "worst"]
 
 
 class Standing(Enum):
-    """What a note says about the result, from best to worst."""
+    """The statement of a note on the result, from best to worst."""
 
     EXACT = "exact"
     ASYMPTOTIC = "asymptotic"
@@ -32,7 +32,7 @@ class Note:
     Parameters
     ----------
     assumption
-        Which assumption it speaks of.
+        The assumption that it states.
     standing
         exact; asymptotic (right in a limit, the deviation is stated); approximate (the error is stated);
         outside (the number is not to be trusted).

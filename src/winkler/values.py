@@ -1,6 +1,6 @@
 """A *value*: a frozen dataclass that compares and hashes by content, arrays included.
 
-Everything that is asked or answered in winkler is a value.  Two studies with equal content are equal, so a
+Every problem and every solution of winkler is a value.  Two studies with equal content are equal, so a
 value can be a key of a cache, a point of a sweep, or one side of an assertion.  Arrays become read-only copies
 (again after unpickling), lists become tuples, so that nothing changes behind the reader's back.
 """
@@ -15,7 +15,7 @@ from typing import Any, TypeVar, dataclass_transform
 import numpy as np
 
 from winkler.checks.field_checks import checks_of
-from winkler.checks.float_range import guarded, guarded_answer, guarded_stream
+from winkler.checks.float_range import guarded, guarded_result, guarded_stream
 from winkler.checks.outline import refuse_outline, refuse_relaxing
 from winkler.display import html_table, short
 from winkler.errors import InvalidInput, WinklerError
@@ -28,7 +28,7 @@ T = TypeVar("T")
 
 def frozen_array(array: Any) -> np.ndarray:
     """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
-    masked = hasattr(array, "mask") and isinstance(array, np.ma.MaskedArray)  # numpy loads what it is asked for
+    masked = hasattr(array, "mask") and isinstance(array, np.ma.MaskedArray)  # numpy loads its parts on demand
     if masked and array.dtype.kind in "iuf":
         array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none
     result = np.array(array)
@@ -38,12 +38,12 @@ def frozen_array(array: Any) -> np.ndarray:
     return result
 
 
-PLAIN = frozenset((float, int, str, bool))
+FROZEN_TYPES = frozenset((float, int, str, bool))
 """What is frozen already; a sweep has a million of them."""
 
 
 def _frozen(content: Any) -> Any:
-    if type(content) is tuple and PLAIN.issuperset(map(type, content)):
+    if type(content) is tuple and FROZEN_TYPES.issuperset(map(type, content)):
         return content
     if isinstance(content, np.ndarray):
         return float(content) if content.ndim == 0 and content.dtype.kind in "iuf" else frozen_array(content)
@@ -77,11 +77,11 @@ def _equal(self: Any, other: object) -> bool:
 
 
 def _hash(self: Any) -> int:
-    known = self.__dict__.get("_hash")
-    if known is None:
-        known = hash((type(self).__qualname__, _content(self)))
-        object.__setattr__(self, "_hash", known)
-    return int(known)
+    stored = self.__dict__.get("_hash")
+    if stored is None:
+        stored = hash((type(self).__qualname__, _content(self)))
+        object.__setattr__(self, "_hash", stored)
+    return int(stored)
 
 
 def _getstate(self: Any) -> dict[str, Any]:
@@ -99,8 +99,8 @@ def value(cls: type[T]) -> type[T]:
 
     The fields are frozen and compared with their types (`winkler.checks`); then a class's own ``__post_init__`` runs,
     the place to check what several fields have to do with each other.  Its ``solve`` and its ``steps``, and the
-    properties of a solution, say in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
-    takes a few lines (`winkler.display`), and a wrong name is answered by the right one (`winkler.wrong_names`).
+    properties of a solution, state in one sentence if numbers leave the range of floating-point numbers.  Its ``repr``
+    takes a few lines (`winkler.display`), and a wrong name raises an error with the right one (`winkler.wrong_names`).
     """
     check: Callable[[Any], None] | None = getattr(cls, "__post_init__", None)
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
@@ -109,13 +109,13 @@ def value(cls: type[T]) -> type[T]:
         refuse_outline(self)
         refuse_relaxing(self)
         contents = self.__dict__
-        for name, checked in given():
+        for name, checked in checks_of_fields():
             content = contents[name]
-            kept = content if type(content) in PLAIN else _frozen(content)
+            unchanging = content if type(content) in FROZEN_TYPES else _frozen(content)
             if checked is not None:
-                kept = checked(kept)
-            if kept is not content:
-                contents[name] = kept
+                unchanging = checked(unchanging)
+            if unchanging is not content:
+                contents[name] = unchanging
         if check is not None:
             try:
                 with np.errstate(**overflow):
@@ -139,12 +139,12 @@ def value(cls: type[T]) -> type[T]:
     for name, guard in (("solve", guarded), ("steps", guarded_stream)):
         if callable(vars(cls).get(name)):  # a field may have the same name
             setattr(cls, name, guard(vars(cls)[name]))
-    if "problem" in vars(cls).get("__annotations__", {}):  # a solution: what it tells is computed when it is asked
+    if "problem" in vars(cls).get("__annotations__", {}):  # a solution: its properties are computed on demand
         for name, member in list(vars(cls).items()):
             if isinstance(member, property) and member.fget is not None:
-                setattr(cls, name, property(guarded_answer(member.fget), doc=member.__doc__))
+                setattr(cls, name, property(guarded_result(member.fget), doc=member.__doc__))
     made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
     made.__init__ = checked_arguments(made, made.__init__)
-    given = functools.cache(functools.partial(checks_of, made))
+    checks_of_fields = functools.cache(functools.partial(checks_of, made))
     result: type[T] = made
     return result

@@ -1,4 +1,4 @@
-"""A wrong name of an attribute or an argument of a value, answered by the right one.
+"""A wrong name of an attribute or an argument of a value, with the right one suggested.
 
 What is right costs nothing more: ``__getattr__`` is called for attributes only that are not there, and arguments are
 compared with the signature only after Python has refused them.
@@ -45,7 +45,7 @@ def _public(cls: type) -> frozenset[str]:
 
 
 def checked_arguments(cls: type, construct: Callable[..., None]) -> Callable[..., None]:
-    """Return the ``__init__`` of a class, which says of an unknown argument which one was probably meant.
+    """Return the ``__init__`` of a class, which suggests for an unknown argument the one that was probably meant.
 
     Parameters
     ----------
@@ -56,9 +56,9 @@ def checked_arguments(cls: type, construct: Callable[..., None]) -> Callable[...
     """
 
     @functools.wraps(construct)
-    def __init__(self: Any, *given: Any, **named: Any) -> None:
+    def __init__(self: Any, *positional: Any, **named: Any) -> None:
         try:
-            construct(self, *given, **named)
+            construct(self, *positional, **named)
         except TypeError as error:
             if error.__traceback__ is not None and error.__traceback__.tb_next is None:  # the call itself was refused
                 _refuse_unknown(cls, construct, named)
@@ -68,8 +68,8 @@ def checked_arguments(cls: type, construct: Callable[..., None]) -> Callable[...
 
 
 def _refuse_unknown(cls: type, construct: Callable[..., None], named: dict[str, Any]) -> None:
-    known = [name for name in inspect.signature(construct).parameters if name != "self"]
+    names = [name for name in inspect.signature(construct).parameters if name != "self"]
     for name in named:
-        if name not in known:
-            takes = f"it takes {', '.join(known)}" if known else "it takes none"
-            raise TypeError(f"{cls.__name__}: there is no argument '{name}'{suggest(name, known)}; {takes}.") from None
+        if name not in names:
+            takes = f"it takes {', '.join(names)}" if names else "it takes none"
+            raise TypeError(f"{cls.__name__}: there is no argument '{name}'{suggest(name, names)}; {takes}.") from None

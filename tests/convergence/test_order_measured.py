@@ -66,7 +66,7 @@ def test_the_cubic_spline_is_of_fourth_order_in_the_force_at_a_depth(name):
 
 
 def test_a_corner_costs_orders():
-    """A truncated cone sampled like a smooth body: the spline rounds its edge, and says nothing of orders."""
+    """A truncated cone sampled like a smooth body: the spline rounds its edge, and has no order."""
     shape, reach = wk.TruncatedCone(math.radians(70.0), 0.31), 1.0
     x = np.linspace(0.05, 0.95, 181)
     errors = [error(samples(shape, reach, int(count)).gap(x), shape.gap(x)) for count in (64, 128, 256)]

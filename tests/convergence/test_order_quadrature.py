@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.numerics.integrals.adaptive_quadrature import LADDER, settled
+from winkler.numerics.integrals.adaptive_quadrature import RULE_LADDER, settled
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 
 
@@ -72,7 +72,7 @@ def rungs(integrand, count: int = 1) -> tuple[np.ndarray, list[int]]:
 def test_the_ladder_is_climbed_as_far_as_the_pole_asks(pole, last):
     result, tried = rungs(lambda nodes, index: np.tile(1.0 / (nodes - pole), (len(index), 1)))
     assert result[0] == pytest.approx(math.log((1.0 - pole) / -pole), rel=1e-12)
-    assert tried == [points for _, points in LADDER][: len(tried)]
+    assert tried == [points for _, points in RULE_LADDER][: len(tried)]
     assert tried[-1] == last
     # the rung before the last already had all digits: that is how the last one knew
     assert bernstein(pole) ** (-2 * tried[-2]) < 1e-12
@@ -84,7 +84,7 @@ def test_the_ladder_is_climbed_as_far_as_the_pole_asks(pole, last):
 def test_a_singular_end_is_left_to_the_double_exponential_rule(power):
     result, tried = rungs(lambda nodes, index: np.tile(nodes**power, (len(index), 1)))
     assert result[0] == pytest.approx(1.0 / (1.0 + power), rel=1e-11)
-    assert LADDER[len(tried) - 1][0] == "double exponential"
+    assert RULE_LADDER[len(tried) - 1][0] == "double exponential"
     # Gauss' rule alone would converge with the power 2 (1 + power) only
     counts = np.array([12, 24, 48, 96])
     errors = [abs(gauss_legendre(n)[1] @ gauss_legendre(n)[0] ** power - 1.0 / (1.0 + power)) for n in counts]

@@ -1,7 +1,7 @@
 """Springs in a row: normal force, shear force and energies converge with the second power of their distance.
 
 The edge of the contact and those of the zones that stick fall anywhere between two springs; the mean over many of them
-is what has an order.  The judge is the solution without springs.
+is what has an order.  The reference is the solution without springs.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def test_force_is_of_second_order(name):
 
 
 def histories(depth: float, shift: float) -> list[Path]:
-    """Return random ways: pressed and moved at once, held deep or at one place, out of contact and back."""
+    """Return random paths: pressed and moved at once, held deep or at one place, out of contact and back."""
     paths = []
     for seed in range(6):
         rng = np.random.default_rng(seed)

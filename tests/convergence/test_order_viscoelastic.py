@@ -71,7 +71,7 @@ def test_steps_under_a_force_are_of_second_order(name):
     elastic = elastic_like(bed(SOLIDS[name], wk.Paraboloid(1.0)))
     borne = 0.03 * quad(lambda s: float(creep.at(np.array(1.0 - s))) * np.sqrt(s), 0.0, 1.0)[0]
     springs = Springs.of(elastic, 0.6, 200)
-    # the springs' own answer in the limit of no step: an elastic row under the force that creep makes of it
+    # the springs' own solution in the limit of no step: an elastic row under the force that creep makes of it
     exact = float(springs.depth(np.array([borne]))[0])
     counts, errors = np.array([8, 16, 32, 64]), []
     for count in counts:
@@ -86,7 +86,7 @@ def test_steps_under_a_force_are_of_second_order(name):
 
 
 def test_steps_of_an_impact_are_of_second_order():
-    """Two thirds of the way through an impact on a relaxing ball, against sixteen times shorter steps."""
+    """Two thirds of an impact on a relaxing ball, against sixteen times shorter steps."""
     given = bed(SOLIDS["standard"], wk.Paraboloid(1.0))
     elastic, series = elastic_like(given), given.medium.relaxation
     springs = Springs.of(elastic, 1.3, 100)

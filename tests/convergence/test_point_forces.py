@@ -1,7 +1,7 @@
-"""The usual road as a judge: superposed point forces, Eqs. (1) and (2) of the paper the package grew from.
+"""The usual method as a reference: superposed point forces, Eqs. (1) and (2) of the paper the package grew from.
 
 The restored pressure p(r), put through u = 1/(pi E*) IInt p/s dA, must give the displacement that was restored from
-the springs: inside the contact the body's own shape, outside the free surface.  The superposition knows nothing of
+the springs: inside the contact the body's own shape, outside the free surface.  The superposition uses nothing of
 springs.  By how much it is off is what both together are off.
 """
 

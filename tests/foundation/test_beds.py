@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.values import value
 
 UNIT = wk.HalfSpace.between(wk.Elastic(1.0, 0.0))
@@ -34,13 +34,13 @@ def test_a_foundation_is_its_profile_over_its_medium():
 def test_what_is_pressed():
     bed = wk.Foundation(wk.TruncatedCone(1.2, 0.1), UNIT)
     depth = float(bed.gap(np.array([0.5]))[0])
-    pressed = Pressed(bed, depth, 0.5)
+    pressed = PressedSprings(bed, depth, 0.5)
     np.testing.assert_allclose(pressed.value(X), depth - bed.gap(X), rtol=1e-15)
     np.testing.assert_allclose(pressed.slope(X), -bed.gap_slope(X), rtol=1e-15)
     assert pressed.edge == 0.0
     assert pressed.kinks == bed.kinks
-    assert Pressed(bed, 0.0, 0.05).kinks == ()
-    pinned = Pressed(wk.Foundation(wk.CappedCylinder(0.5, wk.Cone(1.2)), UNIT), 1.0, 0.5)
+    assert PressedSprings(bed, 0.0, 0.05).kinks == ()
+    pinned = PressedSprings(wk.Foundation(wk.CappedCylinder(0.5, wk.Cone(1.2)), UNIT), 1.0, 0.5)
     assert pinned.edge == pytest.approx(1.0 - 0.5 * math.pi * 0.5 / math.tan(1.2), rel=1e-14)
 
 
@@ -87,10 +87,10 @@ def test_a_plane_foundation_answers_like_the_body_that_belongs_to_it(name, load)
     for word in ("depth", "force", "radius", "stiffness", "energy"):
         assert getattr(got, word) == pytest.approx(getattr(expected, word), rel=1e-11), word
     r = np.array([0.05, 0.5, 0.999, 1.01, 3.0]) * expected.radius
-    fields, judged = wk.restore(got, r), wk.restore(expected, r)
-    np.testing.assert_allclose(fields.pressure, judged.pressure, rtol=1e-9)
-    np.testing.assert_allclose(fields.displacement, judged.displacement, rtol=1e-10)
-    np.testing.assert_allclose(fields.gap, judged.gap, atol=1e-12)
+    fields, compared = wk.restore(got, r), wk.restore(expected, r)
+    np.testing.assert_allclose(fields.pressure, compared.pressure, rtol=1e-9)
+    np.testing.assert_allclose(fields.displacement, compared.displacement, rtol=1e-10)
+    np.testing.assert_allclose(fields.gap, compared.gap, atol=1e-12)
 
 
 def _wedge_beyond(r, b, t):
@@ -101,7 +101,7 @@ def _wedge_beyond(r, b, t):
 
 
 def test_a_plane_profile_with_a_flat_and_a_kink():
-    """g = (x - b)+ tan: the load F = E* tan (a - b)(a + b) ... = 2 E* Int (d - g) by hand."""
+    """g = (x - b)+ tan: the load F = E* tan (a - b)(a + b) ... = 2 E* Int (d - g) on paper."""
     b, t = 0.2, 1.0 / math.tan(1.2)
     bed = wk.PlaneFoundation(wk.TruncatedCone(1.2, b), UNIT)
     a = 0.5

@@ -1,4 +1,4 @@
-"""Springs that stand for an ellipse: answers against mpmath and Mindlin, and refusals of what needs a disc."""
+"""Springs that stand for an ellipse: results against mpmath and Mindlin, and refusals of what needs a disc."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.footprint import Ellipse, Round, Unknown
+from winkler.footprint import EllipticOutline, RoundOutline, UnknownOutline
 from winkler.foundation.measured_profile import MeasuredPlaneProfile
 from winkler.media.layered.coated import Layer
 from winkler.plot import draw
@@ -133,7 +133,7 @@ def test_what_needs_a_disc_is_refused():
     pushed = wk.Tangential(bed, wk.Coulomb(0.2), wk.Path([0.0, 1.0], wk.Force(10.0), wk.Shift([0.0, 1e-8]))).solve()
     heat = wk.ThermalConductor(45.0, 12e-6)
     path = wk.Path([0.0, 1.0], wk.Force(10.0), wk.Shift([0.0, 1e-8]))
-    for asked in (
+    for requested in (
         lambda: wk.PullOff(bed, wk.ShortRange(0.1)),
         lambda: wk.AdhesiveIndentation(bed, wk.ShortRange(0.1), wk.Force(0.0)),
         lambda: wk.SlidingWear(bed, wk.Archard(1e-14), wk.Force(10.0), 10.0),
@@ -149,8 +149,8 @@ def test_what_needs_a_disc_is_refused():
         lambda: wk.peak_stress(pushed.at(-1)),
         lambda: wk.staircase(contact, 5),
     ):
-        with pytest.raises(wk.OutsideValidity, match="needs a round contact, .*b/a = 0.1066.*ask EllipticIndent"):
-            asked()
+        with pytest.raises(wk.OutsideValidity, match="needs a round contact, .*b/a = 0.1066.*use EllipticIndent"):
+            requested()
 
 
 def test_what_asks_for_force_and_depth_alone_is_answered():
@@ -175,19 +175,19 @@ def test_beds_know_their_footprint():
     ball = wk.Foundation(wk.Paraboloid(1e-2), PAIR)
     a = np.geomspace(1e-6, 1e-4, 7)
     measured = wk.MeasuredBed(a, a, a**2)
-    assert isinstance(ball.footprint, Round)
-    assert isinstance(SLENDER.footprint, Ellipse)
-    assert isinstance(measured.footprint, Unknown)
-    assert isinstance(dataclasses.replace(measured, disc=True).footprint, Round)
+    assert isinstance(ball.footprint, RoundOutline)
+    assert isinstance(SLENDER.footprint, EllipticOutline)
+    assert isinstance(measured.footprint, UnknownOutline)
+    assert isinstance(dataclasses.replace(measured, disc=True).footprint, RoundOutline)
     equal = wk.EllipticFoundation(wk.CurvedBodies(1e-2, 1e-2), PAIR)
-    assert isinstance(equal.footprint, Round)  # a ball: all is known of it
+    assert isinstance(equal.footprint, RoundOutline)  # a ball: all is known of it
     assert wk.restore(wk.Indentation(equal, wk.Force(10.0)).solve(), 0.0).pressure == pytest.approx(
         wk.restore(wk.Indentation(ball, wk.Force(10.0)).solve(), 0.0).pressure, rel=1e-12
     )
 
 
 def test_yield_begins_under_the_ellipse_not_under_the_ball():
-    """Steel, 3.77 mm x 124 mm: 766 N, where the ball says 3261 N; 1502 MPa at 0.123 mm (a flat maximum) at 1500 N."""
+    """Steel, 3.77 mm x 124 mm: 766 N, where the ball gives 3261 N; 1502 MPa at 0.123 mm (a flat maximum) at 1500 N."""
     onset = wk.YieldOnset(BEARING.bed).solve()
     assert onset.force == pytest.approx(766.0, rel=3e-3)
     grown = (1500.0 / onset.force) ** (1.0 / 3.0)
@@ -209,9 +209,9 @@ def test_yield_begins_under_the_ellipse_not_under_the_ball():
 
 def test_a_path_in_the_plane_is_refused():
     path = wk.Path([0.0, 1.0], wk.Force(10.0), wk.Shift([[0.0, 0.0], [1e-8, 1e-8]]))
-    for asked in (wk.Tangential, wk.SpringMarch):
+    for requested in (wk.Tangential, wk.SpringMarch):
         with pytest.raises(wk.OutsideValidity, match="the path leaves its line, and an ellipse gives way differently"):
-            asked(SLENDER, wk.Coulomb(0.2), path)
+            requested(SLENDER, wk.Coulomb(0.2), path)
 
 
 def test_media_that_know_no_ellipse_are_refused():
@@ -233,19 +233,19 @@ def test_the_direction_of_a_stiffness_is_stated():
     a = np.geomspace(1e-6, 1e-3, 12)
     spots = wk.MeasuredBed(a, 2.0 * PAIR.modulus * a, a**2 / 1e-2, mindlin_ratio=0.8)
     path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
-    for bed, said in (
+    for bed, text in (
         (SLENDER, "The shear is along x, where the semi-axis is 4.5 of that across"),
         (spots, "ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known"),
     ):
         notes = wk.Tangential(bed, wk.Coulomb(0.3), path).solve().validity
-        assert any(said in note.statement for note in notes)
+        assert any(text in note.statement for note in notes)
         swing = wk.FrictionDamping(bed, wk.Coulomb(0.3), wk.Force(1.0), wk.Shift(1e-9)).solve()
-        assert any(said in note.statement for note in swing.validity)
-        assert not any(said in note.statement for note in wk.Indentation(bed, wk.Force(1.0)).solve().validity)
+        assert any(text in note.statement for note in swing.validity)
+        assert not any(text in note.statement for note in wk.Indentation(bed, wk.Force(1.0)).solve().validity)
 
 
 def test_pictures_show_springs_and_no_ball():
-    """Of bed, contact and sheared contact what springs tell is drawn: no body, no pressure, no traction."""
+    """Of bed, contact and sheared contact what springs give is drawn: no body, no pressure, no traction."""
     path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
     pushed = wk.Tangential(SLENDER, wk.Coulomb(0.3), path).solve()
     for item, titles in (

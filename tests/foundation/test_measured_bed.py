@@ -1,4 +1,4 @@
-"""One force curve is enough: the bed behind it answers every other load, and refuses what it cannot know."""
+"""One force curve is enough: the bed behind it solves every other load, and refuses what it does not determine."""
 
 from __future__ import annotations
 
@@ -191,8 +191,8 @@ def test_a_nanoindenter():
     assert measured.scatter < 5e-6
     found = wk.Indentation(measured, wk.Force(np.array([0.5e-3, 1.5e-3, 2.2e-3]))).solve()
     near = [np.abs(force[loading] - each) < 1e-5 for each in found.force]
-    seen = [np.mean(depth[loading][close]) - depth[loading].min() for close in near]
-    np.testing.assert_allclose(found.depth, seen, atol=1e-9)
+    observed = [np.mean(depth[loading][close]) - depth[loading].min() for close in near]
+    np.testing.assert_allclose(found.depth, observed, atol=1e-9)
 
 
 # --------------------------------------------------------------------------------------------------------- as a value

@@ -18,7 +18,7 @@ from shapes import KINDS, Specimen, number
 import winkler as wk
 
 SLOW = {"formula", "wavy_ball"}
-"""Shapes whose contacts are checked one by one, because nobody knows beforehand that g rises."""
+"""Shapes whose contacts are checked one by one, because it is unknown beforehand whether g rises."""
 PINNED = ("flat_punch", "pinned_cylinder")
 FREE = tuple(kind for kind in KINDS if kind not in PINNED)
 
@@ -112,8 +112,8 @@ def along(bed: wk.Foundation, end: float, *, angular: bool = False):
     exponent = getattr(bed.medium, "exponent", 0.0)
     panels = math.ceil(12 / (1.0 + min(0.0, exponent)))  # roots are steeper where a medium hardens towards its surface
     kinks = [(b, strength) for b, strength in bed.kinks if b < end]
-    felt = [b for b, strength in kinks if strength != 0.0 or len(kinks) <= 4]
-    cuts, towards = np.array([0.0, *(b for b, _ in kinks), end]), np.array([0.0, *felt, end])
+    relevant = [b for b, strength in kinks if strength != 0.0 or len(kinks) <= 4]
+    cuts, towards = np.array([0.0, *(b for b, _ in kinks), end]), np.array([0.0, *relevant, end])
     if not angular:
         return graded(cuts, towards, panels)
     t, weight = graded(np.arcsin(cuts / end), np.arcsin(towards[:-1] / end), panels)

@@ -1,7 +1,7 @@
 """Every medium with random, sensible numbers: to put a new one under all laws, add a line to `MEDIA`.
 
 A `Sample` makes the same medium with all its lengths times one factor and all its moduli times another.  Media that
-need a second or so before their first answer stand in `LAYERED` and have laws of their own, with few examples.
+need a second or so before their first result stand in `LAYERED` and have laws of their own, with few examples.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ def test_one_work_is_two_equal_ones():
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("given", "text"),
     [
         ({}, "no work was given"),
         ({"work_closing": 0.1}, "work_closing alone"),
@@ -39,10 +39,10 @@ def test_one_work_is_two_equal_ones():
         ({"work_closing": math.nan, "work_opening": 0.1}, "nan"),
     ],
 )
-def test_short_range_refuses(given, said):
+def test_short_range_refuses(given, text):
     with pytest.raises(InvalidInput, match="ShortRange") as caught:
         ShortRange(**given)
-    assert said in str(caught.value)
+    assert text in str(caught.value)
 
 
 def test_the_others_refuse():

@@ -1,4 +1,4 @@
-"""Every kind of problem declares what it assumes, says what a check of it found, and flags what violates it."""
+"""Every kind of problem declares what it assumes, states the result of its check, and flags what violates it."""
 
 import dataclasses
 import functools
@@ -25,20 +25,20 @@ COULOMB = wk.Coulomb(0.3)
 
 
 @functools.cache
-def answer(kind):
-    """The answer to the example of a kind, once for all tests of a worker."""
+def result(kind):
+    """The solution of the example of a kind, once for all tests of a worker."""
     return build(example_study(kind)["problem"]).solve()
 
 
 def find(notes, assumption) -> Note:
     found = [note for note in notes if note.assumption is assumption]
-    assert found, f"nothing is said of: {assumption.value}"
+    assert found, f"no note on: {assumption.value}"
     return max(found, key=lambda note: list(Standing).index(note.standing))
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_states_what_it_declares_and_nothing_else(kind):
-    solution = answer(kind)
+    solution = result(kind)
     declared = type(solution.problem).assumptions
     assert isinstance(declared, frozenset)
     assert declared <= set(Assumption)
@@ -154,13 +154,13 @@ def hotter_than_any_solid():
 
 
 def energy_from_nowhere():
-    """What a march answered that summed up a loss by differences: more than was put in."""
-    found = answer("viscoelastic_indentation")
+    """The result of a march that summed up a loss by differences: more than was put in."""
+    found = result("viscoelastic_indentation")
     return dataclasses.replace(found, dissipation=found.dissipation - 2e-3 * np.max(found.work)).validity
 
 
 def area_of_a_line():
-    return answer("rough_contact").validity
+    return result("rough_contact").validity
 
 
 VIOLATED = {
@@ -253,7 +253,7 @@ FRICTIONAL = [kind for kind in KINDS if Assumption.UNCOUPLED in CATALOGUE["probl
 @pytest.mark.parametrize("kind", FRICTIONAL)
 def test_every_frictional_problem_speaks_of_the_coupling(kind):
     """Also of pressing dissimilar bodies together with friction (Spence), which frictionless solutions leave out."""
-    note = find(answer(kind).validity, Assumption.UNCOUPLED)
+    note = find(result(kind).validity, Assumption.UNCOUPLED)
     assert "Dundurs" in note.statement
 
 

@@ -22,41 +22,41 @@ def press(contact: Contact, depth) -> wk.IndentationSolution:
 @over_shapes(16, 2)
 def test_force_rises_convexly_with_the_stiffness_as_its_slope(contact):
     depth = contact.depth * np.linspace(0.02, 1.0, 9)
-    answer = press(contact, depth)
-    assert np.all(np.diff(answer.force) > 0.0)
-    assert np.all(np.diff(answer.radius) >= 0.0)
+    solution = press(contact, depth)
+    assert np.all(np.diff(solution.force) > 0.0)
+    assert np.all(np.diff(solution.radius) >= 0.0)
     # by the mean value theorem every chord of F(d) lies between the stiffnesses at its ends: no step is too long
-    chord = np.diff(answer.force) / np.diff(depth)
-    slack = 1e-11 * answer.stiffness[-1]
-    assert np.all(answer.stiffness[:-1] <= chord + slack)
-    assert np.all(chord <= answer.stiffness[1:] + slack)
+    chord = np.diff(solution.force) / np.diff(depth)
+    slack = 1e-11 * solution.stiffness[-1]
+    assert np.all(solution.stiffness[:-1] <= chord + slack)
+    assert np.all(chord <= solution.stiffness[1:] + slack)
 
 
 @over_shapes(16, 2)
 def test_a_small_step_of_depth_measures_the_stiffness(contact):
     bed, depth, step = contact.bed(), contact.depth, 1e-5
-    answer = press(contact, depth * (1.0 + step * np.arange(-2.0, 3.0)))
-    if any(answer.radius[0] < b < answer.radius[-1] for b, _ in bed.kinks):
-        assert answer.stiffness[0] <= answer.stiffness[4]  # a kink within the step bends F(d)
+    solution = press(contact, depth * (1.0 + step * np.arange(-2.0, 3.0)))
+    if any(solution.radius[0] < b < solution.radius[-1] for b, _ in bed.kinks):
+        assert solution.stiffness[0] <= solution.stiffness[4]  # a kink within the step bends F(d)
         return
-    measured = np.dot(answer.force, [1.0, -8.0, 0.0, 8.0, -1.0]) / (12.0 * step * depth)
-    assert measured == pytest.approx(answer.stiffness[2], rel=1e-8)
-    assert answer.stiffness[2] == pytest.approx(2.0 * bed.medium.modulus * answer.radius[2], rel=1e-15)
+    measured = np.dot(solution.force, [1.0, -8.0, 0.0, 8.0, -1.0]) / (12.0 * step * depth)
+    assert measured == pytest.approx(solution.stiffness[2], rel=1e-8)
+    assert solution.stiffness[2] == pytest.approx(2.0 * bed.medium.modulus * solution.radius[2], rel=1e-15)
 
 
 @over_shapes(12, 1)
 def test_the_work_done_is_the_energy_stored(contact):
-    answer, bed = contact.solve(), contact.bed()
+    solution, bed = contact.solve(), contact.bed()
     # beyond the depth at which a kink is reached F is a smooth function of the square root of what is added
-    kinks = np.array([b for b, _ in bed.kinks if contact.specimen.flat * contact.unit < b < answer.radius])
-    closing = [float(bed.gap(np.array([answer.radius]))[0])] if contact.specimen.pinned else []
-    cuts = [0.0, *bed.gap(kinks), *closing, answer.depth]
-    cuts = [cut for cut in cuts if cut == 0.0 or cut > 1e-6 * answer.depth]
+    kinks = np.array([b for b, _ in bed.kinks if contact.specimen.flat * contact.unit < b < solution.radius])
+    closing = [float(bed.gap(np.array([solution.radius]))[0])] if contact.specimen.pinned else []
+    cuts = [0.0, *bed.gap(kinks), *closing, solution.depth]
+    cuts = [cut for cut in cuts if cut == 0.0 or cut > 1e-6 * solution.depth]
     t, weight = graded([0.0, 1.0], [0.0], panels=6 if bed.rising and len(kinks) <= 4 else 1, order=10)
     work = 0.0
     for low, high in itertools.pairwise(sorted(set(cuts))):
         work += float(press(contact, low + (high - low) * t**2).force @ (2.0 * (high - low) * t * weight))
-    assert work == pytest.approx(answer.energy, rel=1e-8)
+    assert work == pytest.approx(solution.energy, rel=1e-8)
 
 
 @over_shapes(20, 2, kinds=FREE)
@@ -73,30 +73,30 @@ def test_depth_to_force_to_radius_to_depth(contact):
 
 @over_shapes(20, 2, kinds=PINNED)
 def test_depth_to_force_to_depth_of_a_pinned_contact(contact):
-    answer = contact.solve()
-    back = wk.Indentation(contact.bed(), wk.Force(answer.force)).solve()
+    solution = contact.solve()
+    back = wk.Indentation(contact.bed(), wk.Force(solution.force)).solve()
     assert back.depth == pytest.approx(contact.depth, rel=1e-12)
-    assert back.radius == answer.radius == contact.radius
+    assert back.radius == solution.radius == contact.radius
 
 
 @over_shapes(12, 2)
 def test_many_loads_at_once_are_the_loads_one_by_one(contact):
     depth = contact.depth * np.array([[1.0, 0.3], [0.0, 0.7]])
-    answer = press(contact, depth)
+    solution = press(contact, depth)
     for index in np.ndindex(depth.shape):
         alone = press(contact, depth[index])
         for word in ("depth", "force", "radius", "stiffness", "energy"):
-            assert getattr(answer, word)[index] == pytest.approx(getattr(alone, word), rel=1e-12, abs=0.0)
-        assert answer.at(index).force == answer.force[index]
+            assert getattr(solution, word)[index] == pytest.approx(getattr(alone, word), rel=1e-12, abs=0.0)
+        assert solution.at(index).force == solution.force[index]
 
 
 @over_shapes(12, 2)
 def test_the_springs_carry_the_force(contact):
-    answer, bed = contact.solve(), contact.bed()
-    x, weight = along(bed, answer.radius)
-    assert 2.0 * float(answer.line_load(x) @ weight) == pytest.approx(answer.force, rel=1e-9)
-    assert np.array_equal(answer.line_load(-x), answer.line_load(x))
-    assert not np.any(answer.line_load(answer.radius * np.array([1.0 + 1e-12, 2.0])))
+    solution, bed = contact.solve(), contact.bed()
+    x, weight = along(bed, solution.radius)
+    assert 2.0 * float(solution.line_load(x) @ weight) == pytest.approx(solution.force, rel=1e-9)
+    assert np.array_equal(solution.line_load(-x), solution.line_load(x))
+    assert not np.any(solution.line_load(solution.radius * np.array([1.0 + 1e-12, 2.0])))
 
 
 @pytest.mark.parametrize("medium", MEDIA)
@@ -105,19 +105,19 @@ def test_the_springs_carry_the_force(contact):
 def test_no_load_no_contact(medium, data):
     contact = data.draw(contacts(data.draw(st.sampled_from([*KINDS])), medium))
     for load in (wk.Force(0.0), wk.Depth(0.0), wk.Depth(-contact.unit)):
-        answer = wk.Indentation(contact.bed(), load).solve()
-        assert answer.force == answer.radius == answer.stiffness == answer.energy == 0.0
+        solution = wk.Indentation(contact.bed(), load).solve()
+        assert solution.force == solution.radius == solution.stiffness == solution.energy == 0.0
 
 
 @over_shapes(20, 2, kinds=["truncated_cone", "truncated_paraboloid", "rounded_punch"])
 def test_the_gentlest_touch_of_a_flat_end_is_that_of_a_flat_punch(contact):
-    """g leaves the flat with a square root, so that the radius can no longer be told from the flat's."""
+    """g leaves the flat with a square root, so that the radius can no longer be distinguished from the flat's."""
     bed, flat = contact.bed(), contact.specimen.flat * contact.unit
     punch = wk.Foundation(wk.FlatPunch(flat), bed.medium)
     depth = contact.unit * 10.0 ** np.arange(-14.0, -8.0)
-    answer, same = press(contact, depth), wk.Indentation(punch, wk.Depth(depth)).solve()
-    np.testing.assert_allclose(answer.radius, flat, rtol=1e-4)
-    assert np.all(answer.radius >= flat)
-    np.testing.assert_allclose(answer.force, same.force, rtol=1e-4)
-    back = wk.Indentation(bed, wk.Force(answer.force)).solve()
+    solution, same = press(contact, depth), wk.Indentation(punch, wk.Depth(depth)).solve()
+    np.testing.assert_allclose(solution.radius, flat, rtol=1e-4)
+    assert np.all(solution.radius >= flat)
+    np.testing.assert_allclose(solution.force, same.force, rtol=1e-4)
+    back = wk.Indentation(bed, wk.Force(solution.force)).solve()
     np.testing.assert_allclose(back.depth, depth, rtol=1e-9)

@@ -45,7 +45,7 @@ def over_stacks(count: int, quick: Iterable[str] = LAYERED):
 
 
 def springs(medium, a: np.ndarray) -> np.ndarray:
-    """Everything the springs know, at several radii."""
+    """All properties of the springs, at several radii."""
     return np.array(
         [
             medium.punch_stiffness(a),
@@ -129,7 +129,7 @@ def test_pressure_and_surface(sample: Sample, radius: float):
 @examples(1)
 @given(data=st.data())
 def test_a_counterpart_a_billion_times_stiffer_is_rigid(kind, data):
-    """And one that is only stiff gives way by its own compliance, in series with a punch of the stack."""
+    """And one that is only stiff deforms by its own compliance, in series with a punch of the stack."""
     stack = data.draw(LAYERED[kind]).make(1.0, 1.0)
     a = np.array([0.3, 2.0])
     rigid, stiff, soft = (
@@ -155,7 +155,7 @@ def test_equal_layers_are_no_layers(body, other, heights):
 @pytest.mark.parametrize("young", [0.2, 5.0])
 @pytest.mark.parametrize("poisson", [0.0, 0.5])
 def test_a_coating_goes_over_into_its_substrate_and_a_thick_one_into_itself(young, poisson):
-    """The way there is known: of first order in h/a (what the film adds), and in a/h (what the base adds)."""
+    """The limit is approached in first order in h/a (what the film adds), and in a/h (what the base adds)."""
     punch = np.array(1.0)
 
     def stiffness(thickness: float) -> float:

@@ -16,7 +16,7 @@ BALL = wk.Sphere(20.0)
 
 
 def moduli(medium) -> np.ndarray:
-    """Everything the springs know of a medium, at several radii."""
+    """All properties of the springs of a medium, at several radii."""
     stiffness = (medium.punch_stiffness(A), medium.normal_stiffness(A), medium.tangential_stiffness(A))
     return np.array([*stiffness, medium.gap(BALL, A), medium.gap_slope(BALL, A), medium.gap_load(BALL, A)])
 

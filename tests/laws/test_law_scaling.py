@@ -1,4 +1,4 @@
-"""Lengths times s and moduli times m: every answer follows from its dimension, whatever the scale."""
+"""Lengths times s and moduli times m: every result follows from its dimension, whatever the scale."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ def scales(data) -> tuple[float, float]:
     return 10.0 ** data.draw(number(-2.0, 2.0)), 10.0 ** data.draw(number(-4.0, 4.0))
 
 
-def loads(answer: wk.IndentationSolution, s: float, m: float, pinned: bool):
-    yield wk.Depth(answer.depth * s)
-    yield wk.Force(answer.force * s**2 * m)
+def loads(solution: wk.IndentationSolution, s: float, m: float, pinned: bool):
+    yield wk.Depth(solution.depth * s)
+    yield wk.Force(solution.force * s**2 * m)
     if not pinned:
-        yield wk.Radius(answer.radius * s)
+        yield wk.Radius(solution.radius * s)
 
 
 def assert_scaled(contact, s: float, m: float) -> None:
-    answer = contact.solve()
-    for load in loads(answer, s, m, contact.specimen.pinned):
+    solution = contact.solve()
+    for load in loads(solution, s, m, contact.specimen.pinned):
         scaled = wk.Indentation(contact.bed(s, m), load).solve()
         for word, (lengths, moduli) in DIMENSIONS.items():
-            expected = getattr(answer, word) * s**lengths * m**moduli
+            expected = getattr(solution, word) * s**lengths * m**moduli
             assert getattr(scaled, word) == pytest.approx(expected, rel=1e-10, abs=0.0), (word, load)
 
 
@@ -60,10 +60,10 @@ def test_answers_scale_on_every_medium(medium, kind):
 @over_shapes(6, 1)
 def test_surface_fields_scale(contact):
     s, m = 37.0, 2.9e-3
-    answer = contact.solve()
-    scaled = wk.Indentation(contact.bed(s, m), wk.Depth(answer.depth * s)).solve()
-    r = answer.radius * np.array([0.0, 0.13, 0.47, 0.81, 0.97, 1.1, 1.9])
-    small, large = wk.restore(answer, r), wk.restore(scaled, r * s)
+    solution = contact.solve()
+    scaled = wk.Indentation(contact.bed(s, m), wk.Depth(solution.depth * s)).solve()
+    r = solution.radius * np.array([0.0, 0.13, 0.47, 0.81, 0.97, 1.1, 1.9])
+    small, large = wk.restore(solution, r), wk.restore(scaled, r * s)
     middle = 3  # of the pressure, to compare an infinite one too
     np.testing.assert_allclose(large.pressure, m * small.pressure, rtol=1e-10, atol=1e-10 * m * small.pressure[middle])
     np.testing.assert_allclose(large.displacement, s * small.displacement, rtol=1e-10)
@@ -74,10 +74,10 @@ def test_surface_fields_scale(contact):
 @over_shapes(4, 1, kinds=["sphere", "cone", "truncated_cone", "pinned_cylinder", "rounded_punch", "formula", "sum"])
 def test_stresses_inside_scale(contact):
     s, m = 0.021, 530.0
-    answer = contact.solve()
-    scaled = wk.Indentation(contact.bed(s, m), wk.Depth(answer.depth * s)).solve()
-    r, z = answer.radius * np.array([0.0, 0.4, 1.0, 1.6]), answer.radius * np.array([0.5, 0.03, 0.2, 1.4])
-    small, large = wk.restore(answer, r, z), wk.restore(scaled, r * s, z * s)
+    solution = contact.solve()
+    scaled = wk.Indentation(contact.bed(s, m), wk.Depth(solution.depth * s)).solve()
+    r, z = solution.radius * np.array([0.0, 0.4, 1.0, 1.6]), solution.radius * np.array([0.5, 0.03, 0.2, 1.4])
+    small, large = wk.restore(solution, r, z), wk.restore(scaled, r * s, z * s)
     greatest, deepest = np.max(small.von_mises), np.max(np.abs(small.axial_displacement))
     for word in ("radial_stress", "hoop_stress", "axial_stress", "shear_stress", "von_mises", "max_shear"):
         expected = m * getattr(small, word)

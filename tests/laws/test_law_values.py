@@ -1,4 +1,4 @@
-"""Shapes, media, beds, loads and answers are values: frozen, compared by content, safe to copy and to send."""
+"""Shapes, media, beds, loads and solutions are values: frozen, compared by content, safe to copy and to send."""
 
 from __future__ import annotations
 
@@ -108,10 +108,10 @@ def test_nothing_changes_behind_the_back_of_a_value(contact):
     assert hash(shape) == hash(wk.Measured(places, np.linspace(0.0, 1.0, 30) ** 2)) == known
     depth = contact.depth * np.array([0.2, 0.9])
     load = wk.Depth(depth)
-    answer = wk.Indentation(contact.bed(), load).solve()
+    solution = wk.Indentation(contact.bed(), load).solve()
     depth[:] = -1.0
     assert np.all(load.depth > 0.0)
-    assert np.all(answer.problem.load.depth > 0.0)
+    assert np.all(solution.problem.load.depth > 0.0)
 
 
 @examples(40)

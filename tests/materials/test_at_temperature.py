@@ -57,7 +57,7 @@ def test_a_warm_body_creeps_as_a_cold_one_later():
         (lambda: wk.AtTemperature(wk.Elastic(1e9, 0.3), FERRY, 300.0), InvalidInput, "solid is a Elastic"),
         (lambda: wk.AtTemperature(RUBBER, "wlf", 300.0), InvalidInput, "law is a str"),
         (lambda: wk.AtTemperature(RUBBER, FERRY, -3.0), InvalidInput, "temperature is -3.0"),
-        (lambda: wk.AtTemperature(RUBBER, FERRY, 150.0), OutsideValidity, "at 150 K the law has no answer"),
+        (lambda: wk.AtTemperature(RUBBER, FERRY, 150.0), OutsideValidity, "at 150 K the law gives no value"),
     ],
 )
 def test_what_is_refused(make, error, sentence):

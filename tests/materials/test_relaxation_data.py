@@ -1,4 +1,4 @@
-"""Measured solids: what was put in comes back, the misfit is what is told, and nonsense is refused."""
+"""Measured solids: what was put in comes back, the misfit is stated, and nonsense is refused."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_no_energy_is_made():
 
 
 @pytest.mark.parametrize(
-    ("make", "says"),
+    ("make", "sentence"),
     [
         (
             lambda: RelaxationData([1.0, 2.0, 3.0], [1.0, 1.0, 1.0]),
@@ -76,6 +76,6 @@ def test_no_energy_is_made():
         (lambda: RelaxationData(T, np.ones(T.size), 0.7), "poisson is 0.7"),
     ],
 )
-def test_what_is_refused(make, says):
-    with pytest.raises(InvalidInput, match=says):
+def test_what_is_refused(make, sentence):
+    with pytest.raises(InvalidInput, match=sentence):
         make()

@@ -54,7 +54,7 @@ def test_what_it_calls_belongs_to_its_cache():
 
 
 def test_what_the_compiler_may_do_belongs_to_its_cache(monkeypatch):
-    monkeypatch.setattr(jit, "FREEDOMS", frozenset({"nsz"}))
+    monkeypatch.setattr(jit, "FAST_MATH_FLAGS", frozenset({"nsz"}))
     assert Kernel(square.function).content != square.content
 
 

@@ -1,4 +1,4 @@
-"""The package, read as text and as modules, for the tests of the house rules."""
+"""The package, read as text and as modules, for the tests of the rules of the package."""
 
 from __future__ import annotations
 
@@ -48,6 +48,6 @@ def modules() -> list[ModuleType]:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Give one test for each module to whoever asks for a `module_name`."""
+    """Give one test for each module for each use of a `module_name`."""
     if "module_name" in metafunc.fixturenames:
         metafunc.parametrize("module_name", module_names())

@@ -29,7 +29,7 @@ PLANE = ("_x", "_y")
 
 
 def solution_of(problem: type) -> type:
-    """Return the class of the answer to a problem."""
+    """Return the class of the solution of a problem."""
     return typing.get_type_hints(inspect.unwrap(problem.solve))["return"]
 
 
@@ -43,20 +43,20 @@ def kinds_in(table: object) -> set[str]:
     return here.union(*map(kinds_in, table.values()))
 
 
-def missing(name: str, answer: Answer, manual: str, cases: set[str]) -> list[str]:
-    """Return what is missing of one answer."""
-    problem = answer.kind.cls
+def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str]:
+    """Return what is missing of one record."""
+    problem = result.kind.cls
     solution = solution_of(problem)
     fields = {field.name for field in dataclasses.fields(solution)}
     numbers = set(_numbers_of(solution))
     known = numbers | {f"{number}{end}" for number in numbers for end in PLANE}
-    drawn = {word for pair in answer.curves for word in pair} | set(answer.compared)
+    drawn = {word for pair in result.curves for word in pair} | set(result.compared)
     marches = hasattr(problem, "steps") or "states" in fields
     checks = {
         "a picture, registered with winkler.plot.draw": sheet_of.dispatch(solution) is not sheet_of.dispatch(object),
-        "a caption, of its own or of a contact that is shown": answer.picture or answer.contact is not Contact.NONE,
-        "formulas": answer.formulas(build(example_study(name)["problem"])),
-        "words for the contact that the report shows": answer.contact is not Contact.PATH or answer.contact_shown,
+        "a caption, of its own or of a contact that is shown": result.picture or result.contact is not Contact.NONE,
+        "formulas": result.formulas(build(example_study(name)["problem"])),
+        "words for the contact that the report shows": result.contact is not Contact.PATH or result.contact_shown,
         "a place in the validation table": PHYSICS.get(name) in CHAPTERS,
         "curves of numbers that it has": drawn <= known,
         "progress (total, steps and gathered), as it marches": not marches
@@ -73,7 +73,7 @@ def test_each_answer_has_what_a_reader_is_promised(root: Path):
     manual += (root / "docs" / "method.md").read_text(encoding="utf-8")
     cases = [tomllib.loads(path.read_text()) for path in files("winkler.cases").iterdir() if path.name.endswith("toml")]
     named = set().union(*(kinds_in(case.get("problem", {})) for case in cases))
-    found = [line for name, answer in answers().items() for line in missing(name, answer, manual, named)]
+    found = [line for name, result in answers().items() for line in missing(name, result, manual, named)]
     assert not found, "\n".join(found)
 
 

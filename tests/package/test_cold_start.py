@@ -11,14 +11,14 @@ import pytest
 import winkler as wk
 
 COMPUTING = ("numpy", "scipy", "numba", "pandas", "xarray", "pint", "matplotlib", "winkler.public")
-"""Not pydantic: typer itself asks for it where it is installed, before it shows the help of a command."""
+"""Not pydantic: typer itself imports it where it is installed, before it shows the help of a command."""
 
 
 @pytest.mark.parametrize("words", ["--help", "run --help", "show --help", "--version"])
 def test_help_loads_nothing_that_computes(words):
     code = f"import sys; from winkler.cli import main; main({words.split()!r}); print(*sys.modules, file=sys.stderr)"
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    loaded = set(answer.stderr.split())
+    solution = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(solution.stderr.split())
     assert "winkler.cli.app" in loaded
     assert loaded.isdisjoint(COMPUTING)
 
@@ -43,8 +43,8 @@ OF_REPORTS = {"matplotlib", "h5netcdf", "h5py", "tomli_w", "rich"}
 def modules_after(code: str, folder: Path | None = None) -> set[str]:
     """Return what a new process has loaded after some lines."""
     code = f"{code}; import sys; print(*sys.modules, file=sys.stderr)"
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
-    return set(answer.stderr.split())
+    solution = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=folder)
+    return set(solution.stderr.split())
 
 
 @pytest.mark.parametrize(
@@ -94,7 +94,8 @@ def test_a_report_loads_what_draws_and_writes_it(tmp_path):
 def test_the_names_come_when_they_are_asked_for():
     code = (
         "import sys, winkler; assert 'winkler.public' not in sys.modules; assert not hasattr(winkler, '__wrapped__'); "
-        "assert 'winkler.public' not in sys.modules; import winkler.stairs; assert callable(winkler.staircase); "
+        "assert 'winkler.public' not in sys.modules; import winkler.punch_staircase; "
+        "assert callable(winkler.staircase); "
         "assert winkler.Sphere(1.0).curvature_radius == 1.0; assert winkler.__version__ in winkler.__version__; "
         "names = {}; exec('from winkler import *', names); assert names['Sphere'] is winkler.Sphere"
     )

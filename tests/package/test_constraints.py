@@ -1,4 +1,4 @@
-"""The files of `constraints/` say what pyproject.toml says, and the lock is whole."""
+"""The files of `constraints/` agree with pyproject.toml, and the lock is whole."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ def lock(root):
 def test_the_lowest_versions_are_those_of_pyproject(lock):
     stated = lock.read("lowest.txt")
     assert stated == lock.lowest()
-    assert all(stated[canonicalize_name(asked.name)] in asked.specifier for asked in lock.direct(lock.RUN))
+    assert all(stated[canonicalize_name(requested.name)] in requested.specifier for requested in lock.direct(lock.RUN))
 
 
 def test_the_lock_holds_an_allowed_version_of_each_direct_dependency(lock):
     locked = lock.read("newest.txt")
-    asked = lock.direct(lock.LOCKED)
-    assert [str(one) for one in asked if locked.get(canonicalize_name(one.name)) not in one.specifier] == []
+    requested = lock.direct(lock.LOCKED)
+    assert [str(one) for one in requested if locked.get(canonicalize_name(one.name)) not in one.specifier] == []
     assert [name for name, number in lock.read("lowest.txt").items() if locked[name] < number] == []
 
 
@@ -46,11 +46,11 @@ def test_the_lock_holds_what_its_packages_need(lock):
         except PackageNotFoundError:
             continue
         needs = [Requirement(text) for text in found.requires or ()] if Version(found.version) == number else []
-        for asked in needs:
-            if asked.marker is None or asked.marker.evaluate({"extra": ""}):
-                here = locked.get(canonicalize_name(asked.name))
-                if here is None or here not in asked.specifier:
-                    missing.append(f"{name} needs {asked}, and the lock holds {here}")
+        for requested in needs:
+            if requested.marker is None or requested.marker.evaluate({"extra": ""}):
+                here = locked.get(canonicalize_name(requested.name))
+                if here is None or here not in requested.specifier:
+                    missing.append(f"{name} needs {requested}, and the lock holds {here}")
     assert missing == []
 
 

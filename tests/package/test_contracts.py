@@ -14,7 +14,7 @@ RUN = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_impo
 
 def test_import_contracts_hold(root: Path):
     pytest.importorskip("importlinter", reason="import-linter comes with the extra dev; .ci/run has it")
-    answer = subprocess.run(
+    solution = subprocess.run(
         [sys.executable, "-c", RUN],
         cwd=root,
         env={**os.environ, "PYTHONIOENCODING": "utf-8"},
@@ -22,5 +22,5 @@ def test_import_contracts_hold(root: Path):
         text=True,
         check=False,
     )
-    assert answer.returncode == 0, answer.stdout + answer.stderr
-    assert "0 broken" in answer.stdout
+    assert solution.returncode == 0, solution.stdout + solution.stderr
+    assert "0 broken" in solution.stdout

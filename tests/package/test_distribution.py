@@ -58,7 +58,7 @@ def files(folder: Path) -> set[str]:
 
 
 def test_the_version_is_stated_once(root, project):
-    """And the citation says the same one; the package reads it from its metadata."""
+    """And the citation states the same one; the package reads it from its metadata."""
     citation = (root / "CITATION.cff").read_text(encoding="utf-8")
     assert re.search(r"^version: (\S+)$", citation, re.MULTILINE)[1] == project["version"]
 
@@ -73,13 +73,13 @@ def test_the_wheel_holds_the_package(root, wheel, project):
 
 def test_the_wheel_says_what_pyproject_says(wheel, project):
     [text] = [content.decode() for name, (_, content) in wheel.items() if name.endswith(".dist-info/METADATA")]
-    told = message_from_string(text)
-    assert (told["Name"], told["Version"]) == (project["name"], project["version"])
-    assert told["License-Expression"] == project["license"]
-    assert told.get_all("License-File") == project["license-files"]
-    assert told["Requires-Python"] == project["requires-python"]
-    assert told.get_all("Classifier") == project["classifiers"]
-    needed = [text for text in told.get_all("Requires-Dist") if "extra ==" not in text]
+    stated = message_from_string(text)
+    assert (stated["Name"], stated["Version"]) == (project["name"], project["version"])
+    assert stated["License-Expression"] == project["license"]
+    assert stated.get_all("License-File") == project["license-files"]
+    assert stated["Requires-Python"] == project["requires-python"]
+    assert stated.get_all("Classifier") == project["classifiers"]
+    needed = [text for text in stated.get_all("Requires-Dist") if "extra ==" not in text]
     assert len(needed) == len(project["dependencies"])
     [tag] = [content.decode() for name, (_, content) in wheel.items() if name.endswith(".dist-info/WHEEL")]
     assert "\nTag: py3-none-any\n" in tag

@@ -1,4 +1,4 @@
-"""`import winkler` answers at once: what draws, writes, compiles or validates is loaded by whoever asks for it."""
+"""`import winkler` is quick: what draws, writes, compiles or validates is loaded by its first use."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ HEAVY = (
 @pytest.fixture(scope="module")
 def loaded() -> set[str]:
     code = "import winkler; [getattr(winkler, name) for name in winkler.__all__]; import sys; print(*sys.modules)"
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    return set(answer.stdout.split())
+    solution = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return set(solution.stdout.split())
 
 
 def test_the_package_itself_is_loaded(loaded):

@@ -1,4 +1,4 @@
-"""Whatever has steps is watched and keeps what it has reached; whatever is answered has a picture."""
+"""Whatever has steps is watched and keeps what it has reached; whatever is solved has a picture."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from winkler.study.language.explain import example_study
 PROBLEMS = CATALOGUE["problem"]
 MARCHES = [name for name, line in PROBLEMS.items() if hasattr(line.cls, "steps")]
 FEW = {"elastic_plastic_particle": 2, "fretting_wear": 3, "sliding_wear": 3, "surface_contact": 3, "reduction": 12}
-"""States after which a march is interrupted, where it has hardly more, or its answer needs more than five."""
+"""States after which a march is interrupted, where it has hardly more, or its solution needs more than five."""
 
 
 def stopping(count):
-    """Return what watches a march and interrupts it, and what it was told."""
+    """Return what watches a march and interrupts it, and what it received."""
     totals = []
 
     def watch(states, total):
@@ -39,7 +39,7 @@ def stopping(count):
 
 
 def rows(solution):
-    """Return name -> column of what an answer says along its path."""
+    """Return name -> column of the results along a path."""
     found = answers_of(solution)
     most = max(content.size for content in found.values() if isinstance(content, np.ndarray))
     return {name: content for name, content in found.items() if np.shape(content)[:1] == (most,)}
@@ -103,8 +103,8 @@ def test_stages_of_half_an_impact_end_where_it_was_stopped():
 
 @pytest.mark.parametrize("name", PROBLEMS)
 def test_every_answer_has_a_picture(name):
-    answer = typing.get_type_hints(inspect.unwrap(PROBLEMS[name].cls.solve))["return"]
-    assert dataclasses.is_dataclass(answer)
-    assert sheet_of.dispatch(answer) is not sheet_of.dispatch(object), (
-        f"register a picture of {answer.__name__} in winkler.plot"
+    result = typing.get_type_hints(inspect.unwrap(PROBLEMS[name].cls.solve))["return"]
+    assert dataclasses.is_dataclass(result)
+    assert sheet_of.dispatch(result) is not sheet_of.dispatch(object), (
+        f"register a picture of {result.__name__} in winkler.plot"
     )

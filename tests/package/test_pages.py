@@ -1,4 +1,4 @@
-"""The rules of a page of source: short, absolute imports, no tricks, a name that says its idea, and documented."""
+"""The rules of a module: short, absolute imports, no tricks, a name of its idea, and documented."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def tricks(tree: ast.AST) -> list[tuple[int, str]]:
     for node in ast.walk(tree):
         for module in imported(node):
             if module == "winkler":
-                found.append((node.lineno, "imports the front door"))
+                found.append((node.lineno, "imports the public names"))
             if module.split(".")[0] == "importlib" and module not in ALLOWED_OF_IMPORTLIB:
                 names = {f"{module}.{alias.name}" for alias in node.names}
                 if not (isinstance(node, ast.ImportFrom) and names <= ALLOWED_OF_IMPORTLIB):
@@ -74,7 +74,7 @@ def test_no_import_hides_from_the_linter(pages):
 
 
 def test_kinds_lie_below_studies():
-    """What the catalogue names by path is not seen by the import linter: no kind stands above the studies."""
+    """What the catalogue names by path is invisible to the import linter: no kind stands above the studies."""
     above = ("winkler.web", "winkler.cli", "winkler.reference", "winkler.plot")
     paths = {path for line in kinds().values() for path in (line.path, line.reader_path)}
     assert len(paths) > 100
@@ -115,8 +115,8 @@ def test_every_module_tells_its_idea(pages):
     assert [page.name for page in pages if not ast.get_docstring(page.tree)] == []
 
 
-def spoken(node: ast.AST) -> bool:
-    """Return whether a definition is public; the signatures of an overload are told by what they lead to."""
+def in_words(node: ast.AST) -> bool:
+    """Return whether a definition is public; the signatures of an overload follow their implementation."""
     if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) or node.name.startswith("_"):
         return False
     return not any(ast.unparse(mark).split(".")[-1] == "overload" for mark in node.decorator_list)
@@ -126,13 +126,13 @@ def undocumented(tree: ast.Module) -> list[str]:
     """Return the public functions, classes and methods (of public classes) without a docstring."""
     bad = []
     for node in tree.body:
-        if not spoken(node):
+        if not in_words(node):
             continue
         if not ast.get_docstring(node):
             bad.append(node.name)
         if isinstance(node, ast.ClassDef):
             bad += [
-                f"{node.name}.{inner.name}" for inner in node.body if spoken(inner) and not ast.get_docstring(inner)
+                f"{node.name}.{inner.name}" for inner in node.body if in_words(inner) and not ast.get_docstring(inner)
             ]
     return bad
 

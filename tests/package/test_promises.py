@@ -21,7 +21,7 @@ def test_each_promise_names_tests_that_exist(root):
 
 
 def unpickling(tree: ast.AST) -> list[int]:
-    """Return the lines that may unpickle: a module made for it, NumPy's `load` unless told not to, pandas' reader."""
+    """Return the lines that may unpickle: a module made for it, NumPy's `load` unless switched off, pandas' reader."""
     lines = []
     for node in ast.walk(tree):
         modules = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
@@ -61,5 +61,5 @@ def test_the_app_listens_on_this_machine_only(pages):
         if given.arg == "host"
     ]
     assert [(name, who, ast.unparse(host)) for name, who, host in calls] == [("web/page/serve.py", "ui.run", "HOST")]
-    told = [page.name for page in pages if re.search(r"0\.0\.0\.0|INADDR_ANY", page.text)]
-    assert told == []
+    stated = [page.name for page in pages if re.search(r"0\.0\.0\.0|INADDR_ANY", page.text)]
+    assert stated == []

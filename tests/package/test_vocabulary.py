@@ -15,10 +15,10 @@ SPOKEN = (
     "materials", "laws", "profiles", "loading", "path", "path_steps", "program", "media", "foundation", "problems",
     "fields", "peaks", "fitting",
 )  # fmt: skip
-"""The floors whose values are met by users; the mathematics below and the doors above have words of their own."""
+"""The layers whose values reach users; the mathematics below and the interfaces above have words of their own."""
 
 ANSWERED = ("problems", "fields", "peaks")
-"""The floors whose properties are answers."""
+"""The layers whose properties are results."""
 
 
 def classes(modules, floors):
@@ -79,10 +79,10 @@ ENTRIES = [*GLOSSARY.items(), *((".".join(key), entry) for key, entry in OWNED.i
 
 
 def incomplete(name, entry):
-    """Return whether a name is none of Python, or what is said of it is not one line with a whole symbol."""
+    """Return whether a name is none of Python, or its description is not one line with a whole symbol."""
     named = all(part.isidentifier() and not keyword.iskeyword(part) for part in name.split("."))
-    told = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
-    return not (named and told and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
+    stated = entry.meaning and "\n" not in entry.meaning and not entry.meaning.endswith(".")
+    return not (named and stated and "$" not in entry.symbol and entry.symbol.count("{") == entry.symbol.count("}"))
 
 
 def test_every_entry_is_complete():

@@ -1,4 +1,4 @@
-"""The workflows run what they say on the systems that the package names, and only the last step may publish."""
+"""The workflows run their commands on the systems that the package names, and only the last step may publish."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ def test_each_action_is_pinned_by_its_commit(text):
 def test_the_matrix_is_what_the_package_names(root, workflow):
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     matrix = workflow["jobs"]["tests"]["strategy"]["matrix"]
-    told = [f"Operating System :: {SYSTEMS[name.partition('-')[0]]}" for name in matrix["system"]]
-    assert sorted(told) == sorted(one for one in project["classifiers"] if one.startswith("Operating System"))
-    told = [f"Programming Language :: Python :: {number}" for number in matrix["python"]]
-    assert told == [one for one in project["classifiers"] if re.search(r"Python :: 3\.", one)]
+    stated = [f"Operating System :: {SYSTEMS[name.partition('-')[0]]}" for name in matrix["system"]]
+    assert sorted(stated) == sorted(one for one in project["classifiers"] if one.startswith("Operating System"))
+    stated = [f"Programming Language :: Python :: {number}" for number in matrix["python"]]
+    assert stated == [one for one in project["classifiers"] if re.search(r"Python :: 3\.", one)]
     assert project["requires-python"] == f">={matrix['python'][0]}"
 
 

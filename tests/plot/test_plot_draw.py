@@ -29,7 +29,7 @@ from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.sphere import Sphere
 from winkler.profiles.wavy import Wavy
-from winkler.stairs import staircase
+from winkler.punch_staircase import staircase
 
 STRONG = Elastic(210e9, 0.3, 700e6)
 STEEL = HalfSpace(STRONG, Elastic(210e9, 0.3))

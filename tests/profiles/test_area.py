@@ -102,7 +102,7 @@ def test_the_reach_ends_where_the_area_stops_growing():
 
 
 def test_an_area_that_shrinks_further_up():
-    """Known up to its first maximum, like the equator of a sphere; what is asked beyond is refused."""
+    """Known up to its first maximum, like the equator of a sphere; what lies beyond is refused."""
     profile = wk.AreaFunction((24.5, -1.0, 0.05))
     top = profile.reach
     heights = np.linspace(1e-7, 0.05, 500_000)

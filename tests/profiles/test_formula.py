@@ -251,13 +251,13 @@ REFUSED = [
     ({"expression": "0*r"}, "Formula: the height of '0*r' is zero everywhere; give one that rises."),
     (
         {"expression": "R - sqrt(R**2 - r**2)", "R": R},
-        "Formula: the height of 'R - sqrt(R**2 - r**2)' is not a finite number beyond r = 0.01 m; say how far it "
+        "Formula: the height of 'R - sqrt(R**2 - r**2)' is not a finite number beyond r = 0.01 m; state how far it "
         "holds, as reach=0.01 or less.",
     ),
     (
         {"expression": "exp(r/L) - 1", "L": 1e-6},
-        "Formula: the height of 'exp(r/L) - 1' is not a finite number beyond r = 0.000709783 m; say how far it holds, "
-        "as reach=0.000709783 or less.",
+        "Formula: the height of 'exp(r/L) - 1' is not a finite number beyond r = 0.000709783 m; state how far it "
+        "holds, as reach=0.000709783 or less.",
     ),
     ({"expression": "r**2", "reach": 0.0}, "Formula: reach is 0.0; it must be a positive number in m, or infinite."),
     ({"expression": "r**2", "reach": -1}, "Formula: reach is -1; it must be a positive number in m, or infinite."),

@@ -7,7 +7,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-import shape_judge
+import shape_solutions
 
 import winkler as wk
 
@@ -41,12 +41,14 @@ def test_the_transform_of_the_curve_is_exact(count):
     steepest = float(np.max(profile.slope(np.linspace(0.0, profile.reach, 500))))
     for v in x:
         place = np.array([v])
-        assert profile.gap(place)[0] == pytest.approx(float(shape_judge.gap(slope, v, edges)), abs=1e-10 * steepest * v)
-        integral = float(shape_judge.gap_integral(slope, v, edges))
+        assert profile.gap(place)[0] == pytest.approx(
+            float(shape_solutions.gap(slope, v, edges)), abs=1e-10 * steepest * v
+        )
+        integral = float(shape_solutions.gap_integral(slope, v, edges))
         assert profile.gap_integral(place)[0] == pytest.approx(integral, abs=1e-10 * steepest * v**2)
-        steep = float(shape_judge.gap_slope(slope, v, edges))
+        steep = float(shape_solutions.gap_slope(slope, v, edges))
         assert profile.gap_slope(place)[0] == pytest.approx(steep, abs=1e-10 * steepest)
-        assert profile.height(place)[0] == pytest.approx(float(shape_judge.height(slope, v, edges)), rel=1e-11)
+        assert profile.height(place)[0] == pytest.approx(float(shape_solutions.height(slope, v, edges)), rel=1e-11)
 
 
 @pytest.mark.parametrize("count", [6, 40, 256, 257, 3000])
@@ -215,6 +217,6 @@ def test_a_measured_flat_end_is_restored():
     contact, expected = (wk.Indentation(b, wk.Force(0.01)).solve() for b in (bed, twin))
     assert contact.depth == pytest.approx(expected.depth, rel=1e-4)
     x = np.array([0.0, 0.1, 0.25, 0.33])
-    fields, judged = wk.restore(contact, x), wk.restore(expected, x)
-    np.testing.assert_allclose(fields.pressure, judged.pressure, rtol=5e-3)
-    np.testing.assert_allclose(fields.displacement, judged.displacement, rtol=1e-4)
+    fields, compared = wk.restore(contact, x), wk.restore(expected, x)
+    np.testing.assert_allclose(fields.pressure, compared.pressure, rtol=5e-3)
+    np.testing.assert_allclose(fields.displacement, compared.displacement, rtol=1e-4)

@@ -7,7 +7,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from shape_judge import assert_starts_at_zero, assert_transforms
+from shape_solutions import assert_starts_at_zero, assert_transforms
 
 import winkler as wk
 from winkler.profiles.pieces import PowerPieces
@@ -104,7 +104,7 @@ KINKED = [
 
 @pytest.mark.parametrize("profile", KINKED)
 def test_the_jump_at_every_kink(profile):
-    """What `kinks` say of f' is what f' does, and g' diverges above as b j/sqrt(x^2 - b^2)."""
+    """`kinks` agree with f', and g' diverges above as b j/sqrt(x^2 - b^2)."""
     assert profile.kinks
     for b, jump in profile.kinks:
         below, above = profile.slope(b * np.array([1.0 - 1e-9, 1.0 + 1e-9]))

@@ -1,4 +1,4 @@
-"""Noise: what smoothing leaves of it, against what least squares must leave; and that it is said."""
+"""Noise: what smoothing leaves of it, against what least squares must leave; and that it is stated."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def expected_scatter_of_force(profile, radius, noise):
     return 2.0 * noise * float(np.sqrt(response @ covariance @ response))
 
 
-def judged(twin, radius):
+def compared(twin, radius):
     a = np.array([radius])
     depth = float(twin.gap(a)[0])
     return depth, 2.0 * (radius * depth - float(twin.gap_integral(a)[0]))
@@ -51,13 +51,13 @@ def test_a_shape_the_spline_can_hold(count, noise):
         profile = noisy(twin, count, noise, seed)
         pieces.append(profile.curve.pieces)
         for radius in (0.3, 0.6, 0.9):
-            depth, force = judged(twin, radius)
+            depth, force = compared(twin, radius)
             got = wk.Indentation(wk.Foundation(profile, UNIT), wk.Depth(depth)).solve().force
             ratios.append((got - force) / expected_scatter_of_force(profile, radius, noise))
     ratios = np.array(ratios)
     assert np.max(np.abs(ratios)) < 3.5
     assert 0.1 < np.sqrt(np.mean(ratios**2)) < 1.3
-    assert np.median(pieces) == 1.0  # as stiff as the data ask for
+    assert np.median(pieces) == 1.0  # as stiff as the data require
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_a_shape_the_spline_must_follow(twin, count, noise):
     for seed in range(6):
         profile = noisy(twin, count, noise, seed)
         for radius in (0.4, 0.8):
-            depth, force = judged(twin, radius)
+            depth, force = compared(twin, radius)
             got = wk.Indentation(wk.Foundation(profile, UNIT), wk.Depth(depth)).solve().force
             ratios.append((got - force) / expected_scatter_of_force(profile, radius, noise))
     assert np.max(np.abs(ratios)) < 6.0
@@ -79,7 +79,7 @@ def test_a_shape_the_spline_must_follow(twin, count, noise):
 def test_more_points_help():
     """Ten thousand points beat a hundred by about the root of their number."""
     twin = wk.Sphere(1.2)
-    depth, force = judged(twin, 0.5)
+    depth, force = compared(twin, 0.5)
 
     def error(count):
         profiles = [noisy(twin, count, 1e-3, seed) for seed in range(6)]
@@ -117,6 +117,6 @@ def test_noise_does_not_count_as_falling():
     """Near a flat apex noisy heights fall here and there; within the scatter that is no reason to refuse."""
     for seed in SEEDS:
         profile = noisy(wk.PowerLaw(1.0, 4.0), 300, 3e-3, seed)
-        depth, force = judged(wk.PowerLaw(1.0, 4.0), 0.9)
+        depth, force = compared(wk.PowerLaw(1.0, 4.0), 0.9)
         got = wk.Indentation(wk.Foundation(profile, UNIT), wk.Depth(depth)).solve().force
         assert got == pytest.approx(force, rel=0.03)

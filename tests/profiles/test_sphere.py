@@ -7,7 +7,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from shape_judge import assert_curvature, assert_starts_at_zero, assert_transforms
+from shape_solutions import assert_curvature, assert_starts_at_zero, assert_transforms
 
 import winkler as wk
 

@@ -1,4 +1,4 @@
-"""The judges of this folder reckon with 40 digits, whatever other tests have set."""
+"""The reference solutions of this folder compute with 40 digits, whatever other tests have set."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a case on coated or depth-graded bodies should say, from its [problem] alone, by `layered_judge`."""
+"""The numbers of a case on coated or depth-graded bodies, from its [problem] alone, by `layered_solution`."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from case_judge import si
-from layered_judge import Press, Profile, Sheet, Stack
+from case_solutions import si
+from layered_solution import Press, Profile, Sheet, Stack
 
 BRACKET = 2.0
 """Contact radii at a given depth lie within this factor of Hertz's."""
@@ -41,7 +41,7 @@ def profile(table: dict[str, Any], medium: dict[str, Any]) -> Stack | Profile:
     )
 
 
-class Answer:
+class ReferenceSolution:
     """The contacts of one case: one for every load."""
 
     def __init__(self, problem: dict[str, Any], *, careful: bool = False) -> None:
@@ -67,7 +67,7 @@ class Answer:
     def press(self, radius: float) -> Press:
         """More terms for wide contacts, which feel the layer as a boundary layer at their edge."""
         sharp = isinstance(self.stack, Stack)
-        # a smooth grading is felt by arbitrarily short waves, a layer up to a few times 1/thickness
+        # a smooth grading affects arbitrarily short waves, a layer up to a few times 1/thickness
         reach, least = (22.0, 14) if sharp else (120.0, 30)
         extra = 1.4 if self.careful else 1.0
         terms = int(extra * (least + 2.6 * radius / self.stack.length))
@@ -108,7 +108,7 @@ class Answer:
         )
 
     def quantity(self, expectation: dict[str, Any]) -> np.ndarray:
-        """The numbers that an entry of [[expect]] asks for, SI."""
+        """The numbers that an entry of [[expect]] requests, SI."""
         name = expectation["quantity"]
         found = []
         for press, depth, load in self.contacts:

@@ -1,7 +1,7 @@
 """A ball that rolls with a little creepage and without slip, by boundary elements: Kalker's coefficients of a circle.
 
 Square patches of even traction; their displacements are corner sums of Cerruti's point forces.  From one patch to the
-next against rolling the surfaces of two like bodies, G = 1, move apart by the creepage: the leading patches are told by
+next against rolling the surfaces of two like bodies, G = 1, move apart by the creepage: the leading patches are set by
 what the surface does ahead of them.
 """
 
@@ -38,8 +38,8 @@ def coefficients(count: int, nu: float) -> np.ndarray:
         return np.block([[k[0], k[2]], [k[2], k[1]]])
 
     none, ones = np.zeros(x.size), np.ones(x.size)
-    asked = np.column_stack([np.r_[ones, none], np.r_[none, ones], np.r_[-y, x]])
-    forces = np.linalg.solve((moved(0.0) - moved(side)) / side, asked) * side**2
+    requested = np.column_stack([np.r_[ones, none], np.r_[none, ones], np.r_[-y, x]])
+    forces = np.linalg.solve((moved(0.0) - moved(side)) / side, requested) * side**2
     return np.abs(
         [
             forces[: x.size, 0].sum() * size**2,

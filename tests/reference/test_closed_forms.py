@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-import mp_judge as judge
+import mp_solutions
 import mpmath as mp
 import numpy as np
 import pytest
@@ -21,70 +21,70 @@ def exact(**numbers: float) -> dict[str, mp.mpf]:
 
 
 SHAPES = {
-    "cone": (judge.cone, cone, "cone", {"half_angle": 1.25}, (0.3, 2.0)),
-    "power_law 1.5": (judge.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 1.5}, (0.4, 1.0)),
-    "power_law 3": (judge.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 3.0}, (0.4, 1.0)),
-    "power_law 4": (judge.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 4.0}, (0.4, 1.0)),
-    "power_law 6.5": (judge.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 6.5}, (0.4, 1.0)),
-    "hertz": (judge.paraboloid, hertz, "hertz", {"curvature_radius": 1.7}, (0.1, 0.9)),
-    "sphere": (judge.sphere, sphere, "sphere", {"curvature_radius": 1.3}, (0.001, 0.2, 0.5, 1.2)),
+    "cone": (mp_solutions.cone, cone, "cone", {"half_angle": 1.25}, (0.3, 2.0)),
+    "power_law 1.5": (mp_solutions.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 1.5}, (0.4, 1.0)),
+    "power_law 3": (mp_solutions.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 3.0}, (0.4, 1.0)),
+    "power_law 4": (mp_solutions.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 4.0}, (0.4, 1.0)),
+    "power_law 6.5": (mp_solutions.power_law, power, "power_law", {"coefficient": 0.7, "exponent": 6.5}, (0.4, 1.0)),
+    "hertz": (mp_solutions.paraboloid, hertz, "hertz", {"curvature_radius": 1.7}, (0.1, 0.9)),
+    "sphere": (mp_solutions.sphere, sphere, "sphere", {"curvature_radius": 1.3}, (0.001, 0.2, 0.5, 1.2)),
     "ellipsoid": (
-        judge.ellipsoid,
+        mp_solutions.ellipsoid,
         sphere,
         "ellipsoid",
         {"radial_semi_axis": 1.3, "axial_semi_axis": 0.4},
         (0.01, 0.7),
     ),
     "hyperboloid": (
-        judge.hyperboloid,
+        mp_solutions.hyperboloid,
         sphere,
         "hyperboloid",
         {"curvature_radius": 0.8, "half_angle": 1.1},
         (0.002, 0.2, 3.0),
     ),
     "truncated_cone": (
-        judge.truncated_cone,
+        mp_solutions.truncated_cone,
         truncated,
         "truncated_cone",
         {"half_angle": 1.3, "flat_radius": 0.2},
         (0.21, 0.5, 5.0),
     ),
     "truncated_paraboloid": (
-        judge.truncated_paraboloid,
+        mp_solutions.truncated_paraboloid,
         truncated,
         "truncated_paraboloid",
         {"curvature_radius": 1.1, "flat_radius": 0.2},
         (0.25, 0.7),
     ),
     "capped_paraboloid": (
-        judge.capped_paraboloid,
+        mp_solutions.capped_paraboloid,
         capped,
         "capped_paraboloid",
         {"curvature_radius": 1.1, "cap_curvature_radius": 3.0, "cap_radius": 0.2},
         (0.1, 0.7),
     ),
     "rounded_punch": (
-        judge.rounded_punch,
+        mp_solutions.rounded_punch,
         rounded,
         "rounded_punch",
         {"flat_radius": 0.2, "edge_radius": 0.9},
         (0.3, 0.5, 2.0),
     ),
     "rounded_cone": (
-        judge.rounded_cone,
+        mp_solutions.rounded_cone,
         rounded,
         "rounded_cone",
         {"curvature_radius": 0.5, "half_angle": 1.2},
         (0.15, 0.3, 4.0),
     ),
     "sphero_conical": (
-        judge.sphero_conical,
+        mp_solutions.sphero_conical,
         rounded,
         "sphero_conical",
         {"curvature_radius": 0.5, "half_angle": 1.2},
         (0.15, 0.3, 0.5, 4.0),
     ),
-    "wavy": (judge.wavy, wavy, "wavy", {"amplitude": 0.02, "wavelength": 0.9}, (0.01, 0.2, 0.6)),
+    "wavy": (mp_solutions.wavy, wavy, "wavy", {"amplitude": 0.02, "wavelength": 0.9}, (0.01, 0.2, 0.6)),
 }
 EVERY = [(name, a) for name, (*_, radii) in SHAPES.items() for a in radii]
 WITH_PRESSURE = [name for name, (_, module, word, *_) in SHAPES.items() if hasattr(module, f"{word}_pressure")]
@@ -217,7 +217,7 @@ def test_numbers_of_theory():
 
 
 def test_flat_punch():
-    body, a, d = judge.flat_punch(mp.mpf(2)), mp.mpf(2), mp.mpf(0.5)
+    body, a, d = mp_solutions.flat_punch(mp.mpf(2)), mp.mpf(2), mp.mpf(0.5)
     close(punch.flat_punch_pressure(0.7, 2.0, depth=0.5, modulus=2.5), body.pressure(mp.mpf(0.7), a, mp.mpf(2.5), d))
     for r in (0.5, 2.5, 30.0):
         close(punch.flat_punch_displacement(r, 2.0, depth=0.5), body.displacement(mp.mpf(r), a, d))

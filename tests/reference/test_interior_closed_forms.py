@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import mp_judge as judge
+import mp_solutions
 import mpmath as mp
 import numpy as np
 import pytest
@@ -22,8 +22,8 @@ def compared(given, expected, scale):
 def test_flat_punch(r, z):
     given = punch.flat_punch_subsurface(r, z, 1.0, force=2.0, poisson=NU, shear=G)
     with mp.workdps(25):
-        transform = judge.punch_transform(mp.mpf(1), mp.mpf(2))
-        expected = judge.hankel_field(transform, mp.mpf(r), mp.mpf(z), mp.mpf(NU), mp.mpf(G), mp.mpf(1))
+        transform = mp_solutions.punch_transform(mp.mpf(1), mp.mpf(2))
+        expected = mp_solutions.hankel_field(transform, mp.mpf(r), mp.mpf(z), mp.mpf(NU), mp.mpf(G), mp.mpf(1))
     compared(given, expected, 1.0)
 
 
@@ -31,8 +31,8 @@ def test_flat_punch(r, z):
 def test_hertz(r, z):
     given = hertz.hertz_subsurface(r, z, 1.0, peak_pressure=1.0, poisson=NU, shear=G)
     with mp.workdps(25):
-        transform = judge.hertz_transform(mp.mpf(1), mp.mpf(1))
-        expected = judge.hankel_field(transform, mp.mpf(r), mp.mpf(z), mp.mpf(NU), mp.mpf(G), mp.mpf(1))
+        transform = mp_solutions.hertz_transform(mp.mpf(1), mp.mpf(1))
+        expected = mp_solutions.hankel_field(transform, mp.mpf(r), mp.mpf(z), mp.mpf(NU), mp.mpf(G), mp.mpf(1))
     compared(given, expected, 1.0)
 
 

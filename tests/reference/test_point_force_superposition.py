@@ -60,7 +60,7 @@ def test_a_kinked_shape_needs_its_break():
 
 
 def test_a_pressure_written_carelessly():
-    """1/sqrt(a^2 - s^2) loses its digits near the edge when s is rounded; the answer keeps ten."""
+    """1/sqrt(a^2 - s^2) loses its digits near the edge when s is rounded; the result retains ten."""
     given = displacement(lambda s: 1.0 / np.pi / np.sqrt(1.0 - s**2), 1.0, R, 1.0)
     np.testing.assert_allclose(given, punch.flat_punch_displacement(R, 1.0, depth=1.0), rtol=1e-10)
 

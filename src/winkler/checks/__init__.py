@@ -1,1 +1,1 @@
-"""What values and arguments are compared with before anything is computed: types of fields, sizes, footprints."""
+"""Checks of values and arguments before a computation: types of fields, sizes, outlines of contacts."""

@@ -1,4 +1,4 @@
-"""Whether a part of a value is of the kinds that its field names: of a class, or with each member of a protocol."""
+"""Checks of the parts of a value against the kinds of their fields: classes, or protocols member by member."""
 
 from __future__ import annotations
 
@@ -16,41 +16,41 @@ __all__ = ["described", "is_protocol", "keeps", "lacking", "of_kinds", "offered"
 K = TypeVar("K")
 NO_PART = (float, int, bool, complex, str, bytes, tuple, list, dict, set, object, type(None), np.ndarray)
 """What is never a part made of other values, even if it has the members of a protocol."""
-FEW = 5
+KINDS_NAMED_ALONE = 5
 """From so many kinds on a sentence gives their names alone."""
-OFFERS: dict[Any, str] = {}
-"""What refusals say to give for a protocol or a base class."""
+STATED_OFFERS: dict[Any, str] = {}
+"""What refusals tell the user to give for a protocol or a base class."""
 
 
 def offered(text: str) -> Callable[[K], K]:
-    """Decorate a protocol or a base class with what refusals of something else say to give: a kind of it."""
+    """Decorate a protocol or a base class with the phrase that refusals use for it."""
 
     def decorate(kind: K) -> K:
-        OFFERS[kind] = text
+        STATED_OFFERS[kind] = text
         return kind
 
     return decorate
 
 
 def keeps(part: Any, protocol: type) -> bool:
-    """Return whether a value has each member of a protocol, without asking for any of them."""
+    """Return whether a value has each member of a protocol, without evaluating any of them."""
     return not _missing(part, protocol)
 
 
 def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
-    """Return what says whether a part is of one of the kinds; of most parts their class alone says it, once."""
+    """Return a test of whether a part is of one of the kinds; for most parts the class alone decides, once."""
     classes = tuple(kind for kind in kinds if not is_protocol(kind))
     protocols = [kind for kind in kinds if is_protocol(kind)]
-    known: set[type] = set()
+    accepted: set[type] = set()
 
     def fits(part: Any) -> bool:
         made = part.__class__
-        if made in known:
+        if made in accepted:
             return True
         if made in NO_PART:
             return False
         if issubclass(made, classes) or any(not _unknown(made, kind) for kind in protocols):
-            known.add(made)
+            accepted.add(made)
             return True
         return any(not _missing(part, kind) for kind in protocols)
 
@@ -58,7 +58,7 @@ def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
 
 
 def is_protocol(kind: Any) -> bool:
-    """Return whether a class is a protocol, whose members are looked for one by one."""
+    """Return whether a class is a protocol, whose members are compared one by one."""
     return bool(getattr(kind, "_is_protocol", False))
 
 
@@ -71,14 +71,14 @@ def lacking(kinds: tuple[type, ...], part: Any) -> str:
 
 
 def _missing(part: Any, protocol: type) -> set[str]:
-    """Return the public members of a protocol that a value has not, without asking for any of them."""
+    """Return the public members of a protocol that a value has not, without evaluating any of them."""
     unknown = _unknown(part.__class__, protocol)
     return {name for name in unknown if inspect.getattr_static(part, name, unknown) is unknown}
 
 
 @functools.cache
 def _unknown(made: type, protocol: type) -> frozenset[str]:
-    """Return the public members of a protocol of which a class does not say that its values have them."""
+    """Return the public members of a protocol that a class does not declare."""
     return _members(protocol) - {*dir(made), *getattr(made, "__dataclass_fields__", ())}
 
 
@@ -92,19 +92,21 @@ def _members(protocol: type) -> frozenset[str]:
 
 
 def described(kinds: tuple[type, ...]) -> str:
-    """Return how a sentence says what to give: ``Elastic(young, poisson) or Rigid()``."""
-    names = [_described(kind) if len(kinds) < FEW else OFFERS.get(kind, kind.__name__) for kind in kinds]
+    """Return the phrase for what to give: ``Elastic(young, poisson) or Rigid()``."""
+    names = [
+        _described(kind) if len(kinds) < KINDS_NAMED_ALONE else STATED_OFFERS.get(kind, kind.__name__) for kind in kinds
+    ]
     return f"{', '.join(names[:-1])} or {names[-1]}" if names[1:] else names[0]
 
 
 def _described(kind: type) -> str:
-    if kind in OFFERS:
-        return OFFERS[kind]
+    if kind in STATED_OFFERS:
+        return STATED_OFFERS[kind]
     if not dataclasses.is_dataclass(kind):
         return kind.__name__
     fields = [field for field in dataclasses.fields(kind) if field.init]
     missing = dataclasses.MISSING
     needed = [field.name for field in fields if field.default is missing and field.default_factory is missing]
     if len(fields) == 1 and fields[0].name.replace("_", "") == kind.__name__.lower():
-        return kind.__name__  # Force, Depth: the name says it all
+        return kind.__name__  # Force, Depth: the name is enough
     return f"{kind.__name__}({', '.join(needed or [field.name for field in fields])})"

@@ -1,8 +1,8 @@
-"""What the fields of a value may hold, read from their types once for each class.
+"""Checks of the fields of a value, derived from their types once for each class.
 
 A float is a number, an ``Array`` an array of numbers, the name of a class a value of that class, the name of a protocol
-whatever has its members.  ``Annotated`` types say more of numbers (`number_checks`) and, by `Such`, of parts.  A type
-that says nothing of this, such as ``Any``, admits anything.
+whatever has its members.  ``Annotated`` types restrict numbers (`number_checks`) and, by `Condition`, parts.  A type
+without such a restriction, as ``Any``, admits all contents.
 """
 
 from __future__ import annotations
@@ -19,21 +19,26 @@ from numpy.typing import NDArray
 
 from winkler.checks.contract import described, lacking, of_kinds
 from winkler.checks.number_checks import COUNT_BITS, Advice, Check, Ending, Number, ended
-from winkler.checks.physical_size import shown
+from winkler.checks.physical_size import as_text
 from winkler.errors import InvalidInput
 from winkler.vocabulary import word
 
-__all__ = ["Such", "checks_of", "numbers_taken"]
+__all__ = ["Condition", "checks_of", "numbers_taken"]
 
-WORDS = {float: "give a number", int: "give a whole number below 10^12", str: "give a text", bool: "give True or False"}
-ARRAY = NDArray[Any]
-NO_NUMBERS = (str, bytes, complex, dict, set, object, type(None), bool)
-UNCHECKED = (Any, object, type, float, int, str, bool, bytes, tuple, list, dict, set, type(None), np.ndarray)
+KIND_DEMANDS = {
+    float: "give a number",
+    int: "give a whole number below 10^12",
+    str: "give a text",
+    bool: "give True or False",
+}
+ANY_ARRAY = NDArray[Any]
+NON_NUMERIC_KINDS = (str, bytes, complex, dict, set, object, type(None), bool)
+UNCHECKED_KINDS = (Any, object, type, float, int, str, bool, bytes, tuple, list, dict, set, type(None), np.ndarray)
 """Kinds of which a part is made that nothing is compared with."""
 
 
-class Such(NamedTuple):
-    """A condition that `holds` of a part, besides being of a kind that the type names; `demand` says what to give."""
+class Condition(NamedTuple):
+    """A condition `holds` on a part, besides its being of a kind that the type names; `demand` is what to give."""
 
     holds: Callable[[Any], bool]
     demand: str
@@ -49,14 +54,14 @@ def checks_of(cls: Any) -> tuple[tuple[str, Check | None], ...]:
 
 
 def _hints(cls: Any) -> dict[str, Any]:
-    """Return the types of the fields of a class; ``Any`` for one that only type checkers know."""
+    """Return the types of the fields of a class; ``Any`` for one that only type checkers resolve."""
     unknown: dict[str, Any] = {}
     while True:
         try:
             return typing.get_type_hints(cls, localns=unknown or None, include_extras=True)
         except NameError as error:
             unknown[str(error.name)] = Any
-        except AttributeError:  # a name in a module that only type checkers know: field by field
+        except AttributeError:  # a name in a module that only type checkers load: field by field
             if len(dataclasses.fields(cls)) == 1:
                 return {dataclasses.fields(cls)[0].name: Any}
             return {
@@ -72,7 +77,7 @@ def _alone(cls: Any, field: dataclasses.Field[Any]) -> type:
 
 @functools.cache
 def numbers_taken(cls: type, field: str) -> Number | None:
-    """Return which single numbers a field of a class takes; None if its type does not say so."""
+    """Return which single numbers a field of a class takes; None if its type does not state it."""
     return next((item for item in _extras(_hints(cls).get(field)) if isinstance(item, Number)), None)
 
 
@@ -82,7 +87,7 @@ def _extras(hint: Any) -> tuple[Any, ...]:
 
 
 def _check(cls: type, field: str, hint: Any) -> Check | None:
-    """Return what refuses contents that do not fit the type of a field; None if the type says nothing of them."""
+    """Return the check that refuses contents which do not fit the type of a field; None if all of them do."""
     extras = _extras(hint)
     plain = hint.__origin__ if extras else hint
     section = getattr(cls, "section", "")
@@ -91,16 +96,16 @@ def _check(cls: type, field: str, hint: Any) -> Check | None:
     for item in extras:
         if hasattr(item, "check"):
             return item.check(where, ending)  # type: ignore[no-any-return]
-    if plain in WORDS:
+    if plain in KIND_DEMANDS:
         return _exact(where, plain, ending)
-    if plain == ARRAY or set(_union(plain)) == {float, ARRAY}:
+    if plain == ANY_ARRAY or set(_union(plain)) == {float, ANY_ARRAY}:
         return _array(where, ending)
     many = typing.get_origin(plain) is tuple and typing.get_args(plain)[1:] == (Ellipsis,)
     kinds = _union(typing.get_args(plain)[0] if many else plain)
-    if not all(isinstance(kind, type) and kind not in UNCHECKED for kind in kinds):
+    if not all(isinstance(kind, type) and kind not in UNCHECKED_KINDS for kind in kinds):
         return None
-    such = next((item for item in extras if isinstance(item, Such)), None)
-    return _parts(where, kinds, many, ending) if such is None else _such(where, kinds, such)
+    condition = next((item for item in extras if isinstance(item, Condition)), None)
+    return _parts(where, kinds, many, ending) if condition is None else _conditional(where, kinds, condition)
 
 
 def _union(hint: Any) -> tuple[Any, ...]:
@@ -127,7 +132,7 @@ def _exact(where: str, kind: type, ending: Ending) -> Check:
     def checked(content: Any) -> Any:
         made = type(content)
         if made not in allowed or (kind is int and content.bit_length() > COUNT_BITS):
-            raise InvalidInput(f"{where} is {shown(content)}; {ending(WORDS[kind])}.")
+            raise InvalidInput(f"{where} is {as_text(content)}; {ending(KIND_DEMANDS[kind])}.")
         return content
 
     return checked
@@ -136,9 +141,9 @@ def _exact(where: str, kind: type, ending: Ending) -> Check:
 def _array(where: str, ending: Ending) -> Check:
     def checked(content: Any) -> Any:
         made = type(content)
-        if made in NO_NUMBERS or (made is np.ndarray and content.dtype.kind not in "fbc"):
-            wanted = ending("give a number or an array of numbers")
-            raise InvalidInput(f"{where} is {shown(content)}; {wanted}.")
+        if made in NON_NUMERIC_KINDS or (made is np.ndarray and content.dtype.kind not in "fbc"):
+            demand_text = ending("give a number or an array of numbers")
+            raise InvalidInput(f"{where} is {as_text(content)}; {demand_text}.")
         return content
 
     return checked
@@ -150,8 +155,8 @@ def _parts(where: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> C
     def refused(part: Any, place: str = "") -> InvalidInput:
         made = f"{type(part).__name__}{lacking(kinds, part)}"
         at = f"{where}{place}" if place else where.replace(": ", ": the ", 1)
-        wanted = ending(f"give {'a list of ' * many}{described(kinds)}")
-        return InvalidInput(f"{at} is a {made}; {wanted}.")
+        demand_text = ending(f"give {'a list of ' * many}{described(kinds)}")
+        return InvalidInput(f"{at} is a {made}; {demand_text}.")
 
     def checked(content: Any) -> Any:
         if not many:
@@ -168,12 +173,12 @@ def _parts(where: str, kinds: tuple[type, ...], many: bool, ending: Ending) -> C
     return checked
 
 
-def _such(where: str, kinds: tuple[type, ...], such: Such) -> Check:
+def _conditional(where: str, kinds: tuple[type, ...], condition: Condition) -> Check:
     fits = of_kinds(kinds)
 
     def checked(content: Any) -> Any:
-        if not fits(content) or not such.holds(content):
-            raise InvalidInput(f"{where} is {shown(content)}; {such.demand}.")
+        if not fits(content) or not condition.holds(content):
+            raise InvalidInput(f"{where} is {as_text(content)}; {condition.demand}.")
         return content
 
     return checked

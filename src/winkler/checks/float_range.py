@@ -1,4 +1,4 @@
-"""Arithmetic that leaves the range of floating-point numbers becomes one sentence about the problem at hand."""
+"""Arithmetic that leaves the range of floating-point numbers becomes one sentence about the problem."""
 
 from __future__ import annotations
 
@@ -14,51 +14,51 @@ import numpy as np
 from winkler.checks.physical_size import beyond_physics
 from winkler.errors import NotConverged, OutsideValidity, WinklerError
 
-__all__ = ["guarded", "guarded_answer", "guarded_stream"]
+__all__ = ["guarded", "guarded_result", "guarded_stream"]
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
-FAULTS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, RuntimeError)
+ARITHMETIC_FAULTS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, RuntimeError)
 """What numbers that have left the range may end in."""
 
 
 def guarded(solve: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a solver that says in one sentence if numbers left the range of floating-point numbers.
+    """Return a solver that states in one sentence whether numbers left the range of floating-point numbers.
 
     Numbers that a solver expects to overflow it treats itself; any other overflow, division by zero or undefined
     number ends it.
     """
 
     @functools.wraps(solve)
-    def answered(self: Any, *given: Any, **named: Any) -> Any:
-        with _in_words(self):
-            return _known(solve(self, *given, **named))
+    def checked_call(self: Any, *positional: Any, **named: Any) -> Any:
+        with _as_sentence(self):
+            return _without_nan(solve(self, *positional, **named))
 
-    return answered
+    return checked_call
 
 
-def guarded_answer(answer: Callable[P, R]) -> Callable[P, R]:
+def guarded_result(function: Callable[P, R]) -> Callable[P, R]:
     """Return a function of a solution, its first argument, guarded as what has solved its problem."""
 
-    @functools.wraps(answer)
-    def answered(*given: P.args, **named: P.kwargs) -> R:
-        with _in_words(getattr(given[0], "problem", given[0])):
-            return answer(*given, **named)
+    @functools.wraps(function)
+    def checked_call(*positional: P.args, **named: P.kwargs) -> R:
+        with _as_sentence(getattr(positional[0], "problem", positional[0])):
+            return function(*positional, **named)
 
-    return answered
+    return checked_call
 
 
 def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterator[Any]]:
     """Return a march whose every step is guarded as `guarded` does it; who iterates is left alone between them."""
 
     @functools.wraps(steps)
-    def streamed(self: Any, *given: Any, **named: Any) -> Iterator[Any]:
-        states = steps(self, *given, **named)
+    def streamed(self: Any, *positional: Any, **named: Any) -> Iterator[Any]:
+        states = steps(self, *positional, **named)
         while True:
-            with _in_words(self):
+            with _as_sentence(self):
                 try:
-                    state = _known(next(states))
+                    state = _without_nan(next(states))
                 except StopIteration:
                     return
             yield state
@@ -66,21 +66,21 @@ def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterato
     return streamed
 
 
-def _known(answer: Any) -> Any:
-    """Return an answer none of whose numbers is undefined; compiled kernels say nothing of those they meet."""
-    for field in dataclasses.fields(answer) if dataclasses.is_dataclass(answer) else ():
-        inside = getattr(answer, field.name)
+def _without_nan(result: Any) -> Any:
+    """Return a result without undefined numbers; compiled kernels raise no error for those."""
+    for field in dataclasses.fields(result) if dataclasses.is_dataclass(result) else ():
+        inside = getattr(result, field.name)
         if isinstance(inside, np.ndarray):
             undefined = inside.dtype == float and bool(np.isnan(inside).any())
         else:
             undefined = isinstance(inside, float) and math.isnan(inside)
         if undefined:
             raise FloatingPointError(f"the {field.name} comes out undefined")
-    return answer
+    return result
 
 
 @contextlib.contextmanager
-def _in_words(problem: Any) -> Iterator[None]:
+def _as_sentence(problem: Any) -> Iterator[None]:
     """Turn arithmetic that leaves the range of numbers into one sentence about a problem."""
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
@@ -95,7 +95,7 @@ def _in_words(problem: Any) -> Iterator[None]:
         ) from error
     except WinklerError:
         raise
-    except FAULTS as error:
+    except ARITHMETIC_FAULTS as error:
         far = next(beyond_physics(problem), "")
         if not far and not isinstance(error, ArithmeticError):
             raise

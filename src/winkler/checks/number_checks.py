@@ -1,8 +1,8 @@
-"""Which numbers a field of a value may hold, written as its type: ``young: Positive``, ``poisson: PoissonRatio``.
+"""The numbers that a field of a value may hold, written as its type: ``young: Positive``, ``poisson: PoissonRatio``.
 
 A type such as `Positive` is ``Annotated[float, Number(...)]``: a float for type checkers, and for `value` what contents
 are compared with when a value is made.  The sentence of a refusal ends with the unit of the field, which the glossary
-knows, and with the `Advice` beside the type: ``Annotated[Positive, Advice("leave a layer of none out")]``.
+has, and with the `Advice` beside the type: ``Annotated[Positive, Advice("leave a layer of none out")]``.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Annotated, Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from winkler.checks.physical_size import LARGEST, SMALLEST, refuse_size, shown
+from winkler.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER, as_text, refuse_size
 from winkler.errors import InvalidInput
 
 __all__ = [
@@ -71,8 +71,8 @@ class Advice(NamedTuple):
 class Number(NamedTuple):
     """A number from `least` to `most`, none of the `excluded`, which are ends of the interval.
 
-    The `demand` says so in words, ``{unit}`` in it stands for " in m"; `several` says it of several numbers.  What is
-    `sized` is a physical number, up to `LARGEST` in size, and zero or at least `smallest`.
+    The `demand` is the sentence for it, with ``{unit}`` for " in m"; `several` is the one for several numbers.  What is
+    `sized` is a physical number, up to `LARGEST_NUMBER` in size, and zero or at least `smallest`.
     """
 
     demand: str
@@ -89,7 +89,7 @@ class Number(NamedTuple):
 
     def check(self, where: str, ending: Ending) -> Check:
         """Return what refuses contents of a field that are no such number."""
-        low, high = max(self.least, self.smallest or -LARGEST), min(self.most, LARGEST)
+        low, high = max(self.least, self.smallest or -LARGEST_NUMBER), min(self.most, LARGEST_NUMBER)
         low = math.nextafter(low, high) if low in self.excluded else low
         quick = self.admits(low) and self.admits(high)
 
@@ -97,7 +97,7 @@ class Number(NamedTuple):
             if quick and type(content) is float and low <= content <= high:
                 return content
             if not self.admits(content):
-                raise InvalidInput(f"{where} is {shown(content)}; {ending(self.demand)}.")
+                raise InvalidInput(f"{where} is {as_text(content)}; {ending(self.demand)}.")
             if self.sized:
                 refuse_size(where, content, self.smallest)
             return content
@@ -106,7 +106,7 @@ class Number(NamedTuple):
 
 
 class Whole(NamedTuple):
-    """A whole number from `least` to `most`; `what` says of what."""
+    """A whole number from `least` to `most`; `what` names the counted things."""
 
     least: int
     most: float = math.inf
@@ -124,7 +124,7 @@ class Whole(NamedTuple):
 
         def checked(content: Any) -> Any:
             if type(content) is not int or not self.least <= content <= self.most or content.bit_length() > COUNT_BITS:
-                raise InvalidInput(f"{where} is {shown(content)}; {ending(self.demand)}.")
+                raise InvalidInput(f"{where} is {as_text(content)}; {ending(self.demand)}.")
             return content
 
         return checked
@@ -137,7 +137,7 @@ POSITIVE = Number(
     excluded=(0.0, math.inf),
     several="positive, finite numbers{unit}",
 )
-NOT_TINY = POSITIVE._replace(smallest=SMALLEST)
+NOT_TINY = POSITIVE._replace(smallest=SMALLEST_NUMBER)
 NON_NEGATIVE = Number(
     "give zero or a positive, finite number{unit}",
     0.0,
@@ -150,7 +150,7 @@ POSITIVE_OR_INFINITE = Number("it must be a positive number{unit}, or infinite",
 POISSON = Number(
     "a Poisson ratio is above -1 and at most 0.5", -1.0, 0.5, (-1.0,), several="numbers above -1 and at most 0.5"
 )
-ORDERS = {"": "", "rising": ", each above the one before", "never falling": " that never fall"}
+ORDER_TEXTS = {"": "", "rising": ", each above the one before", "never falling": " that never fall"}
 
 IN_ORDER = {"rising": operator.gt, "never falling": operator.ge}
 
@@ -170,7 +170,7 @@ class Numbers(NamedTuple):
         if self.any_shape:
             return f"give a number or an array of {self.each.several}"
         count = f"at least {self.fewest} " if self.fewest > 1 else ""
-        return f"give a row of {count}{self.each.several}{ORDERS[self.order]}"
+        return f"give a row of {count}{self.each.several}{ORDER_TEXTS[self.order]}"
 
     def check(self, where: str, ending: Ending) -> Check:
         """Return what makes a read-only array of a content of a field, and refuses what is no such array."""
@@ -184,7 +184,7 @@ class Numbers(NamedTuple):
                 return single(content)
             numbers = _array_of_numbers(content)
             if numbers is None:
-                raise refused(f"is {shown(content)}")
+                raise refused(f"is {as_text(content)}")
             if numbers.ndim != 1 and not self.any_shape:
                 raise refused(f"has the shape {numbers.shape}")
             if numbers.size < self.fewest:
@@ -194,7 +194,7 @@ class Numbers(NamedTuple):
                 low, high = float(numbers.min()), float(numbers.max())
                 if not (self.each.admits(low) and self.each.admits(high)):  # undefined ones included
                     raise refused(self._entries_refused(numbers))
-                if max(-low, high) > LARGEST:
+                if max(-low, high) > LARGEST_NUMBER:
                     refuse_size(where, numbers)
                 if self.order and not (IN_ORDER[self.order](numbers[1:], numbers[:-1])).all():
                     raise refused(self._step_refused(numbers))
@@ -277,7 +277,7 @@ PositiveNotTiny: TypeAlias = Annotated[float, NOT_TINY]
 """A positive number whose tiniest values would keep solvers busy for ever."""
 PositiveOrInfinite: TypeAlias = Annotated[float, POSITIVE_OR_INFINITE]
 PositiveOfAnySize: TypeAlias = Annotated[float, POSITIVE._replace(sized=False)]
-"""A positive number whose unit is a power that other fields decide about, so that its size says nothing."""
+"""A positive number whose unit is a power that other fields decide about, so that its size is not checked."""
 PoissonRatio: TypeAlias = Annotated[float, POISSON]
 Fraction: TypeAlias = Annotated[float, Number("give a number from 0 to 1", 0.0, 1.0)]
 Count: TypeAlias = Annotated[int, Whole(1)]

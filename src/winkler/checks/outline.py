@@ -20,7 +20,7 @@ def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
     holder
         A bed, or what holds one; what has no footprint passes.
     owner : str
-        Who asks.
+        The name of the requesting function.
     needed : str
         What of the question needs a disc.
 
@@ -29,13 +29,13 @@ def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
     OutsideValidity
         With what the bed stands for, and what to use instead.
     """
-    known = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
-    if why := getattr(known, "unlike_disc", ""):
+    outline = getattr(holder, "footprint", None) or getattr(getattr(holder, "bed", None), "footprint", None)
+    if why := getattr(outline, "unlike_disc", ""):
         raise OutsideValidity(f"{owner}: {needed} needs a round contact, and {why}.")
 
 
 def refuse_outline(content: Any) -> None:
-    """Refuse the beds in the fields of a value whose class says, in `needs_round`, what of it needs a disc.
+    """Refuse the beds in the fields of a value whose class names, in `needs_round`, the results that need a disc.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def refuse_outline(content: Any) -> None:
 
 
 def refuse_relaxing(content: Any) -> None:
-    """Refuse bodies that relax in a problem which knows no time: one that does not assume `Assumption.KNOWN_TIMES`.
+    """Refuse bodies that relax in a problem without time: one that does not assume `Assumption.KNOWN_TIMES`.
 
     Raises
     ------
@@ -60,13 +60,13 @@ def refuse_relaxing(content: Any) -> None:
         return
     for field in dataclasses.fields(content):
         part = getattr(content, field.name)
-        for body in (part, _held(part, "medium")):
-            if (refusal := _held(body, "timeless")) is not None:
+        for body in (part, _attribute(part, "medium")):
+            if (refusal := _attribute(body, "timeless")) is not None:
                 raise refusal()
 
 
-def _held(holder: Any, name: str) -> Any:
-    """Return an attribute, or None; values of a class that lacks it are not asked, since their refusal takes longer."""
+def _attribute(holder: Any, name: str) -> Any:
+    """Return an attribute, or None; of a class that lacks it no value is read, since its refusal takes longer."""
     return None if _lacks(holder.__class__, name) else getattr(holder, name, None)
 
 

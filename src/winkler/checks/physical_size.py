@@ -1,4 +1,4 @@
-"""How large a number in SI units can be: what lies beyond all physics is a wrong unit, and is refused."""
+"""The range of numbers in SI units: a number beyond all physics is in a wrong unit, and is refused."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 
-__all__ = ["LARGEST", "SMALLEST", "beyond_physics", "refuse_size", "shown"]
+__all__ = ["LARGEST_NUMBER", "SMALLEST_NUMBER", "as_text", "beyond_physics", "refuse_size"]
 
-SMALLEST, LARGEST = 1e-60, 1e60
+SMALLEST_NUMBER, LARGEST_NUMBER = 1e-60, 1e60
 """Physical numbers in SI units lie between these in size; squares and cubes of them are still numbers."""
 LONGEST_BITS = 200
-"""Bits of the greatest whole number below `LARGEST`."""
+"""Bits of the greatest whole number below `LARGEST_NUMBER`."""
 
 
 def refuse_size(where: str, content: Any, smallest: float = 0.0) -> None:
@@ -37,8 +37,8 @@ def refuse_size(where: str, content: Any, smallest: float = 0.0) -> None:
     """
     if not _is_sound(content, smallest):
         raise InvalidInput(
-            f"{where} is {_size(content)}; numbers in SI units are between {SMALLEST:g} and {LARGEST:g} in "
-            "size: check the unit."
+            f"{where} is {_size(content)}; numbers in SI units are between {SMALLEST_NUMBER:g} and {LARGEST_NUMBER:g} "
+            "in size: check the unit."
         )
 
 
@@ -54,7 +54,7 @@ def beyond_physics(content: Any) -> Iterator[str]:
             yield f"{field.name} of {type(content).__name__} is {_size(inside)}"
 
 
-def shown(content: Any) -> str:
+def as_text(content: Any) -> str:
     """Return a content of a field as a sentence shows it: in one line, and cut if it is long."""
     if isinstance(content, int) and content.bit_length() > LONGEST_BITS:
         return f"a whole number of about {round(content.bit_length() * math.log10(2.0))} digits"
@@ -64,24 +64,24 @@ def shown(content: Any) -> str:
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 
-def _is_sound(content: Any, smallest: float = SMALLEST) -> bool:
+def _is_sound(content: Any, smallest: float = SMALLEST_NUMBER) -> bool:
     """Return whether a number is zero, or of a size that is met in physics; rows may begin near zero."""
     if _is_row(content):
         content = np.asarray(content, dtype=float)
     kind = type(content)
     if kind is float:
-        return content == 0.0 or not math.isfinite(content) or smallest <= abs(content) <= LARGEST
+        return content == 0.0 or not math.isfinite(content) or smallest <= abs(content) <= LARGEST_NUMBER
     if kind is int:
         return bool(content.bit_length() < LONGEST_BITS)
     if kind is np.ndarray and content.dtype.kind == "f":
-        return bool(np.max(np.abs(content[np.isfinite(content)]), initial=0.0) <= LARGEST)
+        return bool(np.max(np.abs(content[np.isfinite(content)]), initial=0.0) <= LARGEST_NUMBER)
     return True
 
 
 def _size(content: Any) -> str:
-    """Return a number, or the greatest of many, as a sentence says it."""
+    """Return a number, or the greatest of many, as an error sentence writes it."""
     row = isinstance(content, np.ndarray) or _is_row(content)
-    return f"up to {np.nanmax(np.abs(content)):g} in size" if row else shown(content)
+    return f"up to {np.nanmax(np.abs(content)):g} in size" if row else as_text(content)
 
 
 def _is_row(content: Any) -> bool:

@@ -99,14 +99,14 @@ def _solved(study: Any, point: int) -> Solved:
 def _item(answer: Solved, part: str, load: int) -> Any:
     """Return what is drawn: a part of the solved point."""
     from winkler.errors import InvalidInput
-    from winkler.footprint import Round
+    from winkler.footprint import RoundOutline
     from winkler.foundation.measured import MeasuredBed
     from winkler.problems.answer import is_restorable
-    from winkler.stairs import staircase
+    from winkler.punch_staircase import staircase
     from winkler.study.report.beside import beside
 
     bed = getattr(answer.problem, "bed", None)
-    outlined = bed is not None and not isinstance(bed.footprint, Round)  # its springs stand for another body
+    outlined = bed is not None and not isinstance(bed.footprint, RoundOutline)  # its springs stand for another body
     shape = None if outlined else getattr(bed, "profile", None) or getattr(bed, "plane_profile", None)
     if not -len(answer.each) <= load < len(answer.each):
         raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")

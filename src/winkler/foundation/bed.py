@@ -1,4 +1,4 @@
-"""What a bed is: the springs that every problem holds, as functions of x, without a grid."""
+"""The contract of a bed: the springs of a problem as functions of x, without a grid."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from winkler.numerics.types import Array
 from winkler.validity import Note
 from winkler.values import value
 
-__all__ = ["Bed", "Pressed", "Stretched"]
+__all__ = ["Bed", "PressedSprings", "StretchedSprings"]
 
 
 @offered("a bed, such as Foundation(profile, medium)")
 class Bed(Protocol):
-    """The contract of a foundation, spoken to its implementer.
+    """The contract of a foundation, written for its implementer.
 
     Lengths [m], x >= 0 (everything is even in x); arrays in, arrays of the same shape out.
     """
@@ -29,17 +29,17 @@ class Bed(Protocol):
 
     @property
     def medium(self) -> Medium:
-        """What translates between springs and body."""
+        """The transforms between springs and body."""
         ...
 
     @property
     def footprint(self) -> Footprint:
-        """What outline the contact has: what needs a disc is refused on a bed without one."""
+        """The outline of the contact: problems that need a disc are refused on a bed without one."""
         ...
 
     @property
     def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
+        """The greatest x for which the bed is defined [m]."""
         ...
 
     @property
@@ -54,7 +54,7 @@ class Bed(Protocol):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2), or what `Medium.kinks` says."""
+        """``(x, strength)``: just above x, g' holds strength / sqrt(x^2 - x_kink^2), or as `Medium.kinks` states."""
         ...
 
     @property
@@ -64,12 +64,12 @@ class Bed(Protocol):
 
     @property
     def certain(self) -> bool:
-        """Whether every contact is known to be one disc, so that none need be looked at."""
+        """Whether every contact is known to be one disc, so that none need be checked."""
         ...
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be said about shape and medium."""
+        """What must be stated about shape and medium."""
         ...
 
     def height(self, r: Array) -> Array:
@@ -110,7 +110,7 @@ class Bed(Protocol):
 
 
 @value
-class Pressed:
+class PressedSprings:
     """The springs of a bed pressed to a depth: u(x) = d - g(x) up to the contact radius, nothing outside.
 
     Parameters
@@ -128,12 +128,12 @@ class Pressed:
 
     @property
     def touching(self) -> float:
-        """Up to which radius the surfaces touch [m]."""
+        """The radius of the area in which the surfaces touch [m]."""
         return self.radius
 
     @property
-    def blunted(self) -> Pressed:
-        """The same springs, as fields below the surface take them: without what is too fine to be felt there."""
+    def blunted(self) -> PressedSprings:
+        """The same springs, as fields below the surface take them: without detail too fine to matter there."""
         return self
 
     @property
@@ -158,7 +158,7 @@ class Pressed:
 
 
 @value
-class Stretched(Pressed):
+class StretchedSprings(PressedSprings):
     """Springs that end stretched: u(x) = d - g(x) up to the contact radius, with a jump there."""
 
     @property

@@ -6,7 +6,7 @@ follows from the curvatures alone,
 .. math:: R_\mathrm{eq} = \frac{9F^2}{16E^{*2}d^3} , \qquad d = \frac{3F}{2\pi E^*\alpha}R_F(0,1-m,1) .
 
 Partial slip under Coulomb's law shrinks to similar ellipses, so it runs on the line, too, with the tangential
-stiffness of the direction of shear (`winkler.footprint.Ellipse`).
+stiffness of the direction of shear (`winkler.footprint.EllipticOutline`).
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from typing import Annotated
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.errors import OutsideValidity
-from winkler.footprint import DISC, Ellipse, Round
+from winkler.footprint import DISC, EllipticOutline, RoundOutline
 from winkler.foundation.on_medium import UnderProfile
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.medium import Medium
@@ -33,7 +33,7 @@ __all__ = ["EllipticFoundation"]
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 4.2 and 7.2, doi:10.1017/CBO9781139171731"
 
 
-HOMOGENEOUS = Such(
+HOMOGENEOUS_MEDIUM = Condition(
     lambda medium: isinstance(medium, HomogeneousMedium),
     "Hertz's ellipse is known on homogeneous half-spaces alone, give HalfSpace or ViscoelasticHalfSpace",
 )
@@ -41,7 +41,7 @@ HOMOGENEOUS = Such(
 
 @value
 class EllipticFoundation(UnderProfile):
-    """The springs that stand for bodies of two curvatures, in problems that ask for force, depth and stiffness.
+    """The springs that stand for bodies of two curvatures, in problems that need force, depth and stiffness.
 
     Problems that need a disc (adhesion, wear, heating, rolling, torsion, yield, the fields) refuse it.
 
@@ -73,7 +73,7 @@ class EllipticFoundation(UnderProfile):
     """
 
     bodies: CurvedBodies
-    medium: Annotated[Medium, HOMOGENEOUS]
+    medium: Annotated[Medium, HOMOGENEOUS_MEDIUM]
 
     def __post_init__(self) -> None:
         _ = self.bodies.slenderness
@@ -90,11 +90,11 @@ class EllipticFoundation(UnderProfile):
         return Paraboloid(self.bodies.equivalent_radius)
 
     @property
-    def footprint(self) -> Ellipse | Round:
+    def footprint(self) -> EllipticOutline | RoundOutline:
         """Hertz's ellipse; a disc under equal curvatures."""
         bodies = self.bodies
         equal = bodies.longitudinal_curvature_radius == bodies.lateral_curvature_radius
-        return DISC if equal else Ellipse(bodies.slenderness)
+        return DISC if equal else EllipticOutline(bodies.slenderness)
 
     @property
     def size(self) -> float:
@@ -117,7 +117,7 @@ class EllipticFoundation(UnderProfile):
 
     def slope(self, r: Array) -> Array:
         """The steepest slope of the bodies [-] where the ellipse as stiff as a disc of radius r ends."""
-        along, across = Ellipse(self.bodies.slenderness).semi_axes(np.asarray(r, dtype=float))
+        along, across = EllipticOutline(self.bodies.slenderness).semi_axes(np.asarray(r, dtype=float))
         return np.asarray(
             np.maximum(along / self.bodies.longitudinal_curvature_radius, across / self.bodies.lateral_curvature_radius)
         )
@@ -132,8 +132,8 @@ class EllipticFoundation(UnderProfile):
         """
         if not isinstance(self.medium, HalfSpace | ViscoelasticHalfSpace):
             raise OutsideValidity(
-                f"EllipticFoundation: how a {type(self.medium).__name__} gives way along an ellipse is not known to "
-                "winkler; give HalfSpace."
+                f"EllipticFoundation: the deformation of a {type(self.medium).__name__} along an ellipse is not "
+                "known to winkler; give HalfSpace."
             )
         normal, disc = self.medium.normal_stiffness(x), self.medium.tangential_stiffness(x)
         return np.asarray(1.0 / (1.0 / normal + 2.0 * self.footprint.shear_share * (1.0 / disc - 1.0 / normal)))

@@ -1,4 +1,4 @@
-r"""The foundation: a body of revolution over a medium, seen as a line of independent springs.
+r"""The foundation: a body of revolution over a medium, represented by a line of independent springs.
 
 The springs at :math:`\pm x` have the stiffness :math:`c_N(x) = k'(x)/2` per length and stand under the equivalent
 plane profile g(x); with :math:`g(a) = d`

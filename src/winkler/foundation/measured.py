@@ -1,10 +1,10 @@
-r"""A bed known from measurements: how stiff the contact is, and how deep, at every contact radius.
+r"""A bed from measurements: stiffness and depth of the contact as functions of the contact radius.
 
 Two functions are enough, k(a) and g(a), and both can be measured: k is the slope dF/dd, the contact radius is read
 from a microscope or, on a medium of known modulus, from the stiffness itself, :math:`a = k/(2E^*)`, and g(a) is the
 depth.  Between the points ln g and ln k are splines of ln x: power laws, which most contacts nearly are, come out
-exactly.  With them every other load on the same bed is answered; but what the body looks like, and what the pressure
-is, no force curve tells.
+exactly.  With them every other load on the same bed can be solved; but the shape of the body and the pressure
+do not follow from a force curve.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 
 from winkler.checks.number_checks import NON_NEGATIVE, Advice, NonNegative, Numbers
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.footprint import DISC, Footprint, Unknown
-from winkler.foundation.force_curve import FEWEST, bed_points
+from winkler.footprint import DISC, Footprint, UnknownOutline
+from winkler.foundation.force_curve import FEWEST_POINTS, bed_points
 from winkler.foundation.measured_medium import MeasuredMedium
 from winkler.limits import MEASURED_PLACES
 from winkler.numerics.panels.power_splines import PowerSplines
@@ -29,17 +29,17 @@ from winkler.values import value
 
 __all__ = ["MeasuredBed"]
 
-NEXT_TO_AXIS = 1e-6
+LEAST_RADIUS_RATIO = 1e-6
 """Where slopes at the axis are taken, relative to the first radius."""
-ANY = Unknown(
+UNKNOWN_OUTLINE = UnknownOutline(
     "measured or computed stiffnesses",
-    "of a height map ask SurfaceContact or SurfaceConduction, of a contact that is known to be a disc give "
+    "for a height map use SurfaceContact or SurfaceConduction, for a contact that is known to be a disc give "
     "MeasuredBed(..., disc=True) or Foundation(profile, medium)",
 )
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
-GROW = Advice("radius, stiffness and depth must grow together: smooth the data, or use MeasuredBed.from_curve")
+RISING_ADVICE = Advice("radius, stiffness and depth must grow together: smooth the data, or use MeasuredBed.from_curve")
 
 
 @value
@@ -69,9 +69,9 @@ class MeasuredBed:
         If the arrays do not fit one another, or do not rise.
     """
 
-    radii: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
-    stiffnesses: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
-    depths: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST, MEASURED_PLACES, "rising"), GROW]
+    radii: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST_POINTS, MEASURED_PLACES, "rising"), RISING_ADVICE]
+    stiffnesses: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST_POINTS, MEASURED_PLACES, "rising"), RISING_ADVICE]
+    depths: Annotated[Array, Numbers(NON_NEGATIVE, FEWEST_POINTS, MEASURED_PLACES, "rising"), RISING_ADVICE]
     scatter: NonNegative = 0.0
     mindlin_ratio: NonNegative = 0.0
     disc: bool = False
@@ -114,7 +114,7 @@ class MeasuredBed:
     @property
     def footprint(self) -> Footprint:
         """A disc if it is known to be one."""
-        return DISC if self.disc else ANY
+        return DISC if self.disc else UNKNOWN_OUTLINE
 
     @property
     def medium(self) -> MeasuredMedium:
@@ -154,7 +154,7 @@ class MeasuredBed:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the points are, and how well they were met."""
+        """What the points are, and how well they were fitted."""
         how = (
             f"; the force curve behind them is met within {self.scatter:.3g} N (root mean square)"
             if self.scatter
@@ -190,7 +190,8 @@ class MeasuredBed:
     def _restored(self, r: Array, *, times_exponent: bool) -> Array:
         """Return the transform of g, or of x g', to the body.
 
-        Below the first point g is a power, often a broken one that no quadrature meets: its part is in closed form.
+        Below the first point g is a power, often a broken one that no quadrature integrates: its part is in closed
+        form.
         """
         from scipy.special import beta, betainc
 
@@ -219,7 +220,7 @@ class MeasuredBed:
         return _springs(self).gap(self._off_axis(x))[1]
 
     def gap_bend(self, x: Array) -> Array:
-        """g''(x) [1/m], for x > 0; of a spline between few points, so not better than they tell."""
+        """g''(x) [1/m], for x > 0; of a spline between few points, so not more accurate than they are."""
         return _springs(self).gap_bend(self._off_axis(x))
 
     def gap_load(self, radius: Array) -> Array:
@@ -231,24 +232,24 @@ class MeasuredBed:
         return _springs(self).stiffness(np.asarray(radius, dtype=float))[0]
 
     def normal_stiffness(self, x: Array) -> Array:
-        """c_N(x) = k'(x)/2 [Pa]; at x = 0 that close to it, since no points tell the power there exactly."""
+        """c_N(x) = k'(x)/2 [Pa]; at x = 0 that close to it, since no points give the power there exactly."""
         return np.asarray(0.5 * _springs(self).stiffness(self._off_axis(x))[1])
 
     def _off_axis(self, x: Array) -> Array:
         x = np.asarray(x, dtype=float)
         first = self.radii[0] if self.radii[0] > 0.0 else self.radii[1]
-        return np.where(x > 0.0, x, NEXT_TO_AXIS * first)
+        return np.where(x > 0.0, x, LEAST_RADIUS_RATIO * first)
 
     def normal_stiffness_slope(self, x: Array) -> Array:
-        """c_N'(x) [Pa/m], for x > 0; of a spline between few points, so not better than they tell."""
+        """c_N'(x) [Pa/m], for x > 0; of a spline between few points, so not more accurate than they are."""
         return np.asarray(0.5 * _springs(self).stiffness_bend(np.asarray(x, dtype=float)))
 
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa], the Mindlin ratio times c_N(x)."""
         if self.mindlin_ratio == 0.0:
             raise OutsideValidity(
-                "MeasuredBed: a normal force curve does not tell the tangential stiffness; give mindlin_ratio = G*/E*, "
-                "2 (1 - nu) / (2 - nu) for a homogeneous body."
+                "MeasuredBed: a normal force curve does not determine the tangential stiffness; give mindlin_ratio = "
+                "G*/E*, 2 (1 - nu) / (2 - nu) for a homogeneous body."
             )
         return np.asarray(self.mindlin_ratio * self.normal_stiffness(x))
 

@@ -16,7 +16,7 @@ __all__ = ["MeasuredMedium"]
 
 @value
 class MeasuredMedium:
-    """The medium under a `MeasuredBed`: its stiffness is known, nothing else; asking for more raises the reason.
+    """The medium under a `MeasuredBed`: its stiffness is known, nothing else; requesting more raises the reason.
 
     Parameters
     ----------

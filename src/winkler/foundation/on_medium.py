@@ -1,4 +1,4 @@
-"""Springs that stand on a medium: their stiffness is the medium's; under a profile it tells their gap, too."""
+"""Springs that stand on a medium: their stiffness is the medium's; under a profile it gives their gap, too."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["OnMedium", "UnderProfile"]
 
 
 class OnMedium:
-    """The part of a bed that its medium tells."""
+    """The part of a bed that its medium determines."""
 
     medium: Medium
 
@@ -41,13 +41,13 @@ class OnMedium:
 
 
 class UnderProfile(OnMedium):
-    """The part of a bed that a profile tells together with the medium."""
+    """The part of a bed that a profile determines together with the medium."""
 
     profile: Profile
 
     @property
     def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
+        """The greatest x for which the bed is defined [m]."""
         return self.profile.reach
 
     @property
@@ -62,7 +62,7 @@ class UnderProfile(OnMedium):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """``(x, strength)`` where g is not smooth, as the medium says."""
+        """``(x, strength)`` where g is not smooth, as the medium states."""
         return self.medium.kinks(self.profile)
 
     @property
@@ -77,7 +77,7 @@ class UnderProfile(OnMedium):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be said about shape and medium."""
+        """What must be stated about shape and medium."""
         return (*self.medium.notes, *self.profile.notes)
 
     def height(self, r: Array) -> Array:

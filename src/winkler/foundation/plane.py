@@ -1,4 +1,4 @@
-r"""A bed whose equivalent plane profile g(x) is given directly, not by way of a body of revolution.
+r"""A bed whose equivalent plane profile g(x) is given directly, not by a body of revolution.
 
 The body that belongs to it is what one would have to turn on a lathe to get these springs: on a homogeneous half-space
 :math:`f(r) = \frac2\pi\int_0^r g(x)\,(r^2-x^2)^{-1/2}\,\mathrm dx`, in every medium the surface that springs displaced
@@ -25,7 +25,7 @@ from winkler.values import value
 
 __all__ = ["PlaneFoundation"]
 
-LARGEST = 1e30
+INFINITE_LENGTH = 1e30
 """Instead of a length without end [m]."""
 
 
@@ -56,7 +56,7 @@ class PlaneFoundation(OnMedium):
 
     @property
     def reach(self) -> float:
-        """Up to which x the bed is known [m]."""
+        """The greatest x for which the bed is defined [m]."""
         return self.plane_profile.reach
 
     @property
@@ -76,17 +76,17 @@ class PlaneFoundation(OnMedium):
 
     @property
     def rising(self) -> bool:
-        """Unknown; the solver looks for itself."""
+        """Unknown; the solver computes it."""
         return False
 
     @property
     def certain(self) -> bool:
-        """Unknown; the solver looks for itself."""
+        """Unknown; the solver computes it."""
         return False
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be said about shape and medium."""
+        """What must be stated about shape and medium."""
         return (*self.medium.notes, *self.plane_profile.notes)
 
     def height(self, r: Array) -> Array:
@@ -107,7 +107,7 @@ class PlaneFoundation(OnMedium):
 
     def _imprint(self, r: Array) -> Imprint:
         """Return the springs displaced by g up to the next power of two, so that its tables serve more than once."""
-        farthest = float(np.max(r, initial=0.0)) or min(self.reach, body_of.thickness_of(self.medium), LARGEST)
+        farthest = float(np.max(r, initial=0.0)) or min(self.reach, body_of.thickness_of(self.medium), INFINITE_LENGTH)
         return Imprint(self, min(2.0 ** math.ceil(math.log2(farthest)), max(self.reach, farthest)))
 
     def gap(self, x: Array) -> Array:

@@ -1,6 +1,6 @@
-r"""The springs of a sheared contact: how far each is stretched along the surface.
+r"""The springs of a sheared contact: their displacements along the surface.
 
-Told apart by the depth :math:`\gamma=g(x)` at which they touch, springs of one kind are stretched by
+Distinguished by the depth :math:`\gamma=g(x)` at which they touch, springs of one kind are stretched by
 
 .. math:: u_t(\gamma) = \sum_j B_j\,(\gamma_j-\gamma)_+ + \sum_j J_j\,[\gamma<\gamma_j] .
 
@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.medium import Displacement
 from winkler.numerics.types import Array, Quantity
 from winkler.values import value
@@ -121,7 +121,7 @@ class ShearedSprings:
 
     Parameters
     ----------
-    pressed : Pressed
+    pressed : PressedSprings
         Across the surface.
     mindlin_ratio : float
         c_T/c_N [-], the same for all springs.
@@ -142,7 +142,7 @@ class ShearedSprings:
         If the shapes do not fit.
     """
 
-    pressed: Pressed
+    pressed: PressedSprings
     mindlin_ratio: float
     shift: Quantity
     depths: Array

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
@@ -22,7 +22,7 @@ __all__ = ["BodyFields", "ShearedFields", "body_of_pressed", "body_of_sheared", 
 
 @value
 class ShearedFields:
-    """What happens on the surface of a sheared contact, at distances r from the axis.
+    """Traction, slip and shift of the surface of a sheared contact at distances r from the axis.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ class BodyFields:
     Parameters
     ----------
     x, y, z : ndarray
-        Where [m]; z as it was asked for: positive in the first body, negative in the second.
+        Where [m]; z as requested: positive in the first body, negative in the second.
     xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
         [Pa], tension positive.
     x_displacement, y_displacement, z_displacement : ndarray
@@ -124,22 +124,22 @@ def shift_of_surface(sheared: ShearedSprings, x: Array, y: Array) -> Array:
     r, angle = np.hypot(x, y), np.arctan2(y, x)
     total = np.zeros((*r.shape, 2))
     for axis, parts in enumerate(sheared.components):
-        turned = angle - 0.5 * np.pi * axis
+        in_axes = angle - 0.5 * np.pi * axis
         for part in parts:
             mean = medium.displacement(part, r)
             swerve = np.zeros(r.shape)
             for body in (medium.first, medium.second):
                 if isinstance(body, Elastic):
-                    swerve = swerve + shear_field.swerve(
+                    swerve = swerve + shear_field.angular_shift(
                         part, r, modulus=medium.shear_modulus, poisson=body.poisson, shear=body.shear
                     )
-            along, across = mean + swerve * np.cos(2.0 * turned), swerve * np.sin(2.0 * turned)
+            along, across = mean + swerve * np.cos(2.0 * in_axes), swerve * np.sin(2.0 * in_axes)
             total[..., axis] += along
             total[..., 1 - axis] += across if axis == 0 else -across
     return total
 
 
-def body_of_pressed(pressed: Pressed, x: Array, y: Array, z: Array) -> BodyFields:
+def body_of_pressed(pressed: PressedSprings, x: Array, y: Array, z: Array) -> BodyFields:
     """Return stresses and displacements under a pressure alone; z > 0 in the first body, z < 0 in the second."""
     return _fields(x, y, z, lambda *place, below: _pressed(pressed, *place, below=below))
 
@@ -169,7 +169,7 @@ def _fields(x: Array, y: Array, z: Array, parts: Callable[..., Array]) -> BodyFi
     return BodyFields(x, y, z, *total)
 
 
-def _pressed(pressed: Pressed, x: Array, y: Array, z: Array, *, below: bool) -> Array:
+def _pressed(pressed: PressedSprings, x: Array, y: Array, z: Array, *, below: bool) -> Array:
     """Return the rows of `BodyFields` under the pressure."""
     if pressed.radius == 0.0:
         return np.zeros((9, x.size))
@@ -196,13 +196,13 @@ def _pressed(pressed: Pressed, x: Array, y: Array, z: Array, *, below: bool) -> 
 
 
 def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bool) -> Array:
-    """Return the rows of `BodyFields` under the traction; on the second body it acts the other way."""
+    """Return the rows of `BodyFields` under the traction; on the second body it acts in the opposite direction."""
     medium = _half_space(sheared.pressed)
     body, sign = (medium.first, 1.0) if below else (medium.second, -1.0)
     if not isinstance(body, Elastic):
         raise OutsideValidity(
             f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in it: "
-            "ask for the other side."
+            "request the other side."
         )
 
     def field(part: Displacement, along: Array, across: Array) -> Array:
@@ -217,17 +217,17 @@ def _dragged(sheared: ShearedSprings, x: Array, y: Array, z: Array, *, below: bo
         for part in parts:
             if axis == 0:
                 total += field(part, x, y)
-            else:  # along y: the same field, seen in axes turned by a right angle
+            else:  # along y: the same field, in axes rotated by a right angle
                 xx, yy, zz, xy, xz, yz, u, v, w = field(part, y, -x)
                 total += [yy, xx, zz, -xy, -yz, xz, -v, u, w]
     return total
 
 
-def _half_space(pressed: Pressed) -> HalfSpace:
+def _half_space(pressed: PressedSprings) -> HalfSpace:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         raise OutsideValidity(
-            f"The fields of a traction inside a {type(medium).__name__} are not known to winkler; ask for the surface "
+            f"The fields of a traction inside a {type(medium).__name__} are not known to winkler; request the surface "
             "(restore(solution, r)), or use HalfSpace."
         )
     return medium

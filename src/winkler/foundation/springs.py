@@ -1,4 +1,4 @@
-r"""Springs: a bed as a row of separate springs, for problems in which every spring remembers.
+r"""Springs: a bed as a row of separate springs, for problems in which every spring has a history.
 
 Springs stand at places :math:`x_i`, under the gaps :math:`g_i`; together, pressed to a depth d, they bear
 
@@ -94,8 +94,8 @@ class Springs:
             raise OutsideValidity(
                 "Springs: g falls somewhere below the reach; the contact is no disc that grows, give a smaller reach."
             )
-        kept = np.append(gap[1:] > gap[:-1], True)
-        x, gap = x[kept], gap[kept]
+        distinct = np.append(gap[1:] > gap[:-1], True)
+        x, gap = x[distinct], gap[distinct]
         stiffness = bed.stiffness(x)
         force = stiffness * gap - bed.gap_load(x)
         chords = np.concatenate([[0.0], np.diff(force) / np.diff(gap), stiffness[-1:]])
@@ -135,5 +135,5 @@ def _flat_end(bed: Bed, reach: float) -> float:
 
 
 def _off_axis(x: Array) -> Array:
-    """Return places to ask for stiffnesses, which at the axis itself may vanish or diverge."""
+    """Return the places at which stiffnesses are evaluated; at the axis itself they may vanish or diverge."""
     return np.where(x > 0.0, x, 0.5 * x[min(1, x.size - 1)])

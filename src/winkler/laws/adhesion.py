@@ -1,6 +1,6 @@
-r"""How surfaces attract each other: what it costs to part them, and over what distance.
+r"""Laws of adhesion: the work of adhesion and the range of the attraction.
 
-Every law knows the work of adhesion :math:`w`, the energy per area that parting takes.  They differ in how far the
+Every law has the work of adhesion :math:`w`, the energy per area that parting takes.  They differ in how far the
 attraction reaches: not at all (`ShortRange`, the limit of Johnson, Kendall and Roberts), with a constant stress
 :math:`\sigma_0` up to the distance :math:`w/\sigma_0` (`Dugdale`, used by Maugis), or so far that it does not deform
 the bodies (`DerjaguinMullerToporov`).
@@ -16,11 +16,11 @@ from winkler.values import value
 
 __all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
 
-NOT_GIVEN = float("nan")
-"""Marks a work of adhesion that was left out; told by identity, so that no other nan passes."""
+NOT_STATED = float("nan")
+"""Marks a work of adhesion that was left out; recognised by identity, so that no other nan passes."""
 
 
-ATTRACTION = Advice("for bodies that do not attract each other ask for Indentation")
+NO_ATTRACTION_ADVICE = Advice("for bodies that do not attract each other use Indentation")
 
 
 @value
@@ -53,23 +53,23 @@ class ShortRange:
     True
     """
 
-    work: float = NOT_GIVEN
-    work_closing: float = NOT_GIVEN
-    work_opening: float = NOT_GIVEN
+    work: float = NOT_STATED
+    work_closing: float = NOT_STATED
+    work_opening: float = NOT_STATED
 
     def __post_init__(self) -> None:
-        opening = self.work if self.work_opening is NOT_GIVEN else self.work_opening
-        whole = opening if self.work is NOT_GIVEN else self.work
+        opening = self.work if self.work_opening is NOT_STATED else self.work_opening
+        whole = opening if self.work is NOT_STATED else self.work
         closing = self.work_closing
-        if opening is NOT_GIVEN:
+        if opening is NOT_STATED:
             raise InvalidInput(
-                f"ShortRange: {'no work' if closing is NOT_GIVEN else 'work_closing alone'} was given; give work, or "
+                f"ShortRange: {'no work' if closing is NOT_STATED else 'work_closing alone'} was given; give work, or "
                 "work_closing and work_opening."
             )
-        if closing is NOT_GIVEN:
+        if closing is NOT_STATED:
             closing = whole
         for name, number in (("work", whole), ("work_opening", opening)):
-            checked(POSITIVE, "ShortRange", name, number, "J/m^2", ATTRACTION.text)
+            checked(POSITIVE, "ShortRange", name, number, "J/m^2", NO_ATTRACTION_ADVICE.text)
         checked(NON_NEGATIVE, "ShortRange", "work_closing", closing, "J/m^2")
         if whole != opening:
             raise InvalidInput(
@@ -111,12 +111,12 @@ class Dugdale:
     5e-10
     """
 
-    work: Annotated[Positive, ATTRACTION]
-    strength: Annotated[Positive, ATTRACTION]
+    work: Annotated[Positive, NO_ATTRACTION_ADVICE]
+    strength: Annotated[Positive, NO_ATTRACTION_ADVICE]
 
     @property
     def range(self) -> float:
-        """How far the attraction reaches, work / strength [m]."""
+        """The range of the attraction, work / strength [m]."""
         return self.work / self.strength
 
 
@@ -140,7 +140,7 @@ class DerjaguinMullerToporov:
     doi:10.1016/0021-9797(75)90018-1
     """
 
-    work: Annotated[Positive, ATTRACTION]
+    work: Annotated[Positive, NO_ATTRACTION_ADVICE]
 
 
 AdhesionLaw = ShortRange | Dugdale | DerjaguinMullerToporov

@@ -1,6 +1,7 @@
-r"""What it takes to open a crack along the surface of rubber: the more, the faster it runs.
+r"""Rate-dependent work of adhesion: the energy that opens a crack along rubber rises with the speed of the crack.
 
-The loss happens near the tip, where everything is fast, and is told by a work of opening that depends on the speed,
+The loss happens near the tip, where everything is fast, and is described by a work of opening that depends on the
+speed,
 
 .. math:: w(v) = w_0\left[1 + (v/v_0)^n\right] .
 
@@ -24,11 +25,11 @@ from winkler.values import value
 
 __all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
 
-SMALLEST = 1e-3
-"""Of the exponents: below it the speed is nothing or more than all numbers tell, at works that hardly differ."""
+SMALLEST_EXPONENT = 1e-3
+"""Of the exponents: below it the speed is zero or beyond all floating-point numbers, at works that hardly differ."""
 
 
-EXPONENT = Number(f"it must be a number from {SMALLEST:g} to 1", SMALLEST, 1.0)
+EXPONENT_RANGE = Number(f"it must be a number from {SMALLEST_EXPONENT:g} to 1", SMALLEST_EXPONENT, 1.0)
 
 
 @value
@@ -63,7 +64,7 @@ class RateDependentWork:
 
     work: Positive
     reference_speed: Positive
-    exponent: Annotated[float, EXPONENT]
+    exponent: Annotated[float, EXPONENT_RANGE]
 
     def opening(self, speed: ArrayLike) -> Array:
         """Return the work of opening w(v) [J/m^2] at speeds [m/s], not negative."""
@@ -113,7 +114,7 @@ class SaturatingWork:
     work: Positive
     fast_work: Positive
     reference_speed: Positive
-    exponent: Annotated[float, EXPONENT]
+    exponent: Annotated[float, EXPONENT_RANGE]
 
     def __post_init__(self) -> None:
         if self.fast_work <= self.work:
@@ -132,8 +133,8 @@ class SaturatingWork:
 
         It rests below w_0, and runs infinitely fast from w_inf on.
         """
-        given = np.asarray(release, dtype=float)
-        excess, missing = np.maximum(given - self.work, 0.0), np.maximum(self.fast_work - given, 0.0)
+        releases = np.asarray(release, dtype=float)
+        excess, missing = np.maximum(releases - self.work, 0.0), np.maximum(self.fast_work - releases, 0.0)
         held = missing > 0.0
         ratio = np.where(held, excess / np.where(held, missing, 1.0), np.inf)
         with np.errstate(over="ignore"):  # beyond all numbers it is infinite

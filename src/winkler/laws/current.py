@@ -1,4 +1,4 @@
-r"""What drives a current through a contact, and how hot that makes it.
+r"""The electric load of a contact, current or voltage, and the temperature from the voltage (Wiedemann and Franz).
 
 In metals the thermal conductivity times the resistivity is :math:`L\,T` (Wiedemann, Franz, Lorenz).  Voltage and
 temperature then go together, whatever the shape of the contact (Kohlrausch): between ends of the temperature T_0
@@ -120,5 +120,5 @@ class WiedemannFranz:
                 f"voltage_at: the temperature {float(np.min(hot)):g} K is below that of the bodies, {ambient:g} K; "
                 "current only heats: give a higher one."
             )
-        found = 2.0 * np.sqrt(self.lorenz_number * (hot**2 - ambient**2))
-        return float(found) if np.ndim(temperature) == 0 else found
+        voltage_drop = 2.0 * np.sqrt(self.lorenz_number * (hot**2 - ambient**2))
+        return float(voltage_drop) if np.ndim(temperature) == 0 else voltage_drop

@@ -1,4 +1,4 @@
-"""What resists between the surfaces: a film that current tunnels through, a thermal interface."""
+"""Resistance between the surfaces: a film for electric current, an interface for heat."""
 
 from __future__ import annotations
 
@@ -29,7 +29,9 @@ class SurfaceFilm:
     area_resistance: NonNegative = 0.0
 
 
-PASSING = POSITIVE_OR_INFINITE._replace(demand="give a positive number{unit}, or infinity for a perfect touch")
+CONDUCTANCE_RANGE = POSITIVE_OR_INFINITE._replace(
+    demand="give a positive number{unit}, or infinity for a perfect touch"
+)
 
 
 @value
@@ -47,7 +49,7 @@ class ThermalInterface:
         If it is not positive.
     """
 
-    interface_conductance: Annotated[float, PASSING] = math.inf
+    interface_conductance: Annotated[float, CONDUCTANCE_RANGE] = math.inf
 
     @property
     def area_resistance(self) -> float:

@@ -1,4 +1,4 @@
-r"""Dry friction: how much traction two surfaces bear before they slide.
+r"""Laws of dry friction: the traction at which two surfaces slide.
 
 Coulomb: :math:`|\tau|\le\mu p` wherever the surfaces touch, and equality against the motion where they slide.  A point
 that has not slid yet may bear more than one that slides (static and kinetic friction).
@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, TypeAlias
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Number, PositiveNotTiny
 from winkler.errors import InvalidInput
 from winkler.values import value
@@ -37,7 +37,7 @@ class Coulomb:
 
 Sliding: TypeAlias = Annotated[
     Coulomb,
-    Such(
+    Condition(
         lambda law: 0.0 < law.coefficient < math.inf,
         "give Coulomb(coefficient) with a positive, finite coefficient: there is friction, and it is overcome",
     ),
@@ -46,7 +46,7 @@ Sliding: TypeAlias = Annotated[
 
 
 Overcome: TypeAlias = Annotated[
-    Coulomb, Such(lambda law: law.coefficient < math.inf, "give Coulomb(coefficient) with a finite coefficient")
+    Coulomb, Condition(lambda law: law.coefficient < math.inf, "give Coulomb(coefficient) with a finite coefficient")
 ]
 """Coulomb's law of surfaces that may be free of friction."""
 

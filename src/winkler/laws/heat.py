@@ -1,4 +1,4 @@
-"""How two bodies share the heat of their friction.
+"""Partition of the heat of friction between two bodies.
 
 Temperatures agree wherever two bodies touch, but the steady field of a body at rest and that of one that moves past
 are no multiples of each other: one share of the heat for the whole contact can only make one number of both agree.

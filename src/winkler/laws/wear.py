@@ -1,10 +1,10 @@
-r"""Wear: how deep a surface is worn down where it slips under pressure.
+r"""Laws of wear: the depth that a surface loses by slip under pressure.
 
 Archard (Reye, Preston): the worn depth grows with pressure and slip,
 
 .. math:: \mathrm df(r) = \kappa\,p(r)\,\mathrm ds(r) ,
 
-where :math:`\kappa` is the wear coefficient over the hardness, often told in mm^3 per N and m.  Where both surfaces
+where :math:`\kappa` is the wear coefficient over the hardness, often stated in mm^3 per N and m.  Where both surfaces
 wear, only the sum of what both lose changes the contact.
 """
 
@@ -52,10 +52,10 @@ class Archard:
 @offered("a law with a method depth_per_slip(pressure)")
 @runtime_checkable
 class OwnWear(Protocol):
-    """A law of wear of one's own, spoken to its implementer.
+    """A law of wear of one's own, written for its implementer.
 
-    It holds for every point of the surface by itself, and is asked in numpy.  Make it a value (frozen, equal by
-    content).
+    It holds for every point of the surface by itself, and is called with numpy arrays.  Make it a value (frozen, equal
+    by content).
     """
 
     def depth_per_slip(self, pressure: Array) -> Array:
@@ -94,14 +94,14 @@ def worn_by(law: WearLaw, pressure: Array) -> tuple[Array, Array]:
     Raises
     ------
     InvalidInput
-        If a law of one's own answers with anything but one number for each pressure, not negative and finite.
+        If a law of one's own returns anything but one number for each pressure, not negative and finite.
     """
     if isinstance(law, PairWear):
-        return _asked(law.first, pressure), _asked(law.second, pressure)
-    return _asked(law, pressure), np.zeros(pressure.shape)
+        return _checked_depths(law.first, pressure), _checked_depths(law.second, pressure)
+    return _checked_depths(law, pressure), np.zeros(pressure.shape)
 
 
-def _asked(law: Archard | OwnWear, pressure: Array) -> Array:
+def _checked_depths(law: Archard | OwnWear, pressure: Array) -> Array:
     if isinstance(law, Archard):
         return law.depth_per_slip(pressure)
     worn = np.asarray(law.depth_per_slip(pressure), dtype=float)
@@ -110,5 +110,5 @@ def _asked(law: Archard | OwnWear, pressure: Array) -> Array:
             f"{type(law).__name__}.depth_per_slip must return one number for each of the {pressure.size} pressures, "
             "finite and not negative."
         )
-    # where nothing presses nothing is worn, whatever a law says of no pressure
+    # where nothing presses nothing is worn, whatever a law returns at zero pressure
     return np.where(pressure > 0.0, worn, 0.0)

@@ -1,1 +1,1 @@
-"""What the bodies are made of."""
+"""Materials of the bodies: elastic, viscoelastic, graded, layered and conducting solids."""

@@ -1,4 +1,4 @@
-"""A viscoelastic solid at another temperature than that at which it is known."""
+"""A viscoelastic solid at another temperature than that at which it was measured."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class AtTemperature(ViscoelasticSolid):
     InvalidInput
         If the solid does not relax, the law is none, or the temperature is not positive.
     OutsideValidity
-        If the temperature is so low that the law has no answer.
+        If the temperature is so low that the law gives no value.
 
     References
     ----------

@@ -1,4 +1,4 @@
-r"""What conducts: solids with a resistivity against electric current, or a conductivity for heat."""
+r"""Conductors: solids with an electric resistivity, or with a thermal conductivity."""
 
 from __future__ import annotations
 

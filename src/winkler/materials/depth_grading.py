@@ -1,6 +1,6 @@
 r"""Bodies whose stiffness changes with depth and settles far below: exponential, sigmoidal and tabulated gradings.
 
-They tell Young's modulus E(z) and Poisson's ratio at any depth below the surface, and how deep one must go until
+They state Young's modulus E(z) and Poisson's ratio at any depth below the surface, and how deep one must go until
 nothing changes any more.
 """
 
@@ -31,7 +31,7 @@ __all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedG
 
 @offered("a grading: ExponentialGrading, SigmoidalGrading or TabulatedGrading")
 class DepthGrading(Protocol):
-    """What a graded half-space must tell, spoken to its implementer."""
+    """What a graded half-space must state, written for its implementer."""
 
     @property
     def breaks(self) -> tuple[float, ...]:

@@ -22,7 +22,7 @@ class Elastic:
     poisson : float
         Poisson's ratio nu [-], above -1 and at most 0.5.
     strength : float, optional
-        Yield strength in uniaxial tension [Pa], positive; infinite (the default) if yielding is not asked about.
+        Yield strength in uniaxial tension [Pa], positive; infinite (the default) if yielding is not considered.
 
     Raises
     ------

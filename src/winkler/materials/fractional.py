@@ -2,8 +2,8 @@ r"""Solids that relax by a power of time: the springpot and the fractional Zener
 
 Their relaxation is an integral over exponentials of all rates, :math:`\int K(s)e^{-st}\mathrm ds`.  The trapezoidal
 rule in :math:`\ln s` makes it a sum, whose error falls exponentially with the number of terms; rates too slow for the
-span that is asked join the relaxed modulus, rates too fast for it are left out.  The error that remains within the
-span is measured, refused above the tolerance, and told.
+requested span join the relaxed modulus, rates too fast for it are left out.  The error that remains within the
+span is measured, refused above the tolerance, and stated.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Advice, NonNegative, Number, PoissonRatio, Positive, between
 from winkler.errors import InvalidInput, NotConverged
-from winkler.limits import SLOWEST
+from winkler.limits import LEAST_STEP_RATIO
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array
@@ -24,19 +24,19 @@ from winkler.values import value
 
 __all__ = ["FractionalZener", "PowerLawSolid"]
 
-SPACINGS = (1.6, 1.2, 0.9, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12)
+TERM_SPACINGS = (1.6, 1.2, 0.9, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12)
 """Distances of the terms in ln s, tried one after the other."""
-SAMPLES = 400
-FINEST = 0.06
+SPAN_SAMPLES = 400
+REFERENCE_SPACING = 0.06
 """Distance in ln s of the sums that the series are measured by; their own error is of the order of 1e-13."""
-SLOW, FAST = 46.0, 5.0
+SLOW_MARGIN, FAST_MARGIN = 46.0, 5.0
 """How far these sums go in ln s beyond the rates of the span."""
 
 
 FractionalExponent: TypeAlias = Annotated[
     float,
-    Number(f"give a number from {SLOWEST:g} to below 1", SLOWEST, 1.0, (1.0,)),
-    Advice(f"below {SLOWEST:g} the modulus falls by less than 0.03 % in a decade of time, take Elastic"),
+    Number(f"give a number from {LEAST_STEP_RATIO:g} to below 1", LEAST_STEP_RATIO, 1.0, (1.0,)),
+    Advice(f"below {LEAST_STEP_RATIO:g} the modulus falls by less than 0.03 % in a decade of time, take Elastic"),
 ]
 
 
@@ -96,10 +96,10 @@ class PowerLawSolid(ViscoelasticSolid):
 
     @property
     def _parts(self) -> tuple[RelaxationSeries, float]:
-        def wanted(t: Array) -> Array:
+        def target(t: Array) -> Array:
             return np.asarray(self.shear * (t / self.time_scale) ** -self.exponent)
 
-        return _summed(self, self._density, wanted)
+        return _summed(self, self._density, target)
 
     @property
     def series(self) -> RelaxationSeries:
@@ -177,13 +177,15 @@ class FractionalZener(ViscoelasticSolid):
 
     @property
     def _parts(self) -> tuple[RelaxationSeries, float]:
-        def wanted(t: Array) -> Array:
-            y = np.arange(-math.log(self.longest) - SLOW, -math.log(self.shortest) + FAST, FINEST)
-            slow = _slower(self._density, y[0], FINEST, self.exponent)
+        def target(t: Array) -> Array:
+            y = np.arange(
+                -math.log(self.longest) - SLOW_MARGIN, -math.log(self.shortest) + FAST_MARGIN, REFERENCE_SPACING
+            )
+            slow = _slower(self._density, y[0], REFERENCE_SPACING, self.exponent)
             terms = np.exp(-np.exp(y) * t[:, None])
-            return np.asarray(self.relaxed_shear + slow + FINEST * terms @ self._density(y))
+            return np.asarray(self.relaxed_shear + slow + REFERENCE_SPACING * terms @ self._density(y))
 
-        return _summed(self, self._density, wanted, self.relaxed_shear)
+        return _summed(self, self._density, target, self.relaxed_shear)
 
     @property
     def series(self) -> RelaxationSeries:
@@ -199,18 +201,18 @@ class FractionalZener(ViscoelasticSolid):
 def _summed(
     solid: PowerLawSolid | FractionalZener,
     density: Callable[[Array], Array],
-    wanted: Callable[[Array], Array],
+    target: Callable[[Array], Array],
     relaxed: float = 0.0,
 ) -> tuple[RelaxationSeries, float]:
     """Return the shortest series within the tolerance, and its error.
 
-    `density` is the spectrum per ln s, `wanted` the relaxation itself.
+    `density` is the spectrum per ln s, `target` the relaxation itself.
     """
     shortest, longest = solid.span
-    t = np.geomspace(shortest, longest, SAMPLES)
-    goal = wanted(t)
+    t = np.geomspace(shortest, longest, SPAN_SAMPLES)
+    goal = target(t)
     little = math.log(1.0 / solid.tolerance)
-    for spacing in SPACINGS:
+    for spacing in TERM_SPACINGS:
         # slower than this, a rate changes nothing within the span; faster, it is over when the span begins
         low = -math.log(longest) - little
         high = -math.log(shortest) + math.log(little + 3.0) + spacing

@@ -3,8 +3,8 @@ r"""A solid whose Young's modulus grows or falls with the depth by a power law.
 .. math:: E(z) = E_0\,(z/c_0)^k , \qquad -1 < k < 1 .
 
 k = 0 is the homogeneous solid.  For k > 0 the surface is soft and the depth stiff (soil, bone, a ceramic infiltrated
-with glass); k < 0 is a hard skin.  k = 1, Gibson's solid, makes sense for nu = 1/2 alone: its surface then answers a
-pressure exactly as Winkler's springs do.
+with glass); k < 0 is a hard skin.  k = 1, Gibson's solid, makes sense for nu = 1/2 alone: its surface then responds to
+a pressure exactly as Winkler's springs do.
 """
 
 from __future__ import annotations
@@ -63,8 +63,8 @@ class PowerLawGraded:
     def __post_init__(self) -> None:
         if self.exponent == 1.0 and self.poisson != 0.5:
             raise InvalidInput(
-                f"PowerLawGraded: exponent 1 with poisson {self.poisson!r} has no answer, since the surface would give "
-                "way without limit; Gibson's solid needs poisson = 0.5, or give an exponent below 1."
+                f"PowerLawGraded: exponent 1 with poisson {self.poisson!r} has no solution, since the surface would "
+                "move without limit; Gibson's solid needs poisson = 0.5, or give an exponent below 1."
             )
 
     def young_at(self, depth: float) -> float:

@@ -1,4 +1,4 @@
-"""A layer of a coating: what it is made of, and how thick it is."""
+"""A layer of a coating: its solid and its thickness."""
 
 from __future__ import annotations
 

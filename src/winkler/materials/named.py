@@ -1,4 +1,4 @@
-"""Common materials by their names: what tables say at room temperature, with the source of every number."""
+"""Common materials by their names: values from tables at room temperature, with the source of every number."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from winkler.materials.elastic import Elastic
 from winkler.values import value
 
 __all__ = [
-    "Figure",
     "NamedElastic",
     "NamedElectricalConductor",
     "NamedMaterial",
     "NamedThermalConductor",
+    "TabulatedProperty",
     "material",
     "material_names",
 ]
 
-TABLE = "materials.toml"
+TABLE_FILE = "materials.toml"
 
 
 @value
-class Figure:
+class TabulatedProperty:
     """One number of a material.
 
     Parameters
@@ -48,7 +48,7 @@ class Figure:
 
 @value
 class NamedMaterial:
-    """What tables say of a material at room temperature.
+    """The properties of a material from tables at room temperature.
 
     Two or three digits: enough for an estimate and for comparing materials; alloying, heat treatment and curing change
     moduli by percents, hardness and strength by factors.
@@ -59,7 +59,7 @@ class NamedMaterial:
         Its name.
     told : str
         Which sort of it.
-    figures : tuple of Figure
+    figures : tuple of TabulatedProperty
         What is known: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
         ``heat_capacity`` [J/(kg K)], ``conductivity`` [W/(m K)], ``resistivity`` [ohm m], ``temperature_coefficient``
         [1/K].
@@ -75,7 +75,7 @@ class NamedMaterial:
 
     name: str
     told: str
-    figures: tuple[Figure, ...]
+    figures: tuple[TabulatedProperty, ...]
 
     def number(self, quantity: str) -> float:
         """Return a quantity in its SI unit.
@@ -83,14 +83,14 @@ class NamedMaterial:
         Raises
         ------
         InvalidInput
-            If no table says it.
+            If the table does not contain it.
         """
-        found = {figure.quantity: figure.number for figure in self.figures}
-        if quantity not in found:
+        numbers = {figure.quantity: figure.number for figure in self.figures}
+        if quantity not in numbers:
             raise InvalidInput(
-                f"{self.name}: no {quantity} is in the table, which has {', '.join(found)}; give your own number."
+                f"{self.name}: no {quantity} is in the table, which has {', '.join(numbers)}; give your own number."
             )
-        return found[quantity]
+        return numbers[quantity]
 
     def _known(self, quantity: str, otherwise: float) -> float:
         return next((figure.number for figure in self.figures if figure.quantity == quantity), otherwise)
@@ -113,7 +113,7 @@ class NamedMaterial:
 
 @functools.cache
 def _table() -> dict[str, Any]:
-    return tomllib.loads((resources.files("winkler.materials") / TABLE).read_text(encoding="utf-8"))
+    return tomllib.loads((resources.files("winkler.materials") / TABLE_FILE).read_text(encoding="utf-8"))
 
 
 def material_names() -> tuple[str, ...]:
@@ -132,7 +132,7 @@ def material(name: str) -> NamedMaterial:
     Raises
     ------
     InvalidInput
-        If the table does not know it; the message names those that it knows.
+        If the table does not contain it; the message names those that it contains.
     """
     known = {word.lower(): one for one, row in _table()["materials"].items() for word in (one, *row["also"])}
     if not isinstance(name, str) or name.strip().lower() not in known:
@@ -144,7 +144,7 @@ def material(name: str) -> NamedMaterial:
 def _made(name: str) -> NamedMaterial:
     row, sources = _table()["materials"][name], _table()["sources"]
     figures = [
-        Figure(quantity, content[0], sources[content[1]])
+        TabulatedProperty(quantity, content[0], sources[content[1]])
         for quantity, content in row.items()
         if quantity not in ("told", "also")
     ]
@@ -159,7 +159,7 @@ def _fill(named: Any, content: Any) -> None:
 
 @value
 class NamedElastic(Elastic):
-    """An elastic solid that the table of materials knows by its name.
+    """An elastic solid of the table of materials, by its name.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ class NamedElastic(Elastic):
     Raises
     ------
     InvalidInput
-        If the table does not know the name.
+        If the table does not contain the name.
 
     Examples
     --------
@@ -188,7 +188,7 @@ class NamedElastic(Elastic):
 
 @value
 class NamedElectricalConductor(ElectricalConductor):
-    """A conductor of current that the table of materials knows by its name.
+    """A conductor of current of the table of materials, by its name.
 
     Parameters
     ----------
@@ -198,7 +198,7 @@ class NamedElectricalConductor(ElectricalConductor):
     Raises
     ------
     InvalidInput
-        If the table does not know the name, or no resistivity of it.
+        If the table does not contain the name, or no resistivity of it.
 
     Examples
     --------
@@ -216,7 +216,7 @@ class NamedElectricalConductor(ElectricalConductor):
 
 @value
 class NamedThermalConductor(ThermalConductor):
-    """A conductor of heat that the table of materials knows by its name.
+    """A conductor of heat of the table of materials, by its name.
 
     Parameters
     ----------
@@ -226,7 +226,7 @@ class NamedThermalConductor(ThermalConductor):
     Raises
     ------
     InvalidInput
-        If the table does not know the name, or no conductivity, density or heat capacity of it.
+        If the table does not contain the name, or no conductivity, density or heat capacity of it.
 
     Examples
     --------

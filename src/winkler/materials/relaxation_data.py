@@ -1,8 +1,8 @@
-r"""Solids known by measurements: relaxation or creep over time, or storage and loss over frequency.
+r"""Solids described by measurements: relaxation or creep over time, or storage and loss over frequency.
 
 Non-negative sums of exponentials, at times evenly spaced in their logarithm across the data, are fitted by least
 squares of the relative misfits.  Being non-negative they are always those of a solid that makes no energy; measured
-scatter is not followed.  The greatest relative misfit is told.
+scatter is not followed.  The greatest relative misfit is stated.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from winkler.values import value
 
 __all__ = ["CreepData", "DynamicData", "RelaxationData"]
 
-FEWEST = 4
-ROUNDING = 1e-13
+FEWEST_ROWS = 4
+ROUNDING_RATIO = 1e-13
 """Terms that carry less than this part of every number were left over by rounding."""
 PER_DECADE = 8
 """Terms in each decade of time that may be taken; few of them are, since none may be negative."""
 
 
-class _Measured(ViscoelasticSolid):
+class _MeasuredSolid(ViscoelasticSolid):
     """What the solids here share: a fit, its misfit, and the span of the data."""
 
     @property
@@ -57,11 +57,11 @@ class _Measured(ViscoelasticSolid):
         return float(self._times[0]), float(self._times[-1])
 
 
-SORT = Advice("sort the rows, and average what is given twice")
+SORT_ADVICE = Advice("sort the rows, and average what is given twice")
 
 
 @value
-class RelaxationData(_Measured):
+class RelaxationData(_MeasuredSolid):
     """A solid whose relaxation was measured.
 
     Parameters
@@ -86,8 +86,8 @@ class RelaxationData(_Measured):
     (True, True)
     """
 
-    time: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
-    shear: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    time: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
+    shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
@@ -103,7 +103,7 @@ class RelaxationData(_Measured):
 
 
 @value
-class CreepData(_Measured):
+class CreepData(_MeasuredSolid):
     """A solid whose creep was measured.
 
     Parameters
@@ -128,8 +128,8 @@ class CreepData(_Measured):
     True
     """
 
-    time: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
-    compliance: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    time: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
+    compliance: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
@@ -145,7 +145,7 @@ class CreepData(_Measured):
 
 
 @value
-class DynamicData(_Measured):
+class DynamicData(_MeasuredSolid):
     """A solid whose storage and loss were measured.
 
     Parameters
@@ -170,9 +170,9 @@ class DynamicData(_Measured):
     True
     """
 
-    angular_frequency: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES, "rising"), SORT]
-    storage_shear: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
-    loss_shear: Annotated[Array, Numbers(POSITIVE, FEWEST, MEASURED_TIMES)]
+    angular_frequency: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES, "rising"), SORT_ADVICE]
+    storage_shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
+    loss_shear: Annotated[Array, Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)]
     poisson: PoissonRatio = 0.5
 
     def __post_init__(self) -> None:
@@ -203,14 +203,14 @@ def _spread(time: Array) -> Array:
     return np.geomspace(0.3 * time[0], 3.0 * time[-1], math.ceil(PER_DECADE * (decades + 1.0)) + 1)
 
 
-def _fit(columns: Array, wanted: Array) -> tuple[Array, float]:
+def _fit(columns: Array, targets: Array) -> tuple[Array, float]:
     """Return non-negative strengths of the columns, and the greatest relative misfit."""
     from scipy.optimize import nnls
 
-    scaled = columns / wanted[:, None]
+    scaled = columns / targets[:, None]
     size = np.max(scaled, axis=0)
-    found, _ = nnls(scaled / size, np.ones(wanted.size))
-    strengths = np.where(found > ROUNDING, found, 0.0) / size
+    terms, _ = nnls(scaled / size, np.ones(targets.size))
+    strengths = np.where(terms > ROUNDING_RATIO, terms, 0.0) / size
     return strengths, float(np.max(np.abs(scaled @ strengths - 1.0)))
 
 

@@ -16,7 +16,7 @@ __all__ = ["KelvinVoigt", "Maxwell", "StandardSolid"]
 class KelvinVoigt(ViscoelasticSolid):
     """A spring and a dashpot side by side: the stress is G gamma + eta dgamma/dt.
 
-    It has no immediate answer: a sudden step of strain takes an infinite force.
+    It has no immediate response: a sudden step of strain takes an infinite force.
 
     Parameters
     ----------

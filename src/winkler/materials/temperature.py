@@ -1,4 +1,4 @@
-r"""How temperature slows or quickens a viscoelastic solid: one factor :math:`a_T` on all its times."""
+r"""The effect of temperature on a viscoelastic solid: one factor :math:`a_T` on all its times."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from winkler.values import value
 
 __all__ = ["Arrhenius", "WilliamsLandelFerry"]
 
-GAS = 8.31446261815324
+GAS_CONSTANT = 8.31446261815324
 """Gas constant [J/(mol K)]."""
 
 
@@ -56,13 +56,13 @@ class WilliamsLandelFerry:
         InvalidInput
             If the temperature is not positive.
         OutsideValidity
-            If it is so low that the law has no answer.
+            If it is so low that the law gives no value.
         """
         checked(POSITIVE, "WilliamsLandelFerry", "temperature", temperature, "K")
         above = temperature - self.reference_temperature
         if self.second_constant + above <= 0.0:
             raise OutsideValidity(
-                f"WilliamsLandelFerry: at {temperature:g} K the law has no answer; it holds well above "
+                f"WilliamsLandelFerry: at {temperature:g} K the law gives no value; it holds well above "
                 f"{self.reference_temperature - self.second_constant:g} K."
             )
         return float(10.0 ** (-self.first_constant * above / (self.second_constant + above)))
@@ -104,4 +104,4 @@ class Arrhenius:
             If the temperature is not positive.
         """
         checked(POSITIVE, "Arrhenius", "temperature", temperature, "K")
-        return math.exp(self.activation_energy / GAS * (1.0 / temperature - 1.0 / self.reference_temperature))
+        return math.exp(self.activation_energy / GAS_CONSTANT * (1.0 / temperature - 1.0 / self.reference_temperature))

@@ -15,7 +15,7 @@ import numpy as np
 from winkler.checks.contract import offered
 from winkler.checks.number_checks import POSITIVE, NonNegative, Numbers, PoissonRatio, checked
 from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS, TERMS
+from winkler.limits import MOST_NUMBERS, MOST_TERMS
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, merged, of_creep, of_relaxation
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values import value
@@ -23,12 +23,12 @@ from winkler.values import value
 __all__ = ["GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
 
 
-TIMES = Numbers(POSITIVE, most=MOST_NUMBERS, any_shape=True)
+POSITIVE_TIMES = Numbers(POSITIVE, most=MOST_NUMBERS, any_shape=True)
 
 
 @offered("a viscoelastic solid such as StandardSolid(...) or Prony(...)")
 class ViscoelasticSolid:
-    """What every viscoelastic solid can be asked, once the series of its shear relaxation is known."""
+    """What every viscoelastic solid can compute, once the series of its shear relaxation is known."""
 
     @property
     def poisson(self) -> float:
@@ -63,7 +63,7 @@ class ViscoelasticSolid:
         InvalidInput
             If a time is not positive and finite.
         """
-        return self.series.at(checked(TIMES, "relaxation", "time", time, "s"))
+        return self.series.at(checked(POSITIVE_TIMES, "relaxation", "time", time, "s"))
 
     def creep(self, time: ArrayLike) -> Array:
         """Return J(t), the shear after a unit step of stress.
@@ -83,7 +83,7 @@ class ViscoelasticSolid:
         InvalidInput
             If a time is not positive and finite.
         """
-        return of_relaxation(self.series).at(checked(TIMES, "creep", "time", time, "s"))
+        return of_relaxation(self.series).at(checked(POSITIVE_TIMES, "creep", "time", time, "s"))
 
     def storage(self, angular_frequency: ArrayLike) -> Array:
         """Return G', what is in phase with a harmonic shear.
@@ -103,7 +103,9 @@ class ViscoelasticSolid:
         InvalidInput
             If a frequency is not positive and finite.
         """
-        return np.real(self.series.dynamic(checked(TIMES, "storage", "angular_frequency", angular_frequency, "rad/s")))
+        return np.real(
+            self.series.dynamic(checked(POSITIVE_TIMES, "storage", "angular_frequency", angular_frequency, "rad/s"))
+        )
 
     def loss(self, angular_frequency: ArrayLike) -> Array:
         """Return G'', what is a quarter of a turn ahead of a harmonic shear.
@@ -123,7 +125,9 @@ class ViscoelasticSolid:
         InvalidInput
             If a frequency is not positive and finite.
         """
-        return np.imag(self.series.dynamic(checked(TIMES, "loss", "angular_frequency", angular_frequency, "rad/s")))
+        return np.imag(
+            self.series.dynamic(checked(POSITIVE_TIMES, "loss", "angular_frequency", angular_frequency, "rad/s"))
+        )
 
     def slowed(self, factor: float) -> Prony:
         """Return the solid with all its times multiplied: the same one, colder, or older.
@@ -179,8 +183,8 @@ class Prony(ViscoelasticSolid):
     """
 
     relaxed_shear: NonNegative
-    shears: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
-    relaxation_times: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
+    shears: Annotated[Array, Numbers(POSITIVE, fewest=0, most=MOST_TERMS)]
+    relaxation_times: Annotated[Array, Numbers(POSITIVE, fewest=0, most=MOST_TERMS)]
     viscosity: NonNegative = 0.0
     poisson: PoissonRatio = 0.5
 
@@ -208,7 +212,7 @@ class GeneralisedKelvin(ViscoelasticSolid):
     Parameters
     ----------
     glassy_compliance : float
-        J_0 [1/Pa], of the immediate answer.
+        J_0 [1/Pa], of the immediate response.
     compliances : ndarray, (n,)
         J_k [1/Pa], positive.
     retardation_times : ndarray, (n,)
@@ -221,7 +225,7 @@ class GeneralisedKelvin(ViscoelasticSolid):
     Raises
     ------
     InvalidInput
-        If a number is outside its range, the rows differ in length, or nothing gives way.
+        If a number is outside its range, the rows differ in length, or all compliances are zero.
 
     Examples
     --------
@@ -231,8 +235,8 @@ class GeneralisedKelvin(ViscoelasticSolid):
     """
 
     glassy_compliance: NonNegative
-    compliances: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
-    retardation_times: Annotated[Array, Numbers(POSITIVE, fewest=0, most=TERMS)]
+    compliances: Annotated[Array, Numbers(POSITIVE, fewest=0, most=MOST_TERMS)]
+    retardation_times: Annotated[Array, Numbers(POSITIVE, fewest=0, most=MOST_TERMS)]
     fluidity: NonNegative = 0.0
     poisson: PoissonRatio = 0.5
 
@@ -243,7 +247,7 @@ class GeneralisedKelvin(ViscoelasticSolid):
                 "retardation_times; give one time for each compliance."
             )
         if not (self.glassy_compliance > 0.0 or self.fluidity > 0.0 or self.compliances.size):
-            raise InvalidInput("GeneralisedKelvin: nothing gives way; give a compliance, or use Rigid().")
+            raise InvalidInput("GeneralisedKelvin: all compliances are zero; give a compliance, or use Rigid().")
 
     @property
     def series(self) -> RelaxationSeries:

@@ -1,1 +1,1 @@
-"""Media: they translate body -> springs and springs -> body."""
+"""Media: the half-spaces under the contact, which turn bodies into springs and springs into bodies."""

@@ -1,7 +1,7 @@
-r"""The body that belongs to given springs: the translation read backwards, for every medium.
+r"""The body that belongs to given springs: the inverse transform, for every medium.
 
 Displaced by g(x) itself, the springs move the surface by f(r): that is what a body glued to it would do.  So the
-inverse of g is nothing but the surface displacement, which each medium knows,
+inverse of g is nothing but the surface displacement, which each medium computes,
 
 .. math:: f(r) = \frac{2\cos(k\pi/2)}\pi\int_0^r \frac{x^k\,h(x)}{(r^2-x^2)^{(1+k)/2}}\,\mathrm dx ,
 
@@ -11,8 +11,8 @@ where h = g on a homogeneous (k = 0) or graded half-space, and on layers (k = 0)
           \varphi(x) = w(x) - \int_x^a \rho(x;t)\,w(t)\,\mathrm dt , \qquad w(x) = \varphi(x;x)\,g(x) .
 
 This h solves the Volterra equation :math:`h(a) - \int_0^a\rho(x;a)\,h(x)\,\mathrm dx = \varphi(a;a)\,g(a)` of the
-forward way without solving anything (see `winkler.numerics.transforms.fredholm`).  f, to 1e-11 of its greatest value,
-does not depend on the radius a up to which the springs are displaced; f', to about 1e-9 of the steepest slope.
+forward transform without solving anything (see `winkler.numerics.transforms.fredholm`).  f, to 1e-11 of its greatest
+value, does not depend on the radius a up to which the springs are displaced; f', to about 1e-9 of the steepest slope.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from winkler.errors import OutsideValidity
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.coated import LayeredMedium
-from winkler.media.layered.coated_load import Carried, spread
+from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.medium import Displacement, Medium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 
-__all__ = ["Imprint", "Springs", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
+__all__ = ["EquivalentProfile", "Imprint", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
 
 
-class Springs(Protocol):
+class EquivalentProfile(Protocol):
     """An equivalent profile; equal content, equal hash.  `kinks` as those of a bed."""
 
     def __hash__(self) -> int:
@@ -70,7 +70,7 @@ class Imprint:
         Up to where the body is wanted [m].
     """
 
-    springs: Springs
+    springs: EquivalentProfile
     radius: float
 
     @property
@@ -168,7 +168,7 @@ def transformed_slope(medium: Medium, imprint: Displacement) -> Callable[[Array]
     exponent_of(medium)
     if not isinstance(medium, LayeredMedium):
         return imprint.slope
-    load = Carried(imprint, medium.response)
+    load = CarriedLoad(imprint, medium.response)
     own_share = spread(load, 0, 1)
 
     def rise(x: Array) -> Array:

@@ -79,7 +79,7 @@ class HomogeneousMedium:
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
-        return PunchFacts(pulls=False, least=0.0, most=1.0, telling=True)
+        return PunchFacts(pulls=False, least=0.0, most=1.0, gives_separation=True)
 
     def normal_stiffness(self, x: Array) -> Array:
         """c_N = E* [Pa], the same for every spring."""
@@ -188,7 +188,7 @@ class HalfSpace(HomogeneousMedium):
         if not isinstance(body, Elastic):
             raise OutsideValidity(
                 f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
-                "it: ask for the other side."
+                "it: request the other side."
             )
         return subsurface.field(displacement, r, z, modulus=self.modulus, poisson=body.poisson, shear=body.shear)
 

@@ -1,4 +1,4 @@
-"""What a medium is: the translator between a body and its springs."""
+"""The contract of a medium: the transforms between a body and its springs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Note
 
-__all__ = ["CALM", "Displacement", "Medium", "PunchFacts"]
+__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts"]
 
 
 class PunchFacts(NamedTuple):
@@ -18,28 +18,28 @@ class PunchFacts(NamedTuple):
 
     Where none `pulls` and g never falls, no contact needs tension, since its pressure is a sum of flat punches'.
 
-    `telling` is whether springs beyond the edge tell the separation: it is then an integral of g - d with a positive
-    kernel.  In other media the separation at r is that of :math:`g'(x)(1-u_1(r;x))` from the edge to r, u1 the
-    displacement of the surface outside a flat punch of radius x, which lies between `least` and `most`.  Farther than
-    `calm` [m] from the edge of the punch it lies above `CALM`.
+    `gives_separation` is whether springs beyond the edge give the separation: it is then an integral of g - d with a
+    positive kernel.  In other media the separation at r is that of :math:`g'(x)(1-u_1(r;x))` from the edge to r, u1
+    the displacement of the surface outside a flat punch of radius x, which lies between `least` and `most`.  Farther
+    than `flat_beyond` [m] from the edge of the punch it lies above `LEAST_SURFACE_RISE`.
     """
 
     pulls: bool
     least: float
     most: float
-    telling: bool
-    calm: float = 0.0
+    gives_separation: bool
+    flat_beyond: float = 0.0
 
 
-CALM = -0.25
-"""A surface that rises by less than this part of the depth of a punch is not asked whether it meets the body."""
+LEAST_SURFACE_RISE = -0.25
+"""A surface that rises by less than this part of the depth of a punch is not tested for contact with the body."""
 
 
 class Displacement(Protocol):
     """The displacement u(x) of the springs: d - g(x) in contact, nothing outside; even in x.
 
     Methods take an array of x >= 0 [m].  `kinks` lists ``(x, strength)`` where u is not smooth: just above x the
-    slope behaves like ``-strength / sqrt(x**2 - x_kink**2)``, or as `Medium.kinks` says of the medium (strength zero
+    slope behaves like ``-strength / sqrt(x**2 - x_kink**2)``, or as `Medium.kinks` states for the medium (strength zero
     where it does not diverge).
     """
 
@@ -69,7 +69,7 @@ class Displacement(Protocol):
 
 @offered("a medium, such as HalfSpace(first, second)")
 class Medium(Protocol):
-    """A linear elastic, axisymmetric half-space, or a pair of them; spoken to its implementer.
+    """A linear elastic, axisymmetric half-space, or a pair of them; written for its implementer.
 
     Two functions are enough, the stiffness k(a) of a flat punch and the equivalent plane profile g(x); the rest
     follows (theory, section 0.2).  Lengths [m], moduli [Pa], stiffness [N/m]; arrays in, arrays out.
@@ -120,7 +120,7 @@ class Medium(Protocol):
         ...
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
-        """p(r) [Pa], the superposition of flat punches that the springs' displacement asks for."""
+        """p(r) [Pa], the superposition of flat punches that belongs to the springs' displacement."""
         ...
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:

@@ -1,4 +1,4 @@
-r"""The field below a flat punch: the brick from which every axisymmetric contact stress is built.
+r"""The field below a flat punch: the element of which every axisymmetric contact stress is superposed.
 
 A rigid flat punch of radius t on an isotropic half-space presses, in the picture of springs, with a uniform line
 load q on :math:`|x| < t`.  For q = 1 the potential of the body and its derivatives are closed [1]_: with

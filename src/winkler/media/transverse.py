@@ -87,13 +87,13 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     @property
     def torsional_modulus(self) -> float:
         """G_t [Pa], 1/G_t = sum of 1/sqrt(C44 C66)."""
-        turned = [twist_constants(body)[0] for body in (self.first, self.second) if not isinstance(body, Rigid)]
-        return 1.0 / sum(1.0 / modulus for modulus in turned)
+        twist_moduli = [twist_constants(body)[0] for body in (self.first, self.second) if not isinstance(body, Rigid)]
+        return 1.0 / sum(1.0 / modulus for modulus in twist_moduli)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Refused: stresses inside an anisotropic body are not known to winkler."""
         raise OutsideValidity(
-            "The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler; ask for the surface "
+            "The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler; request the surface "
             "(without z), or use HalfSpace."
         )
 

@@ -1,4 +1,4 @@
-r"""How far a prescribed pressure on a disc presses the surface of a medium in.
+r"""The displacement of the surface of a medium under a prescribed pressure on a disc.
 
 Under :math:`p(r)` on :math:`r\le a` the springs of a homogeneous (k = 0) or graded half-space sink by
 
@@ -26,11 +26,11 @@ from winkler.media.medium import Medium
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
-from winkler.numerics.transforms.cosine_transform import Response, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["PressedIn", "pressed_in"]
+__all__ = ["PressureIndentation", "pressed_in"]
 
 BULGE_TOLERANCE = 1e-8
 """Error of the springs under the part of the pressure that vanishes at the edge, relative to the greatest pressure."""
@@ -38,17 +38,17 @@ DEGREE = 48
 """Of the one polynomial that is tried for them first: it has no joints, which the layers would feel."""
 SHARE_TOLERANCE = 1e-11
 """Error of K phi, relative to the deepest spring."""
-COUNT = 200
+PRESSURE_NODES = 200
 """Nodes of the integral over that pressure, of which only a cubic spline is known."""
-RULES = (16, 32, 64)
-SETTLED, LAST = 1e-12, 1e-9
-STEP = 2.0
+RULE_NODES = (16, 32, 64)
+SETTLED_TOLERANCE, LAST_TOLERANCE = 1e-12, 1e-9
+FIRST_DISTANCE = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
-CHUNK = 400_000
+PAIRS_PER_CHUNK = 400_000
 
 
 @value
-class PressedIn:
+class PressureIndentation:
     """The homogeneous springs and the surface under a pressure.
 
     Parameters
@@ -86,7 +86,7 @@ class PressedIn:
         return np.asarray(((1.0 - t) * (1.0 + t) * self.bulge.derivative(t) - 2.0 * t * self.bulge(t)) / self.radius)
 
     def rise(self, r: Array) -> Array:
-        """How fast the surface rises with the distance from the axis [-], r < a."""
+        """The slope of the surface over the distance from the axis [-], r < a."""
         from scipy.special import hyp2f1
 
         r, k, a = np.asarray(r, dtype=float), self.exponent, self.radius
@@ -97,7 +97,7 @@ class PressedIn:
         return np.asarray(self.uniform * steep - rest - layers)
 
 
-def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressedIn:
+def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressureIndentation:
     """Return what a pressure does to a medium.
 
     Parameters
@@ -121,10 +121,10 @@ def pressed_in(medium: Medium, r: Array, pressure: Array) -> PressedIn:
     factor = 2.0 * math.sin(0.5 * math.pi * (1.0 - k)) * end ** (1.0 - k) / surface_modulus
     bulge = _bulge(r / end, factor * (pressure - pressure[-1]), k)
     uniform = factor * float(pressure[-1]) / (1.0 - k)
-    bare = PressedIn(end, k, uniform, bulge, Panels(np.array([0.0, end]), np.zeros((1, 1))))
+    bare = PressureIndentation(end, k, uniform, bulge, Panels(np.array([0.0, end]), np.zeros((1, 1))))
     if not isinstance(medium, LayeredMedium):
         return bare
-    return PressedIn(end, k, uniform, bulge, _share(medium.response, bare))
+    return PressureIndentation(end, k, uniform, bulge, _share(medium.response, bare))
 
 
 def _bulge(t: Array, p: Array, k: float) -> Panels:
@@ -137,7 +137,7 @@ def _bulge(t: Array, p: Array, k: float) -> Panels:
 
     angle = np.arcsin(t[:-1])
     shape = CubicSpline(angle, p[:-1] / np.cos(angle) ** (1.0 + k), bc_type=((1, 0.0), "not-a-knot"))
-    nodes, weights = gauss_jacobi(COUNT, -k)
+    nodes, weights = gauss_jacobi(PRESSURE_NODES, -k)
     phi = 0.5 * math.pi * nodes
     weight = weights * 0.5 * math.pi * (np.sin(phi) / nodes) ** -k * np.cos(phi) ** (2.0 + k)
 
@@ -153,18 +153,18 @@ def _bulge(t: Array, p: Array, k: float) -> Panels:
     return fit_panels(integral, np.linspace(0.0, 1.0, 9), BULGE_TOLERANCE * size)
 
 
-def _share(response: Response, bare: PressedIn) -> Panels:
+def _share(response: WaveResponse, bare: PressureIndentation) -> Panels:
     """Return K phi on the disc."""
     a = bare.radius
     kernel = transform(response, 2.0 * a)
-    first = STEP * response.length
+    first = FIRST_DISTANCE * response.length
     steps = first * 2.0 ** np.arange(max(1, math.ceil(math.log2(max(2.0 * a / first, 1.0))) + 1))
     size = float(bare.springs(np.zeros(1))[0])
 
     def sums(count: int, x: Array) -> Array:
         nodes, weights = gauss_legendre(count)
         result = np.empty(x.size)
-        width = max(1, CHUNK // (count * (2 * steps.size + 2)))
+        width = max(1, PAIRS_PER_CHUNK // (count * (2 * steps.size + 2)))
         for start in range(0, x.size, width):
             part = x[start : start + width, None]
             ends = np.full(part.shape, a)
@@ -185,14 +185,14 @@ def _settling(sums: Callable[[int, Array], Array], size: float) -> Callable[[Arr
 
     def settled(x: Array) -> Array:
         flat = np.ravel(x)
-        last, change = sums(RULES[0], flat), math.inf
-        for count in RULES[1:]:
+        last, change = sums(RULE_NODES[0], flat), math.inf
+        for count in RULE_NODES[1:]:
             current = sums(count, flat)
             change = float(np.max(np.abs(current - last))) / max(size, float(np.max(np.abs(current))))
             last = current
-            if change <= SETTLED:
+            if change <= SETTLED_TOLERANCE:
                 break
-        if change > LAST:
+        if change > LAST_TOLERANCE:
             raise NotConverged(
                 f"The sinking of the layers under the pressure still moves by {change:.1e}; give a smoother pressure."
             )

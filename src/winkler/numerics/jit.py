@@ -5,7 +5,7 @@ never when winkler is imported.  In a browser (emscripten), where there is no nu
 What is compiled is kept for the next process, where there is a place for it: see `winkler.caches`.
 
 A kernel may call others, also those of other files: numba's cache on disk, which goes by the file and the code of one
-function alone, is told what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
+function alone, receives what they consist of.  Rules for whoever writes one: it divides by zero without an error, and
 may count on infinities and on what comparisons with not-a-number give: only re-association, contraction and the sign of
 zero are given away for speed.
 Kernels let other threads run.
@@ -32,9 +32,9 @@ __all__ = ["Kernel", "compiled"]
 P = ParamSpec("P")
 R = TypeVar("R")
 
-FREEDOMS = frozenset({"reassoc", "contract", "nsz"})
+FAST_MATH_FLAGS = frozenset({"reassoc", "contract", "nsz"})
 """What the compiler may do to arithmetic; never to assume that there is no infinity and no not-a-number."""
-NUMBERS = int, float, np.ndarray
+GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
 INTERPRETED = sys.platform == "emscripten"
 """Whether kernels run as plain Python, where numba does not exist."""
@@ -58,8 +58,8 @@ class Kernel(Generic[P, R]):
         """Name -> every kernel that this one calls."""
         source = self.function
         assert isinstance(source, types.FunctionType)
-        known = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
-        return {name: kernel for name, kernel in known if isinstance(kernel, Kernel)}
+        referenced = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
+        return {name: kernel for name, kernel in referenced if isinstance(kernel, Kernel)}
 
     @functools.cached_property
     def content(self) -> str:
@@ -68,8 +68,8 @@ class Kernel(Generic[P, R]):
         assert isinstance(source, types.FunctionType)
         code = source.__code__
         numbers = [(name, source.__globals__.get(name)) for name in code.co_names]
-        own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, NUMBERS)]
-        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FREEDOMS)]
+        own = [(name, np.asarray(number).tolist()) for name, number in numbers if isinstance(number, GLOBAL_KINDS)]
+        parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS)]
         called = [kernel.content for kernel in self._called.values()]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
 
@@ -86,16 +86,16 @@ class Kernel(Generic[P, R]):
 
         if "NUMBA_CACHE_DIR" in os.environ:  # numba may have been imported before there was a place
             numba.config.CACHE_DIR = os.environ["NUMBA_CACHE_DIR"]  # type: ignore[attr-defined]
-        known: dict[str, Any] = dict(source.__globals__)
+        referenced: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
-            known[name] = kernel.machine
+            referenced[name] = kernel.machine
         # numba's cache goes by the code of a function and by what its closure holds
         code = code.replace(co_freevars=(*code.co_freevars, "content"))
         cells = (*cells, types.CellType(self.content))
-        copy = types.FunctionType(code, known, source.__name__, source.__defaults__, cells)
+        copy = types.FunctionType(code, referenced, source.__name__, source.__defaults__, cells)
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
-        machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FREEDOMS), error_model="numpy")(copy)
+        machine: Callable[P, R] = numba.njit(nogil=True, fastmath=set(FAST_MATH_FLAGS), error_model="numpy")(copy)
         if cached:
             with contextlib.suppress(RuntimeError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""Many independent pieces of work, shared out among the cores; what they run must let other threads run meanwhile."""
+"""Parallel evaluation of many independent items in threads; the function must release the interpreter lock."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-__all__ = ["shared_out"]
+__all__ = ["run_in_threads"]
 
-FEWEST = 256
+LEAST_ITEMS_PER_THREAD = 256
 """Pieces that are not worth a thread of their own."""
 
 
-def shared_out(work: Callable[[slice], None], count: int) -> None:
+def run_in_threads(work: Callable[[slice], None], count: int) -> None:
     """Do all pieces from 0 to `count`, a run of neighbours on each core.
 
     Parameters
@@ -34,7 +34,7 @@ def shared_out(work: Callable[[slice], None], count: int) -> None:
     array([ 0.,  1.,  4.,  9., 16.])
     """
     work(slice(0, 0))
-    cores = 1 if sys.platform == "emscripten" else min(os.cpu_count() or 1, max(count // FEWEST, 1))
+    cores = 1 if sys.platform == "emscripten" else min(os.cpu_count() or 1, max(count // LEAST_ITEMS_PER_THREAD, 1))
     if cores == 1:
         work(slice(0, count))
         return

@@ -1,4 +1,4 @@
-"""Names for the numbers and arrays that travel through the house."""
+"""Type names for the numbers and arrays of the package."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ Array = NDArray[Any]
 """Floating-point numbers (or truth values derived from them) of any shape."""
 ComplexArray = NDArray[Any]
 Quantity = float | Array
-"""A number, or an array of numbers where many cases are asked at once."""
+"""A number, or an array of numbers for many cases at once."""
 Curve = Callable[[Array], Array]
 """A function of one real variable, evaluated element by element."""
 
 
-def shaped(answer: Quantity, shape: tuple[int, ...] | None = None) -> Quantity:
-    """Return an answer as a number where one was asked for, as an array where many were.
+def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> Quantity:
+    """Return a result as a number for one argument, as an array for many.
 
     Parameters
     ----------
-    answer : float or ndarray
-        Of the shape that was asked for; of as many numbers, in a row, if `shape` is given.
+    result : float or ndarray
+        Of the shape of the argument; of as many numbers, in a row, if `shape` is given.
     shape : tuple of int, optional
         That of the question.
     """
-    numbers = np.asarray(answer) if shape is None else np.reshape(answer, shape)
+    numbers = np.asarray(result) if shape is None else np.reshape(result, shape)
     return float(numbers) if numbers.ndim == 0 else numbers

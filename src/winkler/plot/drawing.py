@@ -71,7 +71,7 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.yielding import YieldOnsetSolution
 from winkler.problems.particles.elastic_plastic import ParticleSolution
 from winkler.profiles.profile import Shape
-from winkler.stairs import Staircase
+from winkler.punch_staircase import Staircase
 
 if TYPE_CHECKING:
     from winkler.plot.picture import Picture

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 
 __all__ = [
@@ -83,7 +83,7 @@ def solid_until(shape: Outline) -> float:
     return min(shape.reach, shape.rim)
 
 
-def around(pressed: Pressed, extent: float | None) -> float:
+def around(pressed: PressedSprings, extent: float | None) -> float:
     """Return how far the picture of a contact goes [m]."""
     if checked_extent(extent) is not None:
         assert extent is not None
@@ -95,12 +95,12 @@ def around(pressed: Pressed, extent: float | None) -> float:
     return float(r[high[0]] if high.size and pressed.depth < 0.0 else 0.5 * r[-1])
 
 
-def marks_of(pressed: Pressed) -> tuple[float, ...]:
+def marks_of(pressed: PressedSprings) -> tuple[float, ...]:
     """Return the places where the fields of a contact are not smooth [m]: its kinks and its edge."""
     return (*(b for b, _ in pressed.bed.kinks), *{pressed.touching, pressed.radius})
 
 
-def is_singular(pressed: Pressed) -> bool:
+def is_singular(pressed: PressedSprings) -> bool:
     """Return whether the pressure is infinite anywhere: at an edge, at a kink, or under a pointed apex."""
     if pressed.radius == 0.0:
         return False
@@ -110,7 +110,7 @@ def is_singular(pressed: Pressed) -> bool:
     return not bool(np.isfinite(pressed.bed.medium.pressure(pressed, places)).all())
 
 
-def is_torn(pressed: Pressed) -> bool:
+def is_torn(pressed: PressedSprings) -> bool:
     """Return whether the edge pulls with a tension that is infinite: attraction without range.
 
     Where a ring around the contact is pulled, the tension is finite.
@@ -118,7 +118,7 @@ def is_torn(pressed: Pressed) -> bool:
     return pressed.radius > 0.0 and pressed.edge < 0.0 and pressed.touching >= pressed.radius
 
 
-def sunk(pressed: Pressed, r: Array) -> Array:
+def sunk(pressed: PressedSprings, r: Array) -> Array:
     """Return the displacement of the surface [m], inside and outside the contact."""
     if pressed.radius == 0.0:
         return np.zeros(r.shape)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.footprint import Round
+from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
 from winkler.foundation.measured import MeasuredBed
 from winkler.materials.elastic import Elastic, Rigid
@@ -209,7 +209,7 @@ def spring_stiffness_panel(medium: Medium, end: float, radius: float = 0.0) -> P
 
 def body_is_known(bed: Bed) -> bool:
     """Return whether a bed tells body and pressure: one that was measured, or whose contact is no disc, does not."""
-    return isinstance(bed.footprint, Round) and not isinstance(bed, MeasuredBed)
+    return isinstance(bed.footprint, RoundOutline) and not isinstance(bed, MeasuredBed)
 
 
 def stiffness_panel(bed: Bed, to: float, radius: float = 0.0) -> Panel:

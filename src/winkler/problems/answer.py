@@ -17,7 +17,7 @@ import numpy as np
 from winkler.checks.contract import keeps
 
 if TYPE_CHECKING:
-    from winkler.foundation.bed import Pressed
+    from winkler.foundation.bed import PressedSprings
     from winkler.foundation.sheared import ShearedSprings
     from winkler.numerics.types import Array
     from winkler.validity import Note
@@ -99,7 +99,7 @@ class Restorable(Protocol):
     """A solution whose springs are known."""
 
     @property
-    def pressed(self) -> Pressed:
+    def pressed(self) -> PressedSprings:
         """The displacement of the springs."""
         ...
 

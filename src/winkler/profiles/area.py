@@ -1,4 +1,4 @@
-r"""Indenters known by their area function, :math:`A(h) = C_0h^2 + C_1h + C_2h^{1/2} + C_3h^{1/4} + \dots`
+r"""Indenters described by their area function, :math:`A(h) = C_0h^2 + C_1h + C_2h^{1/2} + C_3h^{1/4} + \dots`
 
 A calibrated nanoindenter tip is given by its cross-section A at the distance h from the apex.  The body of
 revolution with the same cross-sections has :math:`f(r)=h` where :math:`A(h)=\pi r^2`.  Its transform is an integral
@@ -30,14 +30,14 @@ __all__ = ["AreaFunction"]
 
 Kernel = Callable[[Array, Array, Array], Array]
 
-NOTHING = 1e-150
+LEAST_HEIGHT = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
-HEIGHTS = np.geomspace(1e-12, 1e6, 3000)
+SEARCHED_HEIGHTS = np.geomspace(1e-12, 1e6, 3000)
 """Heights, in terms of that above which the first term is the greatest, at which the area function is searched for a
 maximum, and for places where it is not log-concave."""
-BENDS = np.geomspace(1e-9, 1e3, 13)
+SEARCHED_BENDS = np.geomspace(1e-9, 1e3, 13)
 """The same, between which one term of a blunt tip takes over from the next."""
-LAST = 6.3
+LARGEST_ROOT = 6.3
 """Largest sqrt(w): exp(-w) is then 6e-18."""
 
 
@@ -89,7 +89,7 @@ class AreaFunction(Shape):
                 "least one is not zero."
             )
         object.__setattr__(self, "coefficients", tuple(float(number) for number in numbers))
-        first = self._derivatives(self._unit * HEIGHTS[:1])
+        first = self._derivatives(self._unit * SEARCHED_HEIGHTS[:1])
         if first[0][0] <= 0.0 or first[1][0] <= 0.0:
             raise InvalidInput(
                 f"AreaFunction: with the coefficients {self.coefficients} the area does not grow from the apex on; the "
@@ -103,7 +103,7 @@ class AreaFunction(Shape):
 
     @property
     def _unit(self) -> float:
-        """The height [m] above which the first term is the greatest; one term alone looks alike at all heights."""
+        """The height [m] above which the first term is the greatest; one term alone is self-similar."""
         (c, n), *others = self._terms
         return max((abs(other / c) ** (1.0 / (n - power)) for other, power in others), default=1.0)
 
@@ -121,13 +121,13 @@ class AreaFunction(Shape):
         return _summit(self)
 
     @property
-    def _known(self) -> _Known:
-        return _known_of(self)
+    def _pieces(self) -> _AreaPieces:
+        return _area_pieces(self)
 
     @property
     def reach(self) -> float:
         """Radius up to which the area grows [m]."""
-        return self._known.reach
+        return self._pieces.reach
 
     @property
     def size(self) -> float:
@@ -137,7 +137,7 @@ class AreaFunction(Shape):
     @property
     def rising(self) -> bool:
         """Whether r f' = 2 A / A' rises with h everywhere, so that g does."""
-        heights = self._unit * HEIGHTS
+        heights = self._unit * SEARCHED_HEIGHTS
         heights = heights[heights < self._top]
         area, first, second = self._derivatives(heights)
         return bool(np.all(first**2 - area * second >= -1e-13 * first**2))
@@ -147,14 +147,14 @@ class AreaFunction(Shape):
         """Radii at which one term takes over from the next: smooth, but bent, sharply where the tip is blunt."""
         if len(self._terms) < 2:
             return ()
-        heights = self._unit * (BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
+        heights = self._unit * (SEARCHED_BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
         heights = heights[heights < self._top]
         radii = np.sqrt(self._derivatives(heights)[0] / math.pi)
         return tuple((float(radius), 0.0) for radius in radii)
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """That the indenter is taken for its axisymmetric equivalent."""
+        """That the indenter is replaced by its axisymmetric equivalent."""
         return (
             Note(
                 Assumption.SHAPE,
@@ -177,7 +177,7 @@ class AreaFunction(Shape):
     @property
     def _blunt(self) -> float:
         """Radius within which the height counts as zero [m]."""
-        return self._known.blunt
+        return self._pieces.blunt
 
     def _heights(self, r: Array) -> Array:
         top = self._top
@@ -187,7 +187,7 @@ class AreaFunction(Shape):
         return invert(
             lambda h: self._derivatives(h)[:2],
             math.pi * r * r,
-            lower=NOTHING,
+            lower=LEAST_HEIGHT,
             upper=top,
             guess=0.5 * top if math.isfinite(top) else self._unit,
         )
@@ -216,11 +216,11 @@ class AreaFunction(Shape):
     def gap(self, x: Array) -> Array:
         """g(x) [m]; infinite at the reach."""
         x = np.asarray(x, dtype=float)
-        known = self._known
-        result = np.where(x < known.reach, 0.0, math.inf)
-        above = (x > known.blunt) & (x < known.reach)
+        pieces = self._pieces
+        result = np.where(x < pieces.reach, 0.0, math.inf)
+        above = (x > pieces.blunt) & (x < pieces.reach)
         if above.any():
-            result[above] = known.gap(x[above])
+            result[above] = pieces.gap(x[above])
         return result
 
     def gap_slope(self, x: Array) -> Array:
@@ -239,11 +239,11 @@ class AreaFunction(Shape):
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
         x = np.asarray(x, dtype=float)
-        known = self._known
+        pieces = self._pieces
         result = np.zeros(x.shape)
-        above = x > known.blunt
+        above = x > pieces.blunt
         if above.any():
-            result[above] = known.gap_integral(x[above])
+            result[above] = pieces.gap_integral(x[above])
         return result
 
     def _gap(self, x: Array) -> Array:
@@ -258,13 +258,13 @@ class AreaFunction(Shape):
         """Integrate kernel(h, D, h dD/dh) exp(-w) over w from 0 on, for every height h; `against` as in `settled`."""
 
         def integrand(node: Array, index: Array) -> Array:
-            v = LAST * node  # w = v^2, because D vanishes like w
+            v = LARGEST_ROOT * node  # w = v^2, because D vanishes like w
             fall, steep = np.zeros((index.size, node.size)), np.zeros((index.size, node.size))
             for c, n in self._terms:
                 part = (c / math.pi * h[index] ** n)[:, None] * -np.expm1(-n * v * v)
                 fall += part
                 steep += n * part
-            return kernel(h[index, None], fall, steep) * (2.0 * LAST * v * np.exp(-v * v))
+            return kernel(h[index, None], fall, steep) * (2.0 * LARGEST_ROOT * v * np.exp(-v * v))
 
         # where terms of opposite signs nearly cancel, as close to the reach, A' is not better known than that
         parts = [c * n * h**n for c, n in self._terms]
@@ -280,7 +280,7 @@ class AreaFunction(Shape):
         return 0.0, 2.0 * math.pi / c if n == 1.0 else 0.0
 
 
-class _Known(NamedTuple):
+class _AreaPieces(NamedTuple):
     """What is found once: radius [m] up to which the area grows, within which the height is none, tables of g."""
 
     reach: float
@@ -290,21 +290,21 @@ class _Known(NamedTuple):
 
 
 @functools.lru_cache(maxsize=64)
-def _known_of(profile: AreaFunction) -> _Known:
+def _area_pieces(profile: AreaFunction) -> _AreaPieces:
     top = profile._top
     blunt, reach = (
         math.inf if h == math.inf else math.sqrt(profile._derivatives(np.array([h]))[0][0] / math.pi)
-        for h in (NOTHING, top)
+        for h in (LEAST_HEIGHT, top)
     )
     # at the reach g is singular: tables end an octave before
     unit, high = (profile._unit, math.inf) if reach == math.inf else (0.5 * reach, 0.5 * reach)
     tables = (Octaves(function, unit, 1.2 * blunt, high) for function in (profile._gap, profile._gap_integral))
-    return _Known(reach, blunt, *tables)
+    return _AreaPieces(reach, blunt, *tables)
 
 
 @functools.lru_cache(maxsize=64)
 def _summit(profile: AreaFunction) -> float:
-    heights = profile._unit * HEIGHTS
+    heights = profile._unit * SEARCHED_HEIGHTS
     growth = profile._derivatives(heights)[1]
     (shrinking,) = np.nonzero(growth <= 0.0)
     if not shrinking.size:

@@ -66,7 +66,7 @@ class TruncatedCone(PowerPieces):
 
 @value
 class RoundedCone(PowerPieces):
-    """A cone with a parabolic tip that meets it with a common tangent.
+    """A cone with a parabolic tip that joins it with a common tangent.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ class RoundedCone(PowerPieces):
 
     @property
     def blend_radius(self) -> float:
-        """Where the tip meets the cone [m]."""
+        """Where the tip joins the cone [m]."""
         return self.curvature_radius / math.tan(self.half_angle)
 
     @property
@@ -106,7 +106,7 @@ class RoundedCone(PowerPieces):
 
 @value
 class SpheroConical(Shape):
-    """A cone with a spherical tip that meets it with a common tangent: the real AFM or nanoindenter tip.
+    """A cone with a spherical tip that joins it with a common tangent: the real AFM or nanoindenter tip.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ class SpheroConical(Shape):
 
     @property
     def blend_radius(self) -> float:
-        """Where the tip meets the cone [m]."""
+        """Where the tip joins the cone [m]."""
         return self.curvature_radius * math.cos(self.half_angle)
 
     @property

@@ -1,6 +1,6 @@
-r"""Bodies that were computed to order: a slope as Chebyshev series on panels, with the tolerance they were made to.
+r"""Designed bodies: a slope as Chebyshev series on panels, with the tolerance they were made to.
 
-What `winkler.problems.normal.design` answers.  On every panel the slope f' is a polynomial of the radius; height and
+The result of `winkler.problems.normal.design`.  On every panel the slope f' is a polynomial of the radius; height and
 curvature are its integral and derivative, and the transform of a homogeneous half-space is a quadrature over the
 panels, kept on panels of its own.
 """
@@ -25,10 +25,10 @@ __all__ = ["Designed"]
 
 GAP_TOLERANCE = 1e-10
 """Error of g' on its panels, relative to the steepest slope."""
-CROWDED = 1e-6, 1e-8
+NARROW_PANEL_LIMITS = 1e-6, 1e-8
 """Panels narrower than this, of the reach, hold a singular point, where g' has this error from rounding."""
-FAINT = 1e-7
-"""Part of the greatest g below which rounding is felt: from there to the axis g goes on as a power of x."""
+LEAST_GAP_RATIO = 1e-7
+"""Part of the greatest g below which rounding matters: from there to the axis g goes on as a power of x."""
 SMALLEST_JUMP = 1e-7
 """A jump of the slope between panels, relative to the steepest slope, from which on it counts as a kink."""
 
@@ -80,7 +80,7 @@ class Designed(Shape):
 
     @property
     def joints(self) -> tuple[tuple[float, float], ...]:
-        """Where panels meet, with the jump of the slope, which is zero unless a kink was asked for."""
+        """Where panels meet, with the jump of the slope, which is zero unless a kink was requested."""
         return _joints(self)
 
     @property
@@ -91,7 +91,7 @@ class Designed(Shape):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """How well the body meets what was prescribed."""
+        """How well the body fits what was prescribed."""
         text = (
             f"The body was computed to order and misses what was prescribed by {self.tolerance:.2g} of its greatest "
             "value."
@@ -103,8 +103,8 @@ class Designed(Shape):
     def gap_tolerance(self) -> float:
         """Absolute error [-] to which g' can be known."""
         steepest = float(np.max(np.abs(self.slope(np.linspace(0.0, self.reach, 1001)))))
-        crowded = float(np.min(np.diff(self.edges))) < CROWDED[0] * self.reach
-        return steepest * (CROWDED[1] if crowded else GAP_TOLERANCE)
+        crowded = float(np.min(np.diff(self.edges))) < NARROW_PANEL_LIMITS[0] * self.reach
+        return steepest * (NARROW_PANEL_LIMITS[1] if crowded else GAP_TOLERANCE)
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
@@ -184,6 +184,6 @@ def _gap(profile: Designed) -> Transformed:
         return Transformed(slope, gap, gap.integral, 0.0, 0.0, 1.0)  # a flat end
     x = profile.reach * np.geomspace(1e-6, 1.0, 601)
     g = gap(x)
-    start = x[np.flatnonzero(g <= FAINT * g[-1])[-1] + 1] if g[0] <= FAINT * g[-1] else x[0]
+    start = x[np.flatnonzero(g <= LEAST_GAP_RATIO * g[-1])[-1] + 1] if g[0] <= LEAST_GAP_RATIO * g[-1] else x[0]
     value, rise = float(gap(start[None])[0]), float(slope(start[None])[0])
     return Transformed(slope, gap, gap.integral, float(start), value, max(rise * float(start) / value, 1.0))

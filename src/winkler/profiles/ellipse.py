@@ -21,8 +21,8 @@ from winkler.values import value
 
 __all__ = ["ContactEllipse", "CurvedBodies"]
 
-SLENDEREST = 1e-8
-"""Smallest ratio of the semi-axes that is looked for; far beyond what Kalker's table holds."""
+LEAST_AXES_RATIO = 1e-8
+"""Smallest ratio of the semi-axes that is searched for; far beyond Kalker's table."""
 
 
 @value
@@ -143,7 +143,7 @@ def _slenderness(ratio: float) -> float:
         squared = np.exp(2.0 * logarithm)
         return np.asarray(elliprd(0.0, 1.0, squared) / elliprd(0.0, squared, 1.0) - ratio)
 
-    most = np.array([math.log(SLENDEREST)])
+    most = np.array([math.log(LEAST_AXES_RATIO)])
     if float(missing(most, most)[0]) < 0.0:
         return 0.0
     return math.exp(float(between(missing, most, np.zeros(1))[0]))

@@ -24,8 +24,8 @@ from winkler.numerics.equations.taylor import power_sum
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.formula_parts import (
-    BESIDE,
-    ROUNDING,
+    CORNER_OFFSETS,
+    ROUNDING_RATIO,
     last_finite,
     law_of,
     powers_of,
@@ -40,7 +40,7 @@ from winkler.values import value
 
 __all__ = ["Formula"]
 
-FARTHEST = 1.0
+LARGEST_TRIED_RADIUS = 1.0
 """How far a formula without a reach is tried out [m]."""
 
 
@@ -58,7 +58,7 @@ class Formula(Shape):
     corners : tuple of float, optional
         Radii where the slope jumps [m], as that of ``sqrt((r - b)**2)`` does at b; ascending after construction.
     constants : mapping or tuple of (name, number), optional
-        The constants in SI units; ``Formula("r**2/(2*R)", R=10e-3)`` says the same.  Named ones come first, so that
+        The constants in SI units; ``Formula("r**2/(2*R)", R=10e-3)`` is the same.  Named ones come first, so that
         ``dataclasses.replace(formula, R=5e-3)`` changes one.
 
     Raises
@@ -92,7 +92,7 @@ class Formula(Shape):
         if "kinks" in named:
             raise InvalidInput("Formula: radii where the slope jumps are given as corners=(...), not as kinks.")
         try:
-            known = dict(constants) | named
+            numbers = dict(constants) | named
             listed = tuple(corners)
         except (TypeError, ValueError):
             raise InvalidInput(
@@ -100,7 +100,7 @@ class Formula(Shape):
                 f"[1e-3]; constants is {constants!r:.60} and corners {corners!r:.60}."
             ) from None
         object.__setattr__(self, "expression", expression)
-        object.__setattr__(self, "constants", tuple(sorted(known.items())))
+        object.__setattr__(self, "constants", tuple(sorted(numbers.items())))
         object.__setattr__(self, "reach", reach)
         object.__setattr__(self, "corners", listed)
         self.__post_init__()
@@ -116,17 +116,17 @@ class Formula(Shape):
 
     def _try_out(self) -> None:
         """Refuse a height that is not finite, negative, or zero everywhere."""
-        end = FARTHEST if self.reach == math.inf else self.reach
+        end = LARGEST_TRIED_RADIUS if self.reach == math.inf else self.reach
         trial = np.unique(np.concatenate([np.geomspace(1e-12 * end, end, 481), np.linspace(0.0, end, 257)[1:]]))
         height = self._law.taylor(trial)[0] - start_of(self._law)
         bad = np.flatnonzero(~np.isfinite(height))
         if bad.size:
             last = last_finite(self._law, trial[max(bad[0] - 1, 0)], trial[bad[0]])
             raise InvalidInput(
-                f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; say how "
+                f"Formula: the height of '{self.expression}' is not a finite number beyond r = {last:.6g} m; state how "
                 f"far it holds, as reach={last:.6g} or less."
             )
-        noise = ROUNDING * self._law.magnitude(trial)
+        noise = ROUNDING_RATIO * self._law.magnitude(trial)
         (below,) = np.nonzero(height < -noise)
         if below.size:
             raise InvalidInput(
@@ -185,7 +185,7 @@ class Formula(Shape):
         return slope
 
     def _curvature_of_rest(self, r: Array) -> Array:
-        curvature = rest_of(self._law, np.where(np.isin(r, self.corners), (1.0 - BESIDE[-1]) * r, r))[2]
+        curvature = rest_of(self._law, np.where(np.isin(r, self.corners), (1.0 - CORNER_OFFSETS[-1]) * r, r))[2]
         self._refuse("curvature", r, np.isnan(curvature))
         return curvature
 

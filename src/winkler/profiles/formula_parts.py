@@ -1,4 +1,4 @@
-"""What the formula of a profile consists of: powers that have transforms in closed form, a rest, and its corners."""
+"""The parts of the formula of a profile: powers with transforms in closed form, a remainder, and its corners."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from winkler.numerics.types import Array
 from winkler.profiles.power import PowerLaw
 
 __all__ = [
-    "BESIDE",
-    "ROUNDING",
+    "CORNER_OFFSETS",
+    "ROUNDING_RATIO",
     "last_finite",
     "law_of",
     "powers_of",
@@ -26,9 +26,9 @@ __all__ = [
     "stretched",
 ]
 
-ROUNDING = 1e-12
+ROUNDING_RATIO = 1e-12
 """What counts as zero, against the sum of the moduli of the parts of a height."""
-BESIDE = np.array([1e-5, 1e-6, 1e-7])
+CORNER_OFFSETS = np.array([1e-5, 1e-6, 1e-7])
 """Relative distances from a corner at which the slope beside it is read."""
 
 
@@ -84,7 +84,7 @@ def start_of(law: Expression) -> float:
         )
     if math.isinf(rest_of(law, axis)[1][0]):
         raise InvalidInput(f"Formula: '{law.text}' is infinitely steep at r = 0; give one with a finite slope there.")
-    if abs(height) > ROUNDING * float(law.magnitude(axis)[0]):
+    if abs(height) > ROUNDING_RATIO * float(law.magnitude(axis)[0]):
         raise InvalidInput(
             f"Formula: the height of '{law.text}' is {height:.6g} m at r = 0; a profile starts at zero, so subtract it."
         )
@@ -102,9 +102,9 @@ def last_finite(law: Expression, low: float, high: float) -> float:
 @functools.lru_cache(maxsize=256)
 def sides_of(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, float], ...]:
     """Return the slope just below every corner, and by how much it jumps there."""
-    found = []
+    sides = []
     for corner in corners:
-        r = corner * (1.0 + np.outer((-1.0, 1.0), BESIDE))
+        r = corner * (1.0 + np.outer((-1.0, 1.0), CORNER_OFFSETS))
         _, slope, curvature = rest_of(law, r)
         size = float(np.max(np.abs(slope)))
         below, above = (_limit(near, size) for near in slope + (corner - r) * curvature)
@@ -112,8 +112,8 @@ def sides_of(law: Expression, corners: tuple[float, ...]) -> tuple[tuple[float, 
             raise InvalidInput(
                 f"Formula: the slope of '{law.text}' has no finite limit at the corner r = {corner:g} m."
             )
-        found.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
-    return tuple(found)
+        sides.append((below, 0.0 if abs(above - below) <= 1e-9 * size else above - below))
+    return tuple(sides)
 
 
 def _limit(near: Array, size: float) -> float:

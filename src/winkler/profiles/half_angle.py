@@ -6,29 +6,31 @@ import math
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
 from winkler.checks.number_checks import Check, Ending, Number
-from winkler.checks.physical_size import shown
+from winkler.checks.physical_size import as_text
 from winkler.errors import InvalidInput
 
 __all__ = ["HalfAngle"]
 
-RIGHT = 0.5 * math.pi
-WITHIN = Number("measured from the axis it must lie between 0 and pi/2", 0.0, RIGHT, (0.0, RIGHT))
+RIGHT_ANGLE = 0.5 * math.pi
+HALF_ANGLE_RANGE = Number("measured from the axis it must lie between 0 and pi/2", 0.0, RIGHT_ANGLE, (0.0, RIGHT_ANGLE))
 
 
-class Angle(NamedTuple):
+class AngleBetween(NamedTuple):
     """A half-angle between 0 and pi/2, both excluded; a number that looks like degrees is refused with its radians."""
 
     def check(self, where: str, ending: Ending) -> Check:
         """Return what refuses contents of a field that are no such angle."""
 
         def checked(content: Any) -> Any:
-            if not WITHIN.admits(content):
-                degrees = type(content) in (float, int) and RIGHT <= content < 90.0
+            if not HALF_ANGLE_RANGE.admits(content):
+                degrees = type(content) in (float, int) and RIGHT_ANGLE <= content < 90.0
                 hint = f"if {content:g} are degrees, give math.radians({content:g})" if degrees else ""
-                raise InvalidInput(f"{where} is {shown(content)} rad; {ending(WITHIN.demand)}{f'; {hint}' * degrees}.")
+                raise InvalidInput(
+                    f"{where} is {as_text(content)} rad; {ending(HALF_ANGLE_RANGE.demand)}{f'; {hint}' * degrees}."
+                )
             return content
 
         return checked
 
 
-HalfAngle: TypeAlias = Annotated[float, Angle()]
+HalfAngle: TypeAlias = Annotated[float, AngleBetween()]

@@ -34,10 +34,10 @@ __all__ = ["Measured"]
 
 TOLERANCE = 1e-11
 """Error of g' on its panels, relative to the steepest slope."""
-FEWEST = 6
+FEWEST_POINTS = 6
 
 
-FOLD = Advice("give distances from the axis, or let read_profile fold a scan across the apex")
+FOLDING_ADVICE = Advice("give distances from the axis, or let read_profile fold a scan across the apex")
 
 
 @value
@@ -61,7 +61,7 @@ class Measured(Shape):
     winkler.read_profile : reads a file with units, and folds a scan that crosses the apex.
     """
 
-    radii: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0, most=4 * MEASURED_PLACES), FOLD]
+    radii: Annotated[Array, Numbers(NON_NEGATIVE, fewest=0, most=4 * MEASURED_PLACES), FOLDING_ADVICE]
     heights: Annotated[Array, Numbers(fewest=0, most=4 * MEASURED_PLACES), Advice("remove these points")]
 
     def __post_init__(self) -> None:
@@ -147,8 +147,8 @@ def _curve(profile: Measured) -> Spline:
     r, start, counts = np.unique(profile.radii[order], return_index=True, return_counts=True)
     heights = profile.heights[order]
     f = np.add.reduceat(heights, start) / counts if r.size else r
-    if r.size < FEWEST:
-        raise InvalidInput(f"Measured: {r.size} different radii were given; a profile needs at least {FEWEST}.")
+    if r.size < FEWEST_POINTS:
+        raise InvalidInput(f"Measured: {r.size} different radii were given; a profile needs at least {FEWEST_POINTS}.")
     spread = np.maximum.reduceat(heights, start) - np.minimum.reduceat(heights, start)
     if np.max(spread) > 0.2 * np.ptp(f) > 0.0:
         raise InvalidInput(
@@ -197,12 +197,12 @@ def _gap_slope(curve: Spline, x: Array) -> Array:
     chunk = max(1, 2_000_000 // max(inner.size, 1))
     for start in range(0, flat.size if inner.size else 0, chunk):
         part = slice(start, start + chunk)
-        total[part] += _beyond(flat[part, None], inner) @ half_jumps
+        total[part] += _slope_beyond(flat[part, None], inner) @ half_jumps
     result: Array = total.reshape(x.shape)
     return result
 
 
-def _beyond(x: Array, b: Array) -> Array:
+def _slope_beyond(x: Array, b: Array) -> Array:
     """Return what a slope (r - b)^2 beyond b adds to g'(x).
 
     With s = sqrt(x^2 - b^2) and A = arccos(b/x): 3 W2 - 4 b W1 + b^2 W0 = (1.5 x^2 + b^2) A - 2.5 b s; the inverse

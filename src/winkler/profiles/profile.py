@@ -1,4 +1,4 @@
-r"""What a profile is, and what every shape gets for free.
+r"""The contract of a profile, and the base class of all shapes.
 
 A profile is the axisymmetric gap :math:`f(r)` between the undeformed bodies, :math:`f(0)=0`.  The method of
 dimensionality reduction replaces it by the equivalent plane profile
@@ -30,9 +30,9 @@ Kinks = tuple[tuple[float, float], ...]
 
 @offered("a profile, such as Sphere or Cone")
 class Profile(Protocol):
-    """The contract of a body of revolution, spoken to its implementer.
+    """The contract of a body of revolution, written for its implementer.
 
-    Lengths in [m].  `r` and `x` are arrays of radii, zero or positive and not beyond `reach`; answers have their
+    Lengths in [m].  `r` and `x` are arrays of radii, zero or positive and not beyond `reach`; results have their
     shape.  `kinks` lists ``(radius, jump)`` in ascending order: where f or one of its derivatives is not smooth,
     with the jump of the slope f' there (zero if only a higher derivative jumps).
     """
@@ -64,7 +64,7 @@ class Profile(Protocol):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be said about the shape itself, e.g. that it stands for a pyramid or was smoothed."""
+        """What must be stated about the shape itself, e.g. that it stands for a pyramid or was smoothed."""
         ...
 
     def height(self, r: Array) -> Array:
@@ -116,12 +116,12 @@ class Shape:
 
     @property
     def rising(self) -> bool:
-        """Whether g is known never to fall with x; the solver looks for itself where it is not."""
+        """Whether g is known never to fall with x; the solver checks it where it is not."""
         return False
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be said about the shape itself."""
+        """What must be stated about the shape itself."""
         return ()
 
     def height(self, r: Array) -> Array:

@@ -122,7 +122,7 @@ class CappedParaboloid(PowerPieces):
     cap_curvature_radius : float
         R1 [m], within the cap.
     cap_radius : float
-        b [m], where the cap ends; the heights meet there, the slopes do not.
+        b [m], where the cap ends; the heights agree there, the slopes do not.
     """
 
     curvature_radius: PositiveNotTiny

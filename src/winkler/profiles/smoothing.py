@@ -1,4 +1,4 @@
-"""Which curve through measured points: as stiff as the data ask for, decided by cross-validation."""
+"""The smoothing spline through measured points, its stiffness chosen by cross-validation."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["Spline", "choose"]
 
-INTERPOLATED = 256
+MOST_INTERPOLATED_POINTS = 256
 """Up to so many points a spline through all of them is a candidate; more are always fitted by fewer pieces."""
 MOST_PIECES = 512
 
@@ -60,7 +60,7 @@ def choose(r: Array, f: Array) -> Spline:
     Spline
     """
     best, score = _fitted_best(r, f)
-    if len(r) <= INTERPOLATED:
+    if len(r) <= MOST_INTERPOLATED_POINTS:
         predicted = _left_out(r, f)
         scatter = float(np.sqrt(predicted))
         through = _through(r, f, scatter, rounded=False)

@@ -98,30 +98,30 @@ class BallInSocket(Shape):
     def slope(self, r: Array) -> Array:
         """f'(r) [-]; infinite from the equator on."""
         s1, s2 = self._roots(r)
-        known = s1 > 0.0
+        regular = s1 > 0.0
         rise = np.asarray(r) * (
             (self.socket_radius - self.curvature_radius) * (self.socket_radius + self.curvature_radius)
         )
-        return np.where(known, rise / np.where(known, s1 * s2 * (s1 + s2), 1.0), math.inf)
+        return np.where(regular, rise / np.where(regular, s1 * s2 * (s1 + s2), 1.0), math.inf)
 
     def curvature(self, r: Array) -> Array:
         """f''(r) [1/m]; infinite from the equator on."""
         s1, s2 = self._roots(r)
-        known = s1 > 0.0
-        first = self.curvature_radius**2 / np.where(known, s1, 1.0) ** 3
-        second = self.socket_radius**2 / np.where(known, s2, 1.0) ** 3
-        return np.where(known, first - second, math.inf)
+        regular = s1 > 0.0
+        first = self.curvature_radius**2 / np.where(regular, s1, 1.0) ** 3
+        second = self.socket_radius**2 / np.where(regular, s2, 1.0) ** 3
+        return np.where(regular, first - second, math.inf)
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
-        return x * self._turned(x)
+        return x * self._rotated(x)
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]."""
         t, u = x / self.curvature_radius, x / self.socket_radius
-        return self._turned(x) + t / ((1.0 - t) * (1.0 + t)) - u / ((1.0 - u) * (1.0 + u))
+        return self._rotated(x) + t / ((1.0 - t) * (1.0 + t)) - u / ((1.0 - u) * (1.0 + u))
 
-    def _turned(self, x: Array) -> Array:
+    def _rotated(self, x: Array) -> Array:
         """Return artanh(x/R_1) - artanh(x/R_2), without cancellation."""
         t, u = x / self.curvature_radius, x / self.socket_radius
         apart = x * ((self.socket_radius - self.curvature_radius) / (self.curvature_radius * self.socket_radius))

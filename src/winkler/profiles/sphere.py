@@ -19,16 +19,16 @@ from winkler.values import value
 __all__ = ["Ellipsoid", "Hyperboloid", "Sphere", "shape_integral"]
 
 
-SMALL = 0.2
+SERIES_LIMIT = 0.2
 """Below this radius over body radius the integral of g is summed as a series, because its closed form cancels."""
-TERMS = tuple(2.0 / (4.0 * k * k - 1.0) for k in range(11, 0, -1))
+SERIES_COEFFICIENTS = tuple(2.0 / (4.0 * k * k - 1.0) for k in range(11, 0, -1))
 
 
 def _series(t: Array, sign: float) -> Array:
     """Sum 2 (-sign)^(k+1) t^(2k+1) / (4 k^2 - 1) for small t."""
     step = -sign * t * t
-    total = TERMS[0] * step + TERMS[1]
-    for term in TERMS[2:]:
+    total = SERIES_COEFFICIENTS[0] * step + SERIES_COEFFICIENTS[1]
+    for term in SERIES_COEFFICIENTS[2:]:
         total = total * step + term
     result: Array = t * t * t * total
     return result
@@ -37,15 +37,15 @@ def _series(t: Array, sign: float) -> Array:
 def shape_integral(t: Array, sign: float) -> Array:
     """Return (1 + sign t^2) inv(t) - t, up to its sign, where inv is artanh (sign -1) or arctan (sign +1)."""
     t = np.asarray(t, dtype=float)
-    if not np.any(t >= SMALL):
+    if not np.any(t >= SERIES_LIMIT):
         return _series(t, sign)
-    small = _series(np.minimum(t, SMALL), sign)
-    large = np.maximum(t, SMALL)
+    small = _series(np.minimum(t, SERIES_LIMIT), sign)
+    large = np.maximum(t, SERIES_LIMIT)
     closed = large - (1.0 - large**2) * np.arctanh(large) if sign < 0 else (1.0 + large**2) * np.arctan(large) - large
-    return np.where(t < SMALL, small, closed)
+    return np.where(t < SERIES_LIMIT, small, closed)
 
 
-class _Round(Shape):
+class _RoundBody(Shape):
     """An ellipsoid of revolution with semi-axes A (radial) and B (axial)."""
 
     @property
@@ -106,7 +106,7 @@ class _Round(Shape):
 
 
 @value
-class Sphere(_Round):
+class Sphere(_RoundBody):
     """A sphere, f = R - sqrt(R^2 - r^2), with its exact shape.
 
     Parameters
@@ -116,7 +116,7 @@ class Sphere(_Round):
 
     See Also
     --------
-    Paraboloid : the approximation behind Hertz' formulas; they meet for a << R.
+    Paraboloid : the approximation behind Hertz' formulas; they agree for a << R.
     """
 
     curvature_radius: PositiveNotTiny
@@ -127,7 +127,7 @@ class Sphere(_Round):
 
 
 @value
-class Ellipsoid(_Round):
+class Ellipsoid(_RoundBody):
     """An ellipsoid of revolution whose axis is the axis of the contact.
 
     Parameters

@@ -1,7 +1,7 @@
 r"""Axisymmetric waves, :math:`f = h(1-\cos kr)`: to be added to a smooth shape.
 
 :math:`g = \tfrac\pi2 h k x\,\mathbf H_0(kx)` with Struve's function; g rises and falls, so that a wavy body is
-answered only while its contact is one disc (Guduru's profile is a paraboloid plus a wave).
+solved only while its contact is one disc (Guduru's profile is a paraboloid plus a wave).
 """
 
 from __future__ import annotations

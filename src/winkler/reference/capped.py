@@ -1,6 +1,6 @@
 r"""A paraboloid of radius R with a parabolic cap of radius R1 up to r = b: a worn or blunted ball [1]_.
 
-The profile is that of a paraboloid of radius R1 and, from b on, (1/R - 1/R1)(r^2 - b^2)/2 more: every answer is
+The profile is that of a paraboloid of radius R1 and, from b on, (1/R - 1/R1)(r^2 - b^2)/2 more: every result is
 the sum of Hertz's and of (1 - R/R1) times that of a truncated paraboloid of radius R.
 
 References

@@ -9,7 +9,8 @@ every profile, of small amplitudes, :math:`W = \frac43 G^{*2}U^3/(\mu E^*g'(a))`
 
 .. math:: W = \frac{16}{3}\,\frac{G^*A_x^2|A_z|\sin^2\varphi}{g'(a)}
 
-and slow motion under fast oscillation of the depth meets :math:`F_x/v = \frac{2(\pi^2-4)}{\pi}\,G^*A_z/(\omega g'(a))`.
+and slow motion under fast oscillation of the depth encounters :math:`F_x/v = \frac{2(\pi^2-4)}{\pi}\,G^*A_z/(\omega
+g'(a))`.
 
 References
 ----------

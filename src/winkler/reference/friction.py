@@ -5,7 +5,7 @@ With :math:`y=F_x/(\mu F)` the contact sticks up to the radius c and slides beyo
 .. math:: c = a\,(1-y)^{1/3},\qquad U = \frac{3\mu F}{4G^*a}\bigl(1-(1-y)^{2/3}\bigr),\qquad
           \tau = \mu p_0\Bigl[\sqrt{1-r^2/a^2}-\tfrac ca\sqrt{1-r^2/c^2}\Bigr].
 
-Pushed back from an extreme, the way is the same curve twice as large (Masing).
+Pushed back from an extreme, the path is the same curve twice as large (Masing).
 
 References
 ----------
@@ -50,7 +50,7 @@ def mindlin_shear_force(friction: float, shear_modulus: float, radius: float, sh
 def mindlin_returning_force(
     friction: float, shear_modulus: float, radius: float, start: float, shift: ArrayLike
 ) -> Array:
-    """Return F_x [N] at shifts [m] on the way back from the shift `start` [m], as far as to its negative."""
+    """Return F_x [N] at shifts [m] on the return from the shift `start` [m], as far as to its negative."""
     back = 0.5 * (start - np.asarray(shift, dtype=float))
     top = mindlin_shear_force(friction, shear_modulus, radius, start)
     return np.asarray(top - 2.0 * mindlin_shear_force(friction, shear_modulus, radius, back))

@@ -212,7 +212,7 @@ def hertz_subsurface(
     s, h = np.broadcast_arrays(np.asarray(r, dtype=float) / radius, np.asarray(z, dtype=float) / radius)
     big_z = h + 1j
     big_p = np.sqrt(s**2 + big_z**2)
-    away = np.where(big_p == 0.0, 1.0, big_p)  # the edge itself, where nothing that is divided by P is asked for
+    away = np.where(big_p == 0.0, 1.0, big_p)  # the edge itself, where no result that is divided by P is needed
     both = big_z + big_p
     log = np.log(both)
     load = 0.5 * np.pi * radius * peak_pressure

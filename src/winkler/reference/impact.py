@@ -2,7 +2,7 @@ r"""Rebound of a ball from a Kelvin-Voigt solid by the force law that many parti
 
 .. math:: F = \tfrac43E^*\sqrt R\,d^{3/2} + 2\eta^*\sqrt{Rd}\,\dot d ,
 
-right while the contact grows, too weak on the way back: springs let go one by one and are not pulled.  The law is cut
+right while the contact grows, too weak on the return: springs let go one by one and are not pulled.  The law is cut
 off where it would pull.
 
 References
@@ -45,5 +45,5 @@ def kuwabara_kono_restitution(time_ratio: float) -> float:
     lost.terminal = True  # type: ignore[attr-defined]
     lost.direction = -1.0  # type: ignore[attr-defined]
     longest = 10.0 * (1.0 + time_ratio)
-    found = solve_ivp(motion, (0.0, longest), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=1e-15, events=lost)
-    return float(-np.asarray(found.y)[1, -1])
+    solution = solve_ivp(motion, (0.0, longest), [0.0, 1.0], method="DOP853", rtol=1e-12, atol=1e-15, events=lost)
+    return float(-np.asarray(solution.y)[1, -1])

@@ -59,7 +59,7 @@ def interior(
     Parameters
     ----------
     r, z : ndarray
-        Places [m]; z >= 0.  At z = 0 the second derivatives of V are not asked for.
+        Places [m]; z >= 0.  At z = 0 the second derivatives of V are not computed.
     v, v_z, v_zz, v_rz, v_r_over_r, psi_r_over_r : ndarray
         V [N/m] and its derivatives, V_r/r and psi_r/r.
     poisson : float

@@ -5,8 +5,8 @@ A point force F moves the surface of a half-space at the distance s by u = F/(pi
 .. math:: u(r) = \frac{1}{\pi E^*}\iint\frac{p}{s}\,\mathrm dA
                = \frac{4}{\pi E^*}\int_0^a \frac{p(s)\,s}{r+s}\,K\!\left(\frac{4rs}{(r+s)^2}\right)\mathrm ds ,
 
-the inner integral being the potential of a ring (K with the parameter m).  This is how contact problems were
-solved before there was a reduction of dimensionality [1]_; it knows nothing of springs, and so it judges them.
+the inner integral being the potential of a ring (K with the parameter m).  This is how contact problems were solved
+before there was a reduction of dimensionality [1]_; it uses no springs, and so it is an independent check of them.
 
 With s = a cos(eta) a pressure that ends like (a^2 - s^2)^edge is a smooth function of eta times
 eta^(2 edge + 1).  The interval is cut at r and at every other place where the integrand is not smooth, and
@@ -31,12 +31,12 @@ from winkler.numerics.types import Array, ArrayLike, Curve
 
 __all__ = ["displacement", "point_force_displacement"]
 
-ORDER = 20
+NODES_PER_PANEL = 20
 """Gauss points of a panel: with RATIO an error of about 1e-16 for a logarithm at the end of the row."""
-RATIO = 0.2
-PANELS = 24
+PANEL_RATIO = 0.2
+PANEL_COUNT = 24
 """Panels towards a cut; the last one is RATIO^23 = 1e-16 of the first."""
-RIM = 3.0e-6
+RIM_DISTANCE = 3.0e-6
 """Closer to the edge than this eta (s/a > 1 - 5e-12) the pressure follows its power law: there rounding of s would
 spoil a pressure that is infinite at the edge."""
 
@@ -59,11 +59,11 @@ def point_force_displacement(force: ArrayLike, distance: ArrayLike, *, modulus: 
 
 def _towards_zero(length: float, power: float) -> tuple[Array, Array]:
     """Return nodes t in (0, length) and weights (of dt) of panels that shrink towards t = 0, where t^power."""
-    ends = length * RATIO ** np.arange(PANELS)
-    node, weight = np.polynomial.legendre.leggauss(ORDER)
-    wide = 0.5 * ends[:-1] * (1.0 - RATIO)
-    t = (0.5 * ends[:-1] * (1.0 + RATIO))[:, None] + wide[:, None] * node
-    first, last = roots_jacobi(ORDER, 0.0, power)
+    ends = length * PANEL_RATIO ** np.arange(PANEL_COUNT)
+    node, weight = np.polynomial.legendre.leggauss(NODES_PER_PANEL)
+    wide = 0.5 * ends[:-1] * (1.0 - PANEL_RATIO)
+    t = (0.5 * ends[:-1] * (1.0 + PANEL_RATIO))[:, None] + wide[:, None] * node
+    first, last = roots_jacobi(NODES_PER_PANEL, 0.0, power)
     inner = 0.5 * (1.0 + first)
     tiny = ends[-1] * inner
     nodes = np.concatenate([t.ravel(), tiny])
@@ -98,9 +98,9 @@ def _panels(radius: float, r: float, breaks: Sequence[float], edge: float) -> tu
 
 
 def _density(pressure: Curve, eta: Array, radius: float, edge: float) -> Array:
-    """Return p(s) s times ds/d(eta), following the power law of the edge where s cannot be told from a."""
-    s = radius * np.cos(np.maximum(eta, RIM))
-    # what eta is after s was rounded: the smooth factor of the pressure is asked exactly where it was computed
+    """Return p(s) s times ds/d(eta), following the power law of the edge where s cannot be distinguished from a."""
+    s = radius * np.cos(np.maximum(eta, RIM_DISTANCE))
+    # what eta is after s was rounded: the smooth factor of the pressure is evaluated exactly where it was computed
     exact = _angle(s, radius)
     smooth = np.asarray(pressure(s), dtype=float) * np.sin(exact) ** (-2.0 * edge)
     return np.asarray(smooth * np.sin(eta) ** (2.0 * edge + 1.0) * radius**2 * np.cos(eta))

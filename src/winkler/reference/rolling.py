@@ -1,6 +1,6 @@
 r"""Rolling with creepage: closed forms for a ball, for a cylinder (Carter), and for springs over a disc.
 
-A ball, its first slope in Kalker's hands, follows the cubic law of Vermeulen and Johnson in
+A ball, its first slope by Kalker's theory, follows the cubic law of Vermeulen and Johnson in
 :math:`\tau=c_{11}Ga^2\xi/(\mu F_N)`; a cylinder, in plane strain, is solved exactly: with the load P per length, the
 creep force Q per length and :math:`a^2=4PR/(\pi E^*)`
 

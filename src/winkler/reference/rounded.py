@@ -1,6 +1,6 @@
 r"""Shapes without a kink: flat punch with a rounded edge [1]_, cone with a parabolic [2]_ or spherical [3]_ tip.
 
-Rounded edge and parabolic tip are made of the functions S and C of the truncated shapes; the tip meets the cone
+Rounded edge and parabolic tip are made of the functions S and C of the truncated shapes; the tip joins the cone
 with a common tangent at r = b.  The spherical tip, f' = r / sqrt(R^2 - r^2) up to b = R cos(half_angle) and
 1/tan(half_angle) beyond, was integrated here: with m = sqrt(R^2 - b^2), n = sqrt(x^2 - b^2), for x > b
 

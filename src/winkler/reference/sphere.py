@@ -34,15 +34,20 @@ __all__ = [
     "sphere_force",
 ]
 
-SMALL = 0.25
+SERIES_LIMIT = 0.25
 """Below this a/R the series is summed: its terms fall by 1/16, the closed forms lose a factor of 1/SMALL^2."""
-TERMS = np.arange(16)
+SERIES_POWERS = np.arange(16)
 
 
 def _force_series(ratio: Array, sign: float) -> Array:
     """Return sum over k of sign^k 2 (2k+2)/((2k+1)(2k+3)) ratio^(2k+3)."""
-    weights = sign**TERMS * 2.0 * (2.0 * TERMS + 2.0) / ((2.0 * TERMS + 1.0) * (2.0 * TERMS + 3.0))
-    return np.asarray(ratio[..., None] ** (2 * TERMS + 3) @ weights)
+    weights = (
+        sign**SERIES_POWERS
+        * 2.0
+        * (2.0 * SERIES_POWERS + 2.0)
+        / ((2.0 * SERIES_POWERS + 1.0) * (2.0 * SERIES_POWERS + 3.0))
+    )
+    return np.asarray(ratio[..., None] ** (2 * SERIES_POWERS + 3) @ weights)
 
 
 def sphere_depth(radius: ArrayLike, *, curvature_radius: float) -> Array:
@@ -77,7 +82,7 @@ def sphere_force(radius: ArrayLike, *, curvature_radius: float, modulus: float) 
         E* [Pa].
     """
     t = np.asarray(radius, dtype=float) / curvature_radius
-    small = t < SMALL
+    small = t < SERIES_LIMIT
     closed = (1.0 + t**2) * np.arctanh(t) - t
     shape = np.where(small, _force_series(np.where(small, t, 0.0), 1.0), closed)
     return np.asarray(modulus * curvature_radius**2 * shape)
@@ -200,7 +205,7 @@ def hyperboloid_force(radius: ArrayLike, *, curvature_radius: float, half_angle:
     rise = 1.0 / np.tan(half_angle)
     scale = curvature_radius * rise
     t = np.asarray(radius, dtype=float) / scale
-    small = t < SMALL
+    small = t < SERIES_LIMIT
     closed = (t - 1.0) * (t + 1.0) * np.arctan(t) + t
     shape = np.where(small, _force_series(np.where(small, t, 0.0), -1.0), closed)
     return np.asarray(modulus * rise * scale**2 * shape)
@@ -227,7 +232,7 @@ def hyperboloid_displacement(r: ArrayLike, radius: ArrayLike, *, curvature_radiu
     rise = 1.0 / np.tan(half_angle)
     scale, beyond = curvature_radius * rise, np.maximum(r, a)
     w, slant = np.sqrt((beyond - a) * (beyond + a)), np.hypot(beyond, scale)
-    turn, seen = np.arctan(a / scale), np.arctan2(a, w)
-    outside = 2.0 / np.pi * ((a * turn + scale) * seen + w * turn - slant * np.arctan2(slant * a, scale * w))
+    turn, view_angle = np.arctan(a / scale), np.arctan2(a, w)
+    outside = 2.0 / np.pi * ((a * turn + scale) * view_angle + w * turn - slant * np.arctan2(slant * a, scale * w))
     inside = a * turn - r**2 / (scale + np.hypot(r, scale))
     return np.asarray(rise * np.where(r < a, inside, outside))

@@ -36,8 +36,8 @@ def limiting_height(r: ArrayLike, *, core: float, depth: float, curvature_radius
         c, d, R [m].
     """
     r = np.asarray(r, dtype=float)
-    kept = r * r * np.arcsin(core / r) - core * np.sqrt((r - core) * (r + core))
-    return np.asarray(kept / (math.pi * curvature_radius) + 2.0 * depth / math.pi * np.arccos(core / r))
+    remaining = r * r * np.arcsin(core / r) - core * np.sqrt((r - core) * (r + core))
+    return np.asarray(remaining / (math.pi * curvature_radius) + 2.0 * depth / math.pi * np.arccos(core / r))
 
 
 def limiting_force(*, core: float, depth: float, curvature_radius: float, modulus: float) -> float:

@@ -53,7 +53,7 @@ def test_moduli(k, nu):
 
 
 def test_gibson_is_the_limit():
-    """On the way to k = 1 at nu = 1/2; with any other nu the surface gives way."""
+    """Towards k = 1 at nu = 1/2; with any other nu the surface deforms without limit."""
     for near in (1e-4, 1e-8, 1e-12):
         assert normal_factor(1.0 - near, 0.5) == pytest.approx(0.5 * math.pi, rel=2.0 * near + 1e-14)
         assert 0.0 < normal_factor(1.0 - near, 0.3) < 4.0 * near

@@ -8,7 +8,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.media.interior.shear_field import field, swerve
+from winkler.media.interior.shear_field import angular_shift, field
 
 POISSON, YOUNG = 0.3, 2.0
 SHEAR = 0.5 * YOUNG / (1.0 + POISSON)
@@ -209,7 +209,7 @@ def test_swerve():
     """B(r) = nu/(2 pi G) Int_0^min(r,a) q (1 - 2t^2/r^2)/sqrt(r^2 - t^2) dt: zero where the load is constant."""
     shape = PartlyStuck()
     r = np.array([0.0, 0.3, 0.59, 0.7, 0.95, 1.0, 1.2, 3.0])
-    got = swerve(shape, r, modulus=MODULUS, poisson=POISSON, shear=SHEAR)
+    got = angular_shift(shape, r, modulus=MODULUS, poisson=POISSON, shear=SHEAR)
     np.testing.assert_array_equal(got[:3], 0.0)
     for value, place in zip(got[3:], r[3:], strict=True):
         c, a, end = mp.mpf("0.6"), mp.mpf(1), mp.asin(min(1, 1 / mp.mpf(place)))

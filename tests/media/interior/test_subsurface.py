@@ -457,7 +457,7 @@ def test_every_plane_carries_the_force(name, depth):
 
 
 def test_many_kinks_are_the_sum_of_few():
-    """Far from a point neighbouring panels are lumped together; superposition tells whether that costs anything."""
+    """Far from a point neighbouring panels are lumped together; superposition shows whether that costs digits."""
     random = np.random.default_rng(4)
     places, factors = tuple(np.linspace(0.0, 0.49, 60)), tuple(random.uniform(-1.0, 1.0, 60))
     r = np.concatenate([[0.0, 0.5, places[7]], 10.0 ** random.uniform(-3.0, 1.0, 60)])

@@ -15,8 +15,8 @@ from winkler.materials.graded import PowerLawGraded
 from winkler.materials.layered import Layer
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.depth_climb import ascend, ascend_across, descend, mesh
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
+from winkler.media.layered.depth_recursion import mesh, states_with_depth, surface_compliance, surface_compliance_across
 
 EXPONENTIAL = ExponentialGrading(1.0, 3.0, depth_scale=1.0, poisson=0.3)
 
@@ -102,7 +102,7 @@ def test_an_exponential_with_a_bottom(rate, nu):
     grading = Growing(rate, 1.7, nu)
     xi = np.array([1e-3, 0.1, 0.7, 2.0, 6.0, 40.0, 300.0])
     twice = 1.0 / (1.0 + nu)
-    found = twice * ascend(mesh(grading, 1e-8, 1e-4), xi)
+    found = twice * surface_compliance(mesh(grading, 1e-8, 1e-4), xi)
     for i, number in enumerate(xi):
         exact = growing(grading, number)
         expected = [float(exact[0, 0]), float(exact[0, 1]), float(exact[1, 1])]
@@ -115,8 +115,8 @@ def test_waves_across(rate):
     """(G u')' = xi^2 G u with G = G(0) exp(rate z): two exponentials, and one below; xi u / tau at the surface."""
     grading = Growing(rate, 1.7, 0.3)
     xi = np.array([1e-3, 0.7, 6.0, 300.0])
-    found = ascend_across(mesh(grading, 1e-8, 1e-4), xi)
-    for number, answer in zip(xi, found, strict=True):
+    found = surface_compliance_across(mesh(grading, 1e-8, 1e-4), xi)
+    for number, solution in zip(xi, found, strict=True):
         with mpmath.workdps(60):
             b, w, end = mpmath.mpf(rate), mpmath.mpf(number), mpmath.mpf(1.7)
             root = mpmath.sqrt(b * b / 4 + w * w)
@@ -124,7 +124,7 @@ def test_waves_across(rate):
             # at the bottom u' = -xi u
             part = -(down + w) / (up + w) * mpmath.exp((down - up) * end)
             exact = -w * (part + 1) / (part * up + down) * mpmath.mpf("2.6")
-        assert answer == pytest.approx(float(exact), rel=1e-9)
+        assert solution == pytest.approx(float(exact), rel=1e-9)
 
 
 def test_the_tangential_modulus():
@@ -140,7 +140,7 @@ def test_the_way_down():
     grading, depth, xi = Growing(1.5, 1.7, 0.3), 0.6, 2.3
     found = {
         rung.depth: [float(part[0]) for part in rung[1:]]
-        for rung in descend(mesh(grading, 1e-8, 1e-3, (depth,)), np.array([xi]))
+        for rung in states_with_depth(mesh(grading, 1e-8, 1e-3, (depth,)), np.array([xi]))
     }[depth]
     with mpmath.workdps(60):
         y = growing(grading, xi)
@@ -153,10 +153,10 @@ def test_the_way_down():
 
 
 def compliance(grading, xi: float) -> float:
-    """E(0) / (1 - nu^2) times xi C / 2: Riccati's equation for Y in z, of which cells know nothing."""
+    """E(0) / (1 - nu^2) times xi C / 2: Riccati's equation for Y in z, which uses no cells."""
     from scipy.integrate import solve_ivp
 
-    # waves are not felt below 20 / xi; in between breaks everything is smooth
+    # waves have no effect below 20 / xi; in between breaks everything is smooth
     depth = min(20.0 / xi, grading.settled_at(1e-13))
     edges = [depth, *sorted((z for z in grading.breaks if z < depth), reverse=True), 0.0]
 
@@ -204,7 +204,7 @@ def test_the_response_without_cells(grading):
 
 
 def test_complex_and_very_short_waves():
-    """Beyond the waves that are climbed a series goes on; both know the same function of complex wave numbers."""
+    """Beyond the waves of the recursion a series goes on; both are the same function of complex wave numbers."""
     response = DepthGradedHalfSpace(EXPONENTIAL, tolerance=1e-6).response
     limit = 100.0 / EXPONENTIAL.finest
     circle = 5.0 * limit + 4.5 * limit * np.exp(2j * np.pi * (np.arange(256) + 0.5) / 256)
@@ -252,7 +252,7 @@ def test_a_flat_punch_by_ritz():
 
 @pytest.mark.slow
 def test_a_power_law_that_is_cut_off():
-    """Between its ends a power law presses back as the closed form says."""
+    """Between its ends a power law presses back as the closed form predicts."""
     k, nu = 0.3, 0.3
     exact = GradedHalfSpace.between(PowerLawGraded(1.0, 1.0, k, nu))
     miss = []

@@ -1,7 +1,7 @@
 """Films on a rigid base, from much narrower to much wider contacts than they are thick, by another route.
 
-The judge takes M in closed form, its transform by plain quadrature, and solves the equation of the flat punch on equal
-panels of half a thickness: no graded panels, no turned path, no tables.
+The reference takes M in closed form, its transform by plain quadrature, and solves the equation of the flat punch on
+equal panels of half a thickness: no graded panels, no turned path, no tables.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def relative(medium: wk.CoatedHalfSpace, a: float) -> float:
     return float(medium.punch_stiffness(np.array(a)) / (2.0 * medium.modulus * a))
 
 
-# ------------------------------------------------------------------------------------------------------- the judge
+# ------------------------------------------------------------------------------------------------------ the reference
 
 
 def excess(x: np.ndarray, poisson: float) -> np.ndarray:
@@ -73,7 +73,7 @@ def operator(poisson: float, a: float, step: float):
     return x, w, scipy.linalg.lu_factor(np.eye(x.size) + both * w)
 
 
-def judged(poisson: float, a: float, h: np.ndarray | None = None, step: float = 0.5):
+def compared(poisson: float, a: float, h: np.ndarray | None = None, step: float = 0.5):
     """Nodes, weights and the line load of a flat punch, or of a body with the transform h."""
     x, w, factors = operator(poisson, a, step)
     return x, w, scipy.linalg.lu_solve(factors, np.ones(x.size) if h is None else h)
@@ -85,7 +85,7 @@ WIDTHS = [0.3, 3.0, 10.0, 30.0, pytest.param(60.0, marks=pytest.mark.slow)]
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 @pytest.mark.parametrize("a", WIDTHS)
 def test_punches_on_films_by_equal_panels(poisson, a):
-    x, w, phi = judged(poisson, a)
+    x, w, phi = compared(poisson, a)
     medium = film(poisson)
     assert relative(medium, a) == pytest.approx(float(w @ phi) / a, rel=2e-10)
     found = fredholm.punches(medium.response, x, np.full(x.shape, a))
@@ -94,8 +94,8 @@ def test_punches_on_films_by_equal_panels(poisson, a):
 
 @pytest.mark.parametrize("a", [3.0, 30.0])
 def test_the_judge_does_not_move_with_half_its_panels(a):
-    _, w, phi = judged(0.5, a)
-    _, finer, twice = judged(0.5, a, step=0.25)
+    _, w, phi = compared(0.5, a)
+    _, finer, twice = compared(0.5, a, step=0.25)
     assert float(finer @ twice) == pytest.approx(float(w @ phi), rel=1e-10)
 
 
@@ -105,17 +105,17 @@ def test_the_judge_does_not_move_with_half_its_panels(a):
 def test_depth_and_force_of_powers_by_equal_panels(poisson, a, n):
     """g(a) makes the line load at the edge vanish, and F is its integral."""
     shape = wk.PowerLaw(1.0, n)
-    x, w, phi = judged(poisson, a)
-    _, _, pressed = judged(poisson, a, shape.gap(x))
+    x, w, phi = compared(poisson, a)
+    _, _, pressed = compared(poisson, a, shape.gap(x))
     places = np.linspace(0.5 * a, a, 6)[:-1]
     bed = wk.Foundation(shape, film(poisson))
-    answer = wk.Indentation(bed, wk.Radius(a)).solve()
-    force = 2.0 * bed.medium.modulus * float(w @ (answer.depth * phi - pressed))
-    assert answer.force == pytest.approx(force, rel=1e-9)
+    solution = wk.Indentation(bed, wk.Radius(a)).solve()
+    force = 2.0 * bed.medium.modulus * float(w @ (solution.depth * phi - pressed))
+    assert solution.force == pytest.approx(force, rel=1e-9)
     # the last of the panels, continued to the edge
     last = slice(x.size - 16, x.size)
     edge = [np.polyval(np.polyfit(x[last] - a, part[last], 13), 0.0) for part in (pressed, phi)]
-    assert answer.depth == pytest.approx(edge[0] / edge[1], rel=1e-7)
+    assert solution.depth == pytest.approx(edge[0] / edge[1], rel=1e-7)
     assert np.all(np.diff(bed.gap(places)) > 0.0)
 
 
@@ -169,10 +169,10 @@ def test_wide_punches_compress_a_film_like_a_bed(poisson):
 @pytest.mark.parametrize("shape", ["cone", "paraboloid", "rounded"])
 @pytest.mark.parametrize("poisson", [0.5, 0.3])
 def test_thickness_and_modulus_are_units(shape, poisson):
-    """Twelve decades of lengths and of moduli; the cone on films of three micrometres was not answered once."""
+    """Twelve decades of lengths and of moduli; the cone on films of three micrometres was not solved at first."""
     shares = np.array([1e-3, 0.05, 0.5, 1.0])
 
-    def answers(h: float, young: float):
+    def solutions(h: float, young: float):
         made = {
             "cone": wk.Cone(1.2),
             "paraboloid": wk.Paraboloid(5.0 * h),
@@ -183,10 +183,10 @@ def test_thickness_and_modulus_are_units(shape, poisson):
         pressed = wk.Indentation(bed, wk.Force(deep.force)).solve()
         return np.array([deep.radius / h, deep.force / (young * h**2), pressed.depth / h, pressed.radius / h])
 
-    one = answers(1.0, 1.0)
+    one = solutions(1.0, 1.0)
     for h in (1e-9, 3e-6, 5e-6, 1e-3, 1e3):
         for young in (1e-6, 1e6):
-            np.testing.assert_allclose(answers(h, young), one, rtol=1e-11)
+            np.testing.assert_allclose(solutions(h, young), one, rtol=1e-11)
 
 
 def test_films_share_what_contrasts_and_poisson_ratios_tell():

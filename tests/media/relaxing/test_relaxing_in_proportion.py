@@ -1,4 +1,4 @@
-"""Bodies that relax in proportion: elastic answers with hereditary integrals, and what is refused."""
+"""Bodies that relax in proportion: elastic solutions with hereditary integrals, and what is refused."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_fast_and_slow_are_elastic(name):
 def test_creep_under_a_constant_force(name):
     """d(t) is the elastic depth under F C(t)."""
     given, t = bed(MEDIA[name]), np.array([0.0, 1.0])
-    # a film asks much of every spring
+    # a film is costly for every spring
     count, close = (60, 1e-3) if name == "film" else (300, 3e-5)
     found = pressed(given, t, Force(1e-3), count=count, tolerance=1e-6)
     creep = 1.0 - 0.6 * np.exp(-t * 0.4 / 0.3)  # in units of the relaxed solid
@@ -88,7 +88,7 @@ def test_a_homogeneous_body_is_the_same_either_way():
 
 
 def test_closed_tests():
-    """Creep, relaxation and oscillation of a Gibson-like soil and of a film: the elastic answer times a function."""
+    """Creep, relaxation and oscillation of a Gibson-like soil and of a film: the elastic solution times a function."""
     for medium in (GRADED, FILM):
         given = bed(medium)
         elastic = wk.Indentation(wk.Foundation(BALL, medium), Depth(0.01)).solve()
@@ -141,7 +141,7 @@ def test_the_surface_outside_and_inside_a_film():
 
 
 @pytest.mark.parametrize(
-    ("make", "says"),
+    ("make", "sentence"),
     [
         (lambda: RelaxingInProportion(ViscoelasticHalfSpace(SOLID), SOLID, 1.0), "medium is a ViscoelasticHalfSpace"),
         (lambda: RelaxingInProportion(FILM, wk.Elastic(1.0, 0.3), 1.0), "solid is a Elastic"),
@@ -151,8 +151,8 @@ def test_the_surface_outside_and_inside_a_film():
         (lambda: ViscoelasticIndentation(wk.Foundation(BALL, FILM), Path([0.0, 1.0], Depth([0.0, 1.0]))), "proportion"),
     ],
 )
-def test_what_is_refused(make, says):
-    with pytest.raises(InvalidInput, match=says):
+def test_what_is_refused(make, sentence):
+    with pytest.raises(InvalidInput, match=sentence):
         make()
 
 
@@ -171,17 +171,17 @@ def test_what_has_no_single_answer():
     with pytest.raises(OutsideValidity, match="changes in time"):
         wk.Indentation(given, Depth(0.01)).solve()
     medium, x = given.medium, np.array([0.1])
-    for ask in (medium.normal_stiffness, medium.normal_stiffness_slope, medium.tangential_stiffness):
-        with pytest.raises(OutsideValidity, match="no single answer"):
-            ask(x)
-    with pytest.raises(OutsideValidity, match="no single answer"):
+    for request in (medium.normal_stiffness, medium.normal_stiffness_slope, medium.tangential_stiffness):
+        with pytest.raises(OutsideValidity, match="no single value"):
+            request(x)
+    with pytest.raises(OutsideValidity, match="no single value"):
         medium.punch_pressure(x, 2.0 * x)
-    with pytest.raises(OutsideValidity, match="no single answer"):
+    with pytest.raises(OutsideValidity, match="no single value"):
         medium.gap_load(BALL, x)
 
 
 def test_what_is_assumed_is_said():
     found = pressed(bed(FILM), [0.0, 1.0], Depth([0.0, 0.01]), count=50)
-    said = " ".join(note.statement for note in found.validity)
-    assert "same function of time" in said
-    assert "bonded" in said
+    text = " ".join(note.statement for note in found.validity)
+    assert "same function of time" in text
+    assert "bonded" in text

@@ -105,7 +105,7 @@ def test_at_zero_limits_are_taken_or_nan(text, value, first, second):
 
 
 def test_limits_at_zero_agree_with_those_from_above():
-    """What is said at r = 0 is where r -> 0 leads."""
+    """The value at r = 0 is the limit of r -> 0."""
     for text in ("r*sqrt(1 + r)", "r**2*log(r)", "sqrt(r**2 + 4) - 2", "r**3*log(r)", "r**1.5*sin(r)"):
         here, near = (Expression(text).taylor([place]) for place in (0.0, 1e-14))
         for order in range(2):
@@ -274,8 +274,8 @@ def test_what_is_refused_and_how(text, sentence):
     assert message.startswith(f"the formula {text[:60]!r}: ")
     if sentence == "text in quotes":
         sentence = 'the character "\'" is not allowed; operators are + - * / **.'
-    told = message.removeprefix(f"the formula {text[:60]!r}: ")
-    assert told == sentence or (not sentence.endswith(".") and told.startswith(sentence))
+    stated = message.removeprefix(f"the formula {text[:60]!r}: ")
+    assert stated == sentence or (not sentence.endswith(".") and stated.startswith(sentence))
 
 
 def test_too_long_and_no_text():
@@ -309,7 +309,7 @@ def test_constants_are_checked(constants, sentence):
 
 
 def test_negative_places_are_refused():
-    with pytest.raises(InvalidInput, match="the formula 'r' is asked at r = -1, below zero"):
+    with pytest.raises(InvalidInput, match="the formula 'r' is evaluated at r = -1, below zero"):
         Expression("r").taylor([1.0, -1.0])
 
 

@@ -54,7 +54,7 @@ def test_the_error_of_what_has_settled_is_filtered():
     system, state, length = Chased(1e6), np.array([1.0, 1.0 - 3e-6]), 1e-3
     first = system.rates(state)
     end, last, error = implicit_step(system, state, first, length)
-    # a rate that falls from 3 to 1, at once: both ends alone tell a hundred times the error that is left
+    # a rate that falls from 3 to 1, at once: both ends alone suggest a hundred times the error that is left
     raw = 0.8 * (state - end) + 0.4 * length * (first + last)
     assert abs(raw[1]) > 5e-4
     assert np.max(np.abs(error)) < 5e-6

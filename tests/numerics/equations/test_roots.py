@@ -66,7 +66,7 @@ def test_a_bend_between_two_powers():
 
 
 def test_a_step_is_found_between_neighbours():
-    """A jump has no root; the place of the jump is the answer."""
+    """A jump has no root; the place of the jump is the result."""
     got = invert(
         lambda x: (np.where(x < 0.3, 1.0, 2.0) * x, np.ones_like(x)), np.array([0.45]), lower=0.0, upper=9.0, guess=1.0
     )
@@ -93,7 +93,7 @@ def test_one_answer_does_not_depend_on_the_others():
 
 
 def test_a_target_that_is_never_met():
-    with pytest.raises(NotConverged, match="No contact radius meets the load"):
+    with pytest.raises(NotConverged, match="No contact radius bears the load"):
         invert(
             lambda x: (np.tanh(x), np.cosh(np.minimum(x, 300.0)) ** -2.0),
             np.array([2.0]),

@@ -1,4 +1,4 @@
-"""Steps for systems that damp: second order, stable as far as they say, and honest about their error."""
+"""Steps for systems that damp: second order, stable as far as stated, and with the right estimate of their error."""
 
 import math
 
@@ -33,6 +33,6 @@ def test_a_step_is_stable_as_far_as_it_says(stages):
 def test_the_error_is_told():
     y, length = np.ones(1), 0.2
     end = step(lambda z: -z, y, -y, length, 3)
-    told = abs(float(step_error(y, end, -y, -end, length)[0]))
+    stated = abs(float(step_error(y, end, -y, -end, length)[0]))
     true = abs(float(end[0]) - math.exp(-length))
-    assert 0.2 * true < told < 20.0 * true
+    assert 0.2 * true < stated < 20.0 * true

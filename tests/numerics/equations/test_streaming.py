@@ -45,7 +45,7 @@ def test_a_reader_that_leaves_ends_the_routine():
                 try:
                     hand_over(number)
                 except Exception:
-                    pytest.fail("the routine was told of an error")
+                    pytest.fail("the routine received an error")
         finally:
             ended.set()
 

@@ -39,7 +39,7 @@ HEIGHTS = wave(GRID)
 
 def walked(levels):
     """Walk from cell to cell while the level exceeds the next one; for every level a new walk from where one stands."""
-    index, way, before = 0, [], -np.inf
+    index, path, before = 0, [], -np.inf
     for level in levels:
         if level >= before:
             higher = np.flatnonzero(HEIGHTS[index:] > level)
@@ -47,9 +47,9 @@ def walked(levels):
         else:
             lower = np.flatnonzero(HEIGHTS[: index + 1][::-1] < level)
             index = index - (int(lower[0]) if lower.size else index)
-        way.append(GRID[index])
+        path.append(GRID[index])
         before = level
-    return np.array(way)
+    return np.array(path)
 
 
 @settings(max_examples=50, deadline=None, derandomize=True)

@@ -9,7 +9,7 @@ from scipy.special import ellipe, ellipk, gamma, jn_zeros, jv
 
 from winkler.numerics.fields.disc_charges import currents
 from winkler.numerics.fields.disc_field import disc_potential, disc_slopes
-from winkler.numerics.fields.filmed_disc import UNIFORM, spreading
+from winkler.numerics.fields.filmed_disc import UNIFORM_FLUX_RATIO, spreading
 from winkler.numerics.fields.flux_tube import relief
 
 
@@ -45,9 +45,9 @@ def test_a_film_moves_between_one_voltage_and_uniform_flux():
     assert np.all(np.diff(found) >= 0.0)
     assert spreading(np.array(0.0)) == 1.0
     assert found[0] == pytest.approx(1.0, abs=1e-5)
-    assert found[-1] == pytest.approx(UNIFORM, rel=1e-9)
+    assert found[-1] == pytest.approx(UNIFORM_FLUX_RATIO, rel=1e-9)
     # uniform flux over a disc: mean voltage 8 q a / (3 pi lambda) of two bodies
-    assert float(32 / (3 * mp.pi**2)) == UNIFORM
+    assert float(32 / (3 * mp.pi**2)) == UNIFORM_FLUX_RATIO
 
 
 @pytest.mark.parametrize("ratio", [0.05, 0.3, 0.6, 0.85])
@@ -90,10 +90,10 @@ def test_discs_settle_geometrically():
     x, y, radii = np.array([0.0, 1.0, 0.4]), np.array([0.0, 0.0, 0.8]), np.array([0.4, 0.35, 0.3])
     finest = np.sum(currents(x, y, radii, 10)[0])
     error = [abs(np.sum(currents(x, y, radii, degree)[0]) / finest - 1.0) for degree in (2, 4, 6)]
-    told = [abs(np.subtract(*map(np.sum, currents(x, y, radii, degree)))) / finest for degree in (2, 4, 6)]
+    stated = [abs(np.subtract(*map(np.sum, currents(x, y, radii, degree)))) / finest for degree in (2, 4, 6)]
     assert error[1] < 0.2 * error[0]
     assert error[2] < 0.2 * error[1]
-    assert np.all(np.array(error) < told)
+    assert np.all(np.array(error) < stated)
 
 
 def test_one_disc_has_its_capacity():
@@ -111,7 +111,7 @@ def test_the_field_of_a_disc_to_all_digits(r, z):
         place = (mp.mpf(r), mp.mpf(z))
         expected = theta(*place)
         down = mp.diff(lambda depth: theta(place[0], depth), place[1], h=mp.mpf("1e-12") * 1)
-        out = mp.diff(lambda way: theta(way, place[1]), place[0], h=mp.mpf("1e-12")) if r else mp.mpf(0)
+        out = mp.diff(lambda path: theta(path, place[1]), place[0], h=mp.mpf("1e-12")) if r else mp.mpf(0)
     found = disc_slopes(np.array([r]), np.array([z]), 1.0)
     assert disc_potential(np.array([r]), np.array([z]), 1.0)[0] == pytest.approx(float(expected), rel=1e-14)
     assert found[0][0] == pytest.approx(float(out), rel=1e-6, abs=1e-12)

@@ -35,8 +35,8 @@ def point_sources(flux, wave, x, y, count=160):
     if rho < 1.0:
         turn, share = np.pi * (1.0 + node), np.pi * weight
     else:  # only these directions meet the disc; the chords end like a root
-        seen = np.arcsin(1.0 / rho)
-        turn, share = np.arctan2(y, x) + seen * (2.0 * part - 1.0), 2.0 * seen * weights
+        observed = np.arcsin(1.0 / rho)
+        turn, share = np.arctan2(y, x) + observed * (2.0 * part - 1.0), 2.0 * observed * weights
     ahead, across = np.cos(turn), np.sin(turn)
     # the chord from (x, y) backwards along (cos, sin): R from first to last
     middle = x * ahead + y * across
@@ -144,7 +144,7 @@ def test_the_mean_is_that_of_the_field():
 
 
 def test_what_goes_where_does_not_matter_to_the_mean():
-    """Betti's theorem of heat: source A warms B's disc as B's source warms A's, the other way round."""
+    """Betti's theorem of heat: source A warms B's disc as B's source warms A's, and conversely."""
     node, weight = np.polynomial.legendre.leggauss(24)
     r, turn = np.sin(0.25 * np.pi * (1.0 + node)), 0.5 * np.pi * (1.0 + node)
     x, y = np.outer(r, np.cos(turn)), np.outer(r, np.sin(turn))

@@ -17,33 +17,33 @@ def test_a_kink_anywhere():
             *(end + sign * np.geomspace(1e-12, 1e-2, 40) for end in (0.25, 0.5, 0.75) for sign in (-1.0, 1.0)),
         ]
     )
-    answer = refined(
+    solution = refined(
         lambda x, index: np.abs(x - place[index]), np.linspace(0.0, 1.0, 5), np.full(place.size, 1e-13), "kink"
     )
-    np.testing.assert_allclose(answer, 0.5 - place + place**2, rtol=2e-12)
+    np.testing.assert_allclose(solution, 0.5 - place + place**2, rtol=2e-12)
 
 
 def test_smooth_functions_and_square_roots():
     def power(x, index):
         return x ** np.array([0.5, 3.0, 7.5])[index]
 
-    answer = refined(power, np.array([0.0, 1.0]), np.full(3, 1e-13), "power")
-    np.testing.assert_allclose(answer, [1 / 1.5, 0.25, 1 / 8.5], rtol=1e-12)
+    solution = refined(power, np.array([0.0, 1.0]), np.full(3, 1e-13), "power")
+    np.testing.assert_allclose(solution, [1 / 1.5, 0.25, 1 / 8.5], rtol=1e-12)
 
 
 @pytest.mark.parametrize("exponent", [-0.6, -0.3, 0.0, 0.4])
 def test_springs_that_stiffen_towards_the_axis(exponent):
     end, kink = 3e-4, 1.1e-4
-    answer = along_springs(
+    solution = along_springs(
         lambda x, _: x**exponent * np.maximum(kink - x, 0.0), towards(end, [], 30), np.array([1e-13]), "stiff springs"
     )
     exact = kink ** (2.0 + exponent) * (1.0 / (1.0 + exponent) - 1.0 / (2.0 + exponent))
-    assert answer[0] == pytest.approx(exact, rel=1e-11)
+    assert solution[0] == pytest.approx(exact, rel=1e-11)
 
 
 def test_a_part_of_the_springs():
-    answer = along_springs(lambda x, _: x**2, np.array([0.5, 0.7, 2.0]), np.array([1e-13]), "part")
-    assert answer[0] == pytest.approx((8.0 - 0.125) / 3.0, rel=1e-14)
+    solution = along_springs(lambda x, _: x**2, np.array([0.5, 0.7, 2.0]), np.array([1e-13]), "part")
+    assert solution[0] == pytest.approx((8.0 - 0.125) / 3.0, rel=1e-14)
 
 
 def test_panels_crowd_towards_the_end():

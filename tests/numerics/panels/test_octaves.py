@@ -23,16 +23,16 @@ def test_a_sum_of_powers(unit):
 
 
 def test_few_evaluations_for_many_places():
-    asked = []
+    requested = []
 
     def function(x):
-        asked.append(x.size)
+        requested.append(x.size)
         return x**2 + x
 
     table = Octaves(function, 1.0, 0.0, math.inf)
     for x in np.linspace(0.1, 0.9, 500):
         assert table(np.array([x]))[0] == pytest.approx(x * x + x, rel=4e-14)
-    assert sum(asked) < 400
+    assert sum(requested) < 400
 
 
 def test_what_is_not_smooth_is_evaluated():

@@ -6,10 +6,15 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from winkler.numerics.panels.struve import FAR, struve
+from winkler.numerics.panels.struve import ASYMPTOTIC_LIMIT, struve
 
 T = np.concatenate(
-    [[0.0], np.geomspace(1e-12, 1.0, 7), np.linspace(1.3, 60.0, 41), [np.nextafter(FAR, 0.0), FAR, 137.7, 2345.6]]
+    [
+        [0.0],
+        np.geomspace(1e-12, 1.0, 7),
+        np.linspace(1.3, 60.0, 41),
+        [np.nextafter(ASYMPTOTIC_LIMIT, 0.0), ASYMPTOTIC_LIMIT, 137.7, 2345.6],
+    ]
 )
 
 

@@ -29,7 +29,7 @@ def bed(solid, profile=None):
     return wk.Foundation(profile or wk.Paraboloid(1.0), ViscoelasticHalfSpace(solid))
 
 
-def answers(solid, time, place, turn, compliance=0.0, profile=None):
+def solutions(solid, time, place, turn, compliance=0.0, profile=None):
     one = bed(solid, profile)
     table = elastic_table(elastic_like(one), float(np.max(place)))
     found = forces(table, one.medium.relaxation, time, place, turn, compliance)
@@ -42,7 +42,7 @@ def triangle(count, free=0.0):
 
 
 @pytest.mark.parametrize(
-    ("solid", "told"),
+    ("solid", "stated"),
     [
         (
             Maxwell(0.25, 0.3),
@@ -52,10 +52,10 @@ def triangle(count, free=0.0):
     ],
     ids=["Maxwell", "standard solid"],
 )
-def test_triangles_of_the_theory(solid, told):
+def test_triangles_of_the_theory(solid, stated):
     time, place, turn = triangle(2001)
-    found, radius = answers(solid, time, place, turn)
-    for at, (force, wide) in told.items():
+    found, radius = solutions(solid, time, place, turn)
+    for at, (force, wide) in stated.items():
         index = int(np.argmin(np.abs(time - at)))
         assert found.force[index] == pytest.approx(force, abs=6e-6)
         assert radius[index] == pytest.approx(wide, abs=6e-6)
@@ -66,7 +66,7 @@ def test_a_power_law_in_and_out_is_the_closed_form_of_ting():
     errors = []
     for count in (2001, 8001):
         time, place, turn = triangle(count, free=0.2)
-        found, _ = answers(POWER, time, place, turn)
+        found, _ = solutions(POWER, time, place, turn)
         before = np.where(time <= 1.0, time, time - 2.0 ** (1.0 / 0.8) * (time - 1.0))
         part = np.clip(before / np.where(time > 0.0, time, 1.0), 0.0, 1.0)
         exact = 2.0 * beta(1.5, 0.8) * np.maximum(time, 0.0) ** 1.3 * betainc(1.5, 0.8, part)
@@ -81,7 +81,7 @@ def test_a_power_law_in_and_out_is_the_closed_form_of_ting():
 def test_a_dashpot_in_and_out_is_the_closed_form():
     """Loading F = 4/3 E* d^(3/2) + 2 eta* sqrt(d) d', unloading 4/3 E* (d + tau d')^(3/2), with tau = 0.2."""
     time, place, turn = triangle(1001)
-    found, radius = answers(KelvinVoigt(0.25, 0.05), time, place, turn)
+    found, radius = solutions(KelvinVoigt(0.25, 0.05), time, place, turn)
     way_in = 4.0 / 3.0 * place**1.5 + 2.0 * 0.2 * np.sqrt(np.maximum(place, 0.0))
     pressed = np.maximum(place - 0.2, 0.0)
     inward = slice(1, turn)
@@ -98,11 +98,11 @@ def test_a_dashpot_in_and_out_is_the_closed_form():
     ids=["paraboloid", "cone", "sphere", "rounded cone"],
 )
 def test_the_rows_of_springs_agree(profile, close, compliance):
-    """A motion in that speeds up, a hold, and a way out; the springs know nothing of Ting."""
+    """A motion in that speeds up, a hold, and a retraction; the springs do not use Ting's time."""
     solid = Prony(0.05, [0.1, 0.15], [0.05, 0.7])
     time = np.linspace(0.0, 3.0, 901)
     place = np.where(time < 1.0, time**1.5, np.where(time < 1.6, 1.0 + 0.1 * (time - 1.0), 1.06 - 0.9 * (time - 1.6)))
-    found, radius = answers(solid, time, place, int(np.argmax(time > 1.6)), compliance, profile)
+    found, radius = solutions(solid, time, place, int(np.argmax(time > 1.6)), compliance, profile)
     assert found.depth + compliance * found.force == pytest.approx(place, abs=1e-9)
     springs = ViscoelasticIndentation(bed(solid, profile), Path(time, wk.Depth(found.depth)), count=1500).solve()
     assert np.max(np.abs(springs.force - found.force)) < close * np.max(springs.force)
@@ -112,7 +112,7 @@ def test_the_rows_of_springs_agree(profile, close, compliance):
 def test_a_hold_after_a_sudden_step_is_the_relaxation():
     time = np.geomspace(1e-3, 10.0, 200)
     time = np.concatenate([[0.0], time])
-    found, _ = answers(SLS, time, np.ones(time.size), time.size)
+    found, _ = solutions(SLS, time, np.ones(time.size), time.size)
     assert found.force == pytest.approx(4.0 / 3.0 * bed(SLS).medium.relaxation.at(time), rel=1e-12)
 
 
@@ -120,7 +120,7 @@ def test_a_machine_that_gives_way_relaxes_what_the_integral_says():
     """Step of the machine by D = 1, paraboloid, Maxwell: F = Phi(d(0)) M(t) + integral of M(t-s) dPhi, d = 1 - cF."""
     solid, c = Maxwell(0.25, 0.5), 0.8
     time = np.concatenate([[0.0], np.linspace(1e-4, 2.0, 4001)])
-    found, _ = answers(solid, time, np.ones(time.size), time.size, c)
+    found, _ = solutions(solid, time, np.ones(time.size), time.size, c)
     # F' + F / tau = Phi'(d) d', d' = -c F': F' (1 + c Phi') = -F / tau, integrated over the force
     first = brentq(lambda f: f - 4.0 / 3.0 * (1.0 - c * f) ** 1.5, 0.0, 1.0)
     assert found.force[0] == pytest.approx(first, rel=1e-10)
@@ -154,7 +154,7 @@ def test_forces_there_and_back_give_the_motion():
     time = np.linspace(0.0, 3.0, 3001)
     place = np.cumsum(random.uniform(0.0, 1.0, time.size)) / time.size
     place -= place[0]
-    found, _ = answers(SLS, time, place, time.size)
+    found, _ = solutions(SLS, time, place, time.size)
     one = bed(SLS)
     back = positions(elastic_table(elastic_like(one), 1.0), one.medium.creep, time, found.force)
     assert back[100:] == pytest.approx(place[100:], rel=2e-4)

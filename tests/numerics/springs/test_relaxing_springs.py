@@ -1,4 +1,4 @@
-"""Relaxing springs: many steps at once are single steps, a spring is what its differential equations say."""
+"""Relaxing springs: many steps at once are single steps, a spring follows its differential equations."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def test_modes_share_no_energy(name):
     "solid", [Maxwell(0.25, 0.3), KelvinVoigt(0.25, 0.1), Prony(0.05, [0.1, 0.05], [0.02, 1.0])], ids=["M", "KV", "P"]
 )
 def test_many_steps_are_single_steps(solid):
-    """To the last bit, whether states are asked for or only the solution; with touch lost and found."""
+    """To the last bit, whether states are requested or only the solution; with touch lost and found."""
     t = np.sort(np.concatenate([np.linspace(0.0, 3.0, 301), [0.71, 1.3, 2.4]]))
     d = 0.2 + 0.3 * np.sin(5.0 * t) * np.exp(-0.1 * t)
     d[0] = 0.0

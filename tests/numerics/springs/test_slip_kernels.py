@@ -132,7 +132,7 @@ def test_without_slip_a_spring_that_leaves_takes_what_it_stored():
 
 
 def test_loss_of_one_spring_by_hand():
-    """The bound rises from 1 to 2 while the bodies move by 4: met after 1/3 of the way, then follow it."""
+    """The bound rises from 1 to 2 while the bodies move by 4: reached after 1/3 of the path, then follow it."""
     u = np.zeros(1)
     force, stored, lost = np.zeros((3, 1))
     march_line(u, np.zeros(1), np.ones(1), np.ones(1), np.array([1.0, 2.0]), np.array([0.0, 4.0]), force, stored, lost)
@@ -146,21 +146,21 @@ def test_loss_of_one_spring_by_hand():
 def test_one_direction_in_the_plane_is_a_line(angle, slope):
     depth, shift = history(5)
     u, force, stored, lost = line(depth, shift[:, 0], slope)
-    way = np.array([np.cos(angle), np.sin(angle)])
-    u_2, force_2, stored_2, lost_2 = plane(depth, np.outer(shift[:, 0], way), slope)
-    np.testing.assert_allclose(u_2, np.outer(way, u), atol=1e-13)
-    np.testing.assert_allclose(force_2, np.outer(force, way), atol=1e-12)
+    path = np.array([np.cos(angle), np.sin(angle)])
+    u_2, force_2, stored_2, lost_2 = plane(depth, np.outer(shift[:, 0], path), slope)
+    np.testing.assert_allclose(u_2, np.outer(path, u), atol=1e-13)
+    np.testing.assert_allclose(force_2, np.outer(force, path), atol=1e-12)
     np.testing.assert_allclose(stored_2, stored, atol=1e-13)
     np.testing.assert_allclose(lost_2, lost, rtol=1e-11, atol=1e-13)
 
 
 @pytest.mark.parametrize(("bound", "last"), [(1.0, 1.0), (1.0, 1.3), (1.0, 0.4), (1.0, 0.0)])
 @pytest.mark.parametrize("angle", [0.3, 1.5, 2.9])
-@pytest.mark.parametrize("way", [0.05, 0.7, 3.0])
-def test_a_spring_turns_as_the_differential_equation_says(bound, last, angle, way):
+@pytest.mark.parametrize("path", [0.05, 0.7, 3.0])
+def test_a_spring_turns_as_the_differential_equation_says(bound, last, angle, path):
     """It follows the bodies; on the circle only the part of the motion along the circle is left."""
     start = 0.95 * bound * np.array([np.cos(angle), np.sin(angle)])
-    move = np.array([way, 0.0])
+    move = np.array([path, 0.0])
 
     def radius(s):
         return bound + s * (last - bound)
@@ -176,7 +176,7 @@ def test_a_spring_turns_as_the_differential_equation_says(bound, last, angle, wa
 
         def slip(s, y):  # the angle to the motion, and the loss: bound times rate of slip
             b = radius(s)
-            return [-way * np.sin(y[0]) / b, b * (way * np.cos(y[0]) - (last - bound))]
+            return [-path * np.sin(y[0]) / b, b * (path * np.cos(y[0]) - (last - bound))]
 
         end = 1.0 if last > 0.0 else 1.0 - 1e-9
         turned = solve_ivp(slip, (stuck.t[-1], end), [at, 0.0], rtol=1e-11, atol=1e-13, method="LSODA").y[:, -1]
@@ -199,14 +199,14 @@ def test_the_row_turns_as_every_spring_by_itself(last):
     if last == 1.0:
         slip_plane._circle_still((ux, uy), first, *move, (nx, ny, waste))
         np.testing.assert_allclose([nx, ny, waste], row, atol=1e-14)
-    seen = 0
+    observed = 0
     for i in range(300):
         x, y, lost, _ = slip_turn.travel(ux[i], uy[i], first[i], last * first[i], *move, 1.0, False)
         if waste[i] >= 0.0:
-            seen += 1
+            observed += 1
             np.testing.assert_allclose(row[:2, i], [x, y], atol=1e-13)
             assert row[2, i] == pytest.approx(lost, rel=1e-4, abs=1e-13 if last == 1.0 else 1e-3 * first[i] * 0.063)
-    assert seen > 250
+    assert observed > 250
 
 
 def test_steps_in_the_plane_may_be_divided():

@@ -90,7 +90,7 @@ def test_equal_times_are_one():
 
 
 def test_terms_of_hardly_any_strength_do_not_matter():
-    """A compliance of 1e-15 of the others has its zero nearer to its pole than logarithms tell."""
+    """A compliance of 1e-15 of the others has its zero nearer to its pole than logarithms resolve."""
     gel = CreepSeries(1e-3, 2e-3, np.array([4.2e-18, 2.2e-19]), np.array([0.00711, 0.0948]))
     back = of_creep(gel)
     times = np.geomspace(1e-3, 10.0, 7)

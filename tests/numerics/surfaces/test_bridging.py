@@ -61,10 +61,10 @@ def quartiles_around(numbers, periodic):
     """Return the 7th and the 19th of 25 numbers, two apart, which are repeated or mirrored beyond the border."""
     nx, ny = numbers.shape
     wide = np.pad(numbers, 4, mode="wrap" if periodic else "symmetric")
-    told = np.array(
+    stated = np.array(
         [[np.sort(wide[i : i + 9 : 2, j : j + 9 : 2].ravel())[[6, 18]] for j in range(ny)] for i in range(nx)]
     )
-    return told[..., 0], told[..., 1]
+    return stated[..., 0], stated[..., 1]
 
 
 @pytest.mark.parametrize("periodic", [False, True])

@@ -132,7 +132,7 @@ def test_a_contact_nearby_is_a_good_beginning():
 
 
 def test_what_does_not_converge_says_so(monkeypatch):
-    monkeypatch.setattr(pressed_box, "MOST", 3)
+    monkeypatch.setattr(pressed_box, "MOST_ITERATIONS", 3)
     heights, pixel, depth, _ = ball(65)
     with pytest.raises(NotConverged, match="65 x 65 pixels still overlaps by"):
         press(heights, pixel, ByDepth(depth), periodic=False, tolerance=1e-10, start=np.zeros((65, 65)))
@@ -162,7 +162,7 @@ def any_task(seed):
 
 @pytest.mark.parametrize("first", range(0, 60, 20))
 def test_whatever_is_pressed_is_solved(first):
-    """Random sizes, shapes, units, loads and hardnesses: every answer is looked at again."""
+    """Random sizes, shapes, units, loads and hardnesses: every result is checked again."""
     for seed in range(first, first + 20):
         h, pixel, drive, periodic, ceiling = any_task(seed)
         found = press(h, pixel, drive, periodic=periodic, ceiling=ceiling, tolerance=1e-7)
@@ -194,7 +194,7 @@ def test_the_box_around_the_contact_changes_nothing(monkeypatch):
 
 @pytest.mark.parametrize("periodic", [False, True])
 def test_memory_is_counted(periodic):
-    """What numpy held at most, of a rough contact all over the map, is less than what is said, and not much less."""
+    """What numpy held at most, of a rough contact all over the map, is less than what is stated, and not much less."""
     heights = np.random.default_rng(4).random((300, 300))
     heights -= heights.min()
     drive = ByDepth(0.4)

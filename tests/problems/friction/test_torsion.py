@@ -13,7 +13,7 @@ from scipy.integrate import quad
 from scipy.special import ellipe, ellipkm1
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.plane import PlaneFoundation
 from winkler.laws.friction import Coulomb
@@ -122,7 +122,7 @@ def test_greatest_torque_is_the_moment_of_the_pressure(profile, kind):
         r = low + (high - low) * x**3 * (10.0 - 15.0 * x + 6.0 * x * x)
         jacobian = (high - low) * 30.0 * x**2 * (1.0 - x) ** 2
         if high > low:
-            p = MEDIUM.pressure(Pressed(bed, state.depth, state.radius), r)
+            p = MEDIUM.pressure(PressedSprings(bed, state.depth, state.radius), r)
             moment += 2.0 * math.pi * MU * float(np.sum(weights * jacobian * p * r * r))
     assert state.torque_limit == pytest.approx(moment, rel=1e-7)
 
@@ -363,7 +363,7 @@ def test_a_truncated_cone_slides_with_its_pressure():
     state = twisted(bed, Depth(1e-3), Angle([0.6 * unit])).at(0)
     assert state.stick_radius < 0.004
     ring = np.array([0.0041, 0.0055, 0.9 * state.radius])
-    pressure = MEDIUM.pressure(Pressed(bed, state.depth, state.radius), ring)
+    pressure = MEDIUM.pressure(PressedSprings(bed, state.depth, state.radius), ring)
     assert state.traction(ring) == pytest.approx(MU * pressure, rel=1e-7)
 
 

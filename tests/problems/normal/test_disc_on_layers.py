@@ -1,7 +1,7 @@
 """Is a contact on layers one disc?  Hard coatings pull and bend away; what is accepted and refused must be right.
 
 The judge restores the pressure in another way: as that of the load which the same pressure puts on a homogeneous
-half-space (`Carried`), without the flat punches' own pressures.
+half-space (`CarriedLoad`), without the flat punches' own pressures.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.foundation.bed import Pressed
-from winkler.media.layered.coated_load import Carried
+from winkler.foundation.bed import PressedSprings
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.numerics.transforms import abel, fredholm
 
 SOLID = wk.Elastic(1.0, 0.3)
@@ -32,7 +32,7 @@ MEDIA = {"half": HALF, "graded": GRADED, "skin": STEEP, "soft": SOFT, "hard": HA
 
 def pushes(bed: wk.Foundation, a: float) -> bool:
     """Whether the other way to restore the pressure finds none that pulls."""
-    load = Carried(Pressed(bed, float(bed.gap(np.array([a]))[0]), a), bed.medium.response)
+    load = CarriedLoad(PressedSprings(bed, float(bed.gap(np.array([a]))[0]), a), bed.medium.response)
     r = a * np.concatenate([np.linspace(0.01, 0.96, 30), [0.98, 0.99]])
     pressure = abel.pressure(load.slope, load.kinks, load.edge, a, r)
     return bool(np.min(pressure) > 0.0)

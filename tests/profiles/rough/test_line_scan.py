@@ -36,18 +36,18 @@ def test_a_surface_that_is_level_at_long_waves(hurst):
 
 
 def test_scans_of_a_random_surface():
-    """The mean of 512 x 4 scans tells the surface; not its last octave, beyond which nothing was seen."""
+    """The mean of 512 x 4 scans gives the surface; not its last octave, beyond which nothing was measured."""
     surface = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=1e-5, roll_off=2.5e-4)
     count, length = 512, 2e-3
     scans = [random_topography(surface, (count, count), (length, length), seed).heights for seed in range(4)]
     # the power of a wave and of its mirror image, per wave number
     powers = np.mean(np.abs(np.fft.fft(scans, axis=1) / count) ** 2, axis=(0, 2)) * length / (2.0 * np.pi)
     q = 2.0 * np.pi * np.arange(count) / length
-    seen = slice(2, 195)
-    found = spectrum_of_lines(q[seen], powers[seen])
+    observed = slice(2, 195)
+    found = spectrum_of_lines(q[observed], powers[observed])
     inside = (found.wave_numbers > 3e4) & (found.wave_numbers < 3e5)
-    told = found.wave_numbers[inside]
-    np.testing.assert_allclose(found.densities[inside], surface.at(told), rtol=0.06)
+    stated = found.wave_numbers[inside]
+    np.testing.assert_allclose(found.densities[inside], surface.at(stated), rtol=0.06)
     assert found.rms_height == pytest.approx(1e-6, rel=0.05)
     assert np.max(np.diff(np.log10(found.wave_numbers[10:]))) < 0.11  # thinned
 
@@ -76,14 +76,14 @@ def test_what_is_no_spectrum_of_lines(q, density, sentence):
 
 
 def test_single_scans_of_a_random_surface():
-    """A scan tells the surface within its scatter: the mean over 128 scans, window and tilt included."""
+    """A scan gives the surface within its scatter: the mean over 128 scans, window and tilt included."""
     surface = SelfAffine(hurst=0.8, rms_height=1e-6, longest=1e-3, shortest=3.2e-5, roll_off=2.5e-4)
     maps = [random_topography(surface, (256, 256), (4e-3, 4e-3), seed) for seed in range(8)]
     x = np.arange(256) * maps[0].pixel[1]
     found = [LineScan(x, made.heights[i] + 1e-3 * x + 5e-6).spectrum for made in maps for i in range(0, 256, 16)]
     q = np.geomspace(2e4, 1.5e5, 8)
     ratio = np.mean([each.at(q) / surface.at(q) for each in found], axis=0)
-    assert np.all((ratio > 0.7) & (ratio < 1.1))  # levelled scatter is low in the mean, as the docstring says
+    assert np.all((ratio > 0.7) & (ratio < 1.1))  # levelled scatter is low in the mean, as the docstring states
     assert np.mean([each.rms_height for each in found]) == pytest.approx(1e-6, rel=0.1)
     assert np.mean([each.rms_slope for each in found]) == pytest.approx(surface.rms_slope, rel=0.05)
 

@@ -1,4 +1,4 @@
-"""Surfaces and lines made at random: they have the spectrum that was told."""
+"""Surfaces and lines made at random: they have the stated spectrum."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_a_surface_has_the_height_and_slope_of_its_spectrum(hurst, roll_off, sha
         for n, length, side in zip(shape, lengths, ((-1, 1), (1, -1)), strict=True)
     )
     slope = np.sqrt(np.sum(q2 * np.abs(waves) ** 2)) / (shape[0] * shape[1])
-    # the longest waves bear the power of a cell whose mean square wave number is not theirs: seen where H is one
+    # the longest waves bear the power of a cell whose mean square wave number is not theirs: visible where H is one
     assert slope == pytest.approx(spectrum.rms_slope, rel=1e-2)
 
 

@@ -135,15 +135,15 @@ def test_a_map_that_stands_alone_has_its_height_in_the_mean():
 def test_a_map_that_stands_alone_is_faded_out():
     """Cut-outs of a rough surface, tilted: the mean of their spectra is that of the surface."""
     rough = random_topography(BLASTED, (768, 768), (3e-3, 3e-3), seed=5)
-    q, told = np.geomspace(4e4, 5e5, 9), []
+    q, stated = np.geomspace(4e4, 5e5, 9), []
     for first in ((0, 0), (0, 400), (400, 0), (400, 400)):
         part = rough.cropped(first, (256, 256))
         tilted = Topography(part.heights + 1e-4 * np.linspace(0.0, 1.0, 256)[:, None], part.lengths)
-        told.append(spectrum_of(tilted).at(q))
-    # a power of chance scatters by all of itself; 20 bins a decade, half of the waves are told by the other half, and
+        stated.append(spectrum_of(tilted).at(q))
+    # a power of chance scatters by all of itself; 20 bins a decade, half of the waves follow from the other half, and
     # Hann's window joins (3/2)^2 of them
     waves = 4 * 0.5 * 2.0 * np.pi * (q / (2.0 * np.pi * 1e3)) ** 2 * np.log(10.0) / 20.0 / 1.5**2
-    scatter = (np.mean(told, axis=0) / BLASTED.at(q) - 1.0) * np.sqrt(waves)
+    scatter = (np.mean(stated, axis=0) / BLASTED.at(q) - 1.0) * np.sqrt(waves)
     assert np.max(np.abs(scatter)) < 3.5
     assert waves[-1] > 4000.0
     no_window = np.abs(np.fft.fft2(tilted.heights)) ** 2
@@ -174,7 +174,7 @@ def test_two_instruments_with_a_gap_between_them():
 
 
 def test_maps_at_two_scales_are_joined():
-    """A coarse map of a large part and a fine map of a small one tell the surface that both are of."""
+    """A coarse map of a large part and a fine map of a small one give the surface that both are of."""
     surface = SelfAffine(hurst=0.7, rms_height=1e-6, longest=1e-3, shortest=2e-6, roll_off=3e-4)
     coarse = spectrum_of(random_topography(surface, (256, 256), (1e-3, 1e-3), seed=1))
     fine = spectrum_of(random_topography(surface, (256, 256), (1e-4, 1e-4), seed=2))
@@ -229,12 +229,12 @@ def test_maps_without_a_spectrum_are_refused():
 @pytest.mark.parametrize("periodic", [False, True])
 def test_surface_topography_finds_the_same(periodic):
     """An independent program; it counts per frequency, (2 pi)^2 times as much, and has bins of its own."""
-    judge = pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
+    reference = pytest.importorskip("SurfaceTopography", reason="the extra 'topography' is not installed")
     rough = random_topography(BLASTED, (512, 512), (2e-3, 2e-3), seed=1)
     if not periodic:
         rough = rough.cropped((0, 0), (256, 200)).detrended(1)
     sizes = tuple((rough.lengths * 1e6).tolist())
-    other = judge.Topography(rough.heights * 1e6, sizes, unit="um", periodic=periodic)
+    other = reference.Topography(rough.heights * 1e6, sizes, unit="um", periodic=periodic)
     assert rough.rms_height * 1e6 == pytest.approx(other.Sq(), rel=1e-9)
     assert rough.rms_slope == pytest.approx(other.rms_gradient(), rel=1e-9 if periodic else 2e-3)
     ratios = []

@@ -1,4 +1,4 @@
-"""Height maps: what they refuse, what they tell, and how they are changed."""
+"""Height maps: what they refuse, what they compute, and how they are changed."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def test_statistics_leave_missing_heights_out():
 
 
 def test_masked_arrays_keep_their_mask():
-    """As SurfaceTopography hands out maps with missing heights; the number below a mask is no height."""
+    """As SurfaceTopography returns maps with missing heights; the number below a mask is no height."""
     heights = np.ma.masked_greater(np.array([[0.0, 1.0, 0.0], [1.0, 1e30, 1.0], [0.0, 1.0, 0.0]]), 1e29)
     rough = Topography(heights, [1.0, 1.0])
     assert rough.missing == 1
@@ -306,9 +306,9 @@ def test_wrong_changes_are_refused():
 
 def test_what_a_flat_or_a_periodic_map_has_not():
     flat = Topography(np.zeros((4, 4)), [1.0, 1.0], True)
-    for asked in (lambda: flat.skewness, lambda: flat.kurtosis):
+    for requested in (lambda: flat.skewness, lambda: flat.kurtosis):
         with pytest.raises(InvalidInput, match="a flat map has no skewness and no kurtosis"):
-            asked()
+            requested()
     with pytest.raises(InvalidInput, match="would not fit its neighbours any more"):
         flat.detrended(1)
     assert flat.detrended(0) == flat

@@ -148,6 +148,6 @@ KNOWN = {
 def test_a_case_is_recomputed(name):
     case = tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))
     with mp.workdps(30):
-        answers = KNOWN[name]()
+        solutions = KNOWN[name]()
         for expectation in case["expect"]:
-            assert abs(mp.mpf(expectation["value"]) / answers[expectation["quantity"]] - 1) < mp.mpf("1e-15")
+            assert abs(mp.mpf(expectation["value"]) / solutions[expectation["quantity"]] - 1) < mp.mpf("1e-15")

@@ -1,4 +1,4 @@
-"""The numbers in src/winkler/cases/*.toml are what mpmath says, and the cases are complete."""
+"""The numbers in src/winkler/cases/*.toml are those of mpmath, and the cases are complete."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 import tomllib
 from pathlib import Path
 
-import case_judge
+import case_solutions
 import mpmath as mp
 import pytest
 
@@ -26,7 +26,7 @@ def case(request) -> dict:
 
 
 def ours(case: dict) -> bool:
-    """Whether the case is one of the half-space contacts that this judge knows."""
+    """Whether the case is one of the half-space contacts that this reference covers."""
     if "fit" in case or "function" in case:
         return False
     bed = case["problem"].get("bed", {})
@@ -41,8 +41,8 @@ def test_there_are_cases():
 
 
 def test_a_case_says_what_it_is(case):
-    asks = "function" if "function" in case else "problem"
-    assert set(case) - {"sweep", "fit"} == {"title", "grade", "source", asks, "expect"}
+    requests = "function" if "function" in case else "problem"
+    assert set(case) - {"sweep", "fit"} == {"title", "grade", "source", requests, "expect"}
     assert case["grade"] in GRADES
     assert case["title"]
     assert case["source"]
@@ -58,9 +58,9 @@ def test_a_case_is_recomputed(case):
     if not ours(case):
         pytest.skip("another physics: its own test recomputes it")
     with mp.workdps(20):
-        answer = case_judge.Answer(case["problem"])
+        solution = case_solutions.ReferenceSolution(case["problem"])
         for expectation in case["expect"]:
-            expected = answer.quantity(expectation)
+            expected = solution.quantity(expectation)
             given = mp.mpf(expectation["value"])
             assert expectation["unit"] in ("m", "N", "Pa", "N/m", "J")
             tolerance = 1e-14 if case["grade"] == "analytical" else expectation["tolerance"]

@@ -74,14 +74,14 @@ def disc_heat(problem: dict) -> dict:
 
 
 @pytest.mark.parametrize(
-    "judge",
+    "solve_reference",
     [holm_silver_ball, kohlrausch_metal, greenwood_two_spots, barber_bounds, disc_heat],
     ids=lambda f: f.__name__,
 )
-def test_a_case_is_recomputed(judge):
-    case = tomllib.loads((CASES / f"{judge.__name__}.toml").read_text(encoding="utf-8"))
+def test_a_case_is_recomputed(solve_reference):
+    case = tomllib.loads((CASES / f"{solve_reference.__name__}.toml").read_text(encoding="utf-8"))
     with mp.workdps(30):
-        expected = judge(case["problem"])
+        expected = solve_reference(case["problem"])
         assert {item["quantity"] for item in case["expect"]} == set(expected)
         for item in case["expect"]:
             assert abs(mp.mpf(item["value"]) / expected[item["quantity"]] - 1) < 1e-14, item["quantity"]

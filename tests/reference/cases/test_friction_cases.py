@@ -8,8 +8,8 @@ from pathlib import Path
 
 import mpmath as mp
 import pytest
-from ledger_judge import JUDGES as LAST
-from theory_judge import JUDGES
+from ledger_solutions import REFERENCES as LAST
+from theory_solutions import REFERENCES
 
 import winkler
 from winkler.units import to_si
@@ -22,7 +22,7 @@ def number(raw) -> mp.mpf:
 
 
 class Ball:
-    """What a case says of bodies and friction."""
+    """Bodies and friction of a case."""
 
     def __init__(self, problem: dict) -> None:
         medium = problem["bed"]["medium"]
@@ -147,12 +147,12 @@ RECOMPUTED = (
 )
 
 
-@pytest.mark.parametrize("judge", RECOMPUTED, ids=lambda judge: judge.__name__)
-def test_a_case_is_recomputed(judge):
-    case = tomllib.loads((CASES / f"{judge.__name__}.toml").read_text(encoding="utf-8"))
+@pytest.mark.parametrize("reference", RECOMPUTED, ids=lambda reference: reference.__name__)
+def test_a_case_is_recomputed(reference):
+    case = tomllib.loads((CASES / f"{reference.__name__}.toml").read_text(encoding="utf-8"))
     assert case["grade"] == "analytical"
     with mp.workdps(30):
-        found = judge(case["problem"])
+        found = reference(case["problem"])
     assert set(found) == {expectation["quantity"] for expectation in case["expect"]}
     for expectation in case["expect"]:
         deviation = abs(found[expectation["quantity"]] / mp.mpf(expectation["value"]) - 1)
@@ -165,9 +165,9 @@ def test_every_friction_case_is_recomputed_or_told_from_where():
     cases = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in CASES.glob("*.toml")}
     rubbed = {name for name, case in cases.items() if case.get("problem", {}).get("kind") in kinds}
     analytical = {name for name in rubbed if cases[name]["grade"] == "analytical"}
-    assert analytical - set(JUDGES) - set(LAST) == {judge.__name__ for judge in RECOMPUTED}
-    told = {"maw_barber_fawcett", "maw_barber_fawcett_table", "cattaneo_shift_contact"}
-    assert rubbed - analytical - set(JUDGES) - set(LAST) == told
+    assert analytical - set(REFERENCES) - set(LAST) == {reference.__name__ for reference in RECOMPUTED}
+    stated = {"maw_barber_fawcett", "maw_barber_fawcett_table", "cattaneo_shift_contact"}
+    assert rubbed - analytical - set(REFERENCES) - set(LAST) == stated
 
 
 def test_the_oblique_impact_is_that_of_its_table():

@@ -1,4 +1,4 @@
-"""The numbers of the heating cases, judged by sums of point sources and rings of heat, and the closed forms besides."""
+"""The numbers of the heating cases, against sums of point sources and rings of heat, and the closed forms besides."""
 
 import tomllib
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
-from theory_judge import moving
+from theory_solutions import moving
 
 from winkler.reference.heating import (
     disc_centre_rise,

@@ -1,18 +1,18 @@
-"""The cases on graded, coated and measured bodies say what independent solutions say; and the judges are judged."""
+"""The cases on graded, coated and measured bodies agree with independent solutions; and these are checked."""
 
 from __future__ import annotations
 
 import tomllib
 from pathlib import Path
 
-import elliptic_judge
-import graded_judge
+import elliptic_solution
+import graded_solution
 import layered_case
 import mpmath as mp
 import numpy as np
 import pytest
-from case_judge import si
-from layered_judge import Press, Sheet, Stack, compliance, compliance_exactly, flexibility
+from case_solutions import si
+from layered_solution import Press, Sheet, Stack, compliance, compliance_exactly, flexibility
 
 import winkler
 
@@ -21,7 +21,7 @@ CASES = {
     for pattern in ("graded_*", "coated_*", "depth_graded_*", "measured_*")
     for path in sorted((Path(winkler.__file__).parent / "cases").glob(f"{pattern}.toml"))
 }
-# cases of moduli alone are judged in test_theory_cases
+# cases of moduli alone are checked in test_theory_cases
 CASES = {
     name: case
     for name, case in CASES.items()
@@ -61,29 +61,29 @@ def test_graded(name):
     case = CASES[name]
     assert case["grade"] == "analytical"
     with mp.workdps(20):
-        answer = graded_judge.Answer(case["problem"])
+        solution = graded_solution.ReferenceSolution(case["problem"])
         for expectation in case["expect"]:
-            assert float(answer.quantity(expectation)) == pytest.approx(expectation["value"], rel=1e-15), expectation
+            assert float(solution.quantity(expectation)) == pytest.approx(expectation["value"], rel=1e-15), expectation
 
 
 @pytest.mark.parametrize("name", slowly(LAYERED))
 def test_layered(name):
     """Solutions to the last digit but two; tables and asymptotic formulas within the tolerance of the case."""
     case = CASES[name]
-    answer = layered_case.Answer(case["problem"])
+    solution = layered_case.ReferenceSolution(case["problem"])
     for expectation in case["expect"]:
         tolerance = 5e-11 if case["grade"] == "independent implementation" else expectation["tolerance"]
-        np.testing.assert_allclose(answer.quantity(expectation), given(expectation), rtol=tolerance)
+        np.testing.assert_allclose(solution.quantity(expectation), given(expectation), rtol=tolerance)
 
 
 def test_measured_elliptic():
-    """The points of the table and the answers between them: F = C d^(3/2), k = 3 F/(2 d), U = 2 F d/5."""
+    """The points of the table and the values between them: F = C d^(3/2), k = 3 F/(2 d), U = 2 F d/5."""
     case = CASES["measured_elliptic"]
     modulus = mp.mpf(70) * 10**9 / (1 - mp.mpf("0.2") ** 2)
     bed, load = case["problem"]["bed"], case["problem"]["load"]
 
     def force(depth: mp.mpf) -> mp.mpf:
-        return elliptic_judge.force(depth, mp.mpf("40e-3"), mp.mpf("10e-3"), modulus)
+        return elliptic_solution.force(depth, mp.mpf("40e-3"), mp.mpf("10e-3"), modulus)
 
     for radius, stiffness, depth in zip(*(bed[word] for word in ("radii", "stiffnesses", "depths")), strict=True):
         steep = 3 * force(si(depth)) / (2 * si(depth))
@@ -182,25 +182,27 @@ def test_pressure_of_theory():
     assert_printed(np.array(found), "9.95 8.60")
 
 
-# ------------------------------------------------------------------------------------------------ judges of the judges
+# ------------------------------------------------------------------------------------- references of the references
 
 
 @pytest.mark.parametrize(("k", "nu"), [(0.5, 0.3), (-0.3, 0.3), (0.75, 0.45), (0.3, 0.5), (-0.6, 0.1)])
 def test_the_modulus_of_a_power_law_by_elasticity(k, nu):
-    """h_N needs no paper: the equations of elasticity in z give the same answer to a wave."""
-    assert graded_judge.wave_factor_by_elasticity(k, nu) == pytest.approx(graded_judge.wave_factor(k, nu), rel=1e-10)
+    """h_N needs no paper: the equations of elasticity in z give the same response to a wave."""
+    assert graded_solution.wave_factor_by_elasticity(k, nu) == pytest.approx(
+        graded_solution.wave_factor(k, nu), rel=1e-10
+    )
 
 
 def test_the_gap_of_a_power_is_a_beta_function():
     with mp.workdps(20):
         for name in ("graded_cone", "graded_fourth_power"):
-            answer = graded_judge.Answer(CASES[name]["problem"])
-            x = mp.mpf("0.37") * answer.radius
-            assert float(answer.gap_by_quadrature(x) / answer.gap(x)) == pytest.approx(1.0, rel=1e-14)
+            solution = graded_solution.ReferenceSolution(CASES[name]["problem"])
+            x = mp.mpf("0.37") * solution.radius
+            assert float(solution.gap_by_quadrature(x) / solution.gap(x)) == pytest.approx(1.0, rel=1e-14)
 
 
 def test_a_compliance_in_closed_form():
-    """One layer on a half-space (theory 8.2), and both ways of solving for the waves."""
+    """One layer on a half-space (theory 8.2), and both methods of solving for the waves."""
     stack = Stack((Sheet(10.0, 0.3, 1.0),), (1.0, 0.2))
     xi = np.array([1e-3, 0.05, 0.6, 3.0])
     al, g1, g3 = 10.0 / 1.3 * 1.2, 3 - 4 * 0.3, 3 - 4 * 0.2
@@ -242,5 +244,5 @@ def test_the_function_of_gao_is_the_first_order(poisson):
 
 def test_a_ball_on_a_round_body_is_a_limit_of_the_elliptic_contact():
     with mp.workdps(30):
-        found = elliptic_judge.force(mp.mpf("1e-6"), mp.mpf("1.000001"), mp.mpf(1), mp.mpf(3))
+        found = elliptic_solution.force(mp.mpf("1e-6"), mp.mpf("1.000001"), mp.mpf(1), mp.mpf(3))
         assert float(found / (4 * mp.mpf("1e-6") ** 1.5)) == pytest.approx(1.0 + 0.25e-6, rel=1e-11)

@@ -1,4 +1,4 @@
-"""The cases that came last say what `ledger_judge` says, and that is what the theory prints."""
+"""The last cases agree with `ledger_solutions`, and these with the theory."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import re
 import tomllib
 from pathlib import Path
 
-import ledger_judge
+import ledger_solutions
 import mpmath as mp
 import numpy as np
 import pytest
 import rolling_elements
-from ledger_judge import JUDGES
+from ledger_solutions import REFERENCES
 
 import winkler
 from winkler.reference import impact, rolling, wear
@@ -27,13 +27,13 @@ def expected(name):
     return [item["value"] for item in tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))["expect"]]
 
 
-@pytest.mark.parametrize("name", JUDGES)
+@pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_says_what_the_judge_says(name):
-    told = JUDGES[name]()
+    stated = REFERENCES[name]()
     found = expected(name)
-    assert len(found) == len(told)
-    for case, judge in zip(found, told, strict=True):
-        numbers = [float(number) for number in (judge if isinstance(judge, list) else [judge])]
+    assert len(found) == len(stated)
+    for case, reference in zip(found, stated, strict=True):
+        numbers = [float(number) for number in (reference if isinstance(reference, list) else [reference])]
         np.testing.assert_allclose(np.atleast_1d(case), numbers, rtol=CLOSE.get(name, 1e-13), err_msg=name)
 
 
@@ -44,18 +44,18 @@ def printed(texts, numbers):
 
 def test_stresses_of_a_traction():
     """Section 2: of sqrt(1 - r^2) alone, nu = 0.3, at (0.5, 0.2, 0.4)."""
-    found = ledger_judge.over_the_disc(ledger_judge.cerruti, 0.5, 0.2, 0.4, 0.3)
+    found = ledger_solutions.over_the_disc(ledger_solutions.cerruti, 0.5, 0.2, 0.4, 0.3)
     printed("-.298712946 -.0480135136 -.148415945 -.0511753634 -.295624458 -.0128999547", found)
 
 
 def test_stresses_of_a_pressure_are_those_of_hertz():
     """On the axis sigma_z = -p0/(1 + z^2/a^2), and the same in all directions: the point force is the right one."""
-    found = ledger_judge.over_the_disc(ledger_judge.boussinesq, 1e-7, 0.0, 0.5, 0.3)
+    found = ledger_solutions.over_the_disc(ledger_solutions.boussinesq, 1e-7, 0.0, 0.5, 0.3)
     assert found[2] == pytest.approx(-0.8, rel=1e-9)
     radial = -1.3 * (1.0 - 0.5 * math.atan(2.0)) + 0.5 / 1.25
     assert found[:2] == pytest.approx([radial, radial], rel=1e-5)
-    turned = ledger_judge.over_the_disc(ledger_judge.boussinesq, 0.3, 0.4, 0.5, 0.3)
-    straight = ledger_judge.over_the_disc(ledger_judge.boussinesq, 0.5, 0.0, 0.5, 0.3)
+    turned = ledger_solutions.over_the_disc(ledger_solutions.boussinesq, 0.3, 0.4, 0.5, 0.3)
+    straight = ledger_solutions.over_the_disc(ledger_solutions.boussinesq, 0.5, 0.0, 0.5, 0.3)
     assert turned[3] == pytest.approx((straight[0] - straight[1]) * 0.3 * 0.4 / 0.25, rel=1e-9)
 
 
@@ -67,24 +67,24 @@ def test_how_far_traction_exceeds_friction_in_the_plane(name, r, over):
     assert math.hypot(*expected(name)) / (0.6 / math.pi * math.sqrt(1.0 - r * r)) == pytest.approx(over, abs=6e-4)
 
 
-def closed(judge):
+def closed(numbers_of):
     with mp.workdps(20):
-        return np.array([float(number) for number in np.ravel(judge())])
+        return np.array([float(number) for number in np.ravel(numbers_of())])
 
 
 def test_carter():
     ratio = np.array([0.25, 0.5, 0.75, 1.0])
     np.testing.assert_allclose(
-        rolling.carter_creepage(0.3, 1e-3, 0.1, ratio), closed(ledger_judge.carter_creepages), rtol=1e-14
+        rolling.carter_creepage(0.3, 1e-3, 0.1, ratio), closed(ledger_solutions.carter_creepages), rtol=1e-14
     )
-    zones = closed(ledger_judge.carter_stick_zones)
+    zones = closed(ledger_solutions.carter_stick_zones)
     np.testing.assert_allclose(rolling.carter_stick_half_width(1e-3, ratio[:3]), zones, rtol=1e-14)
 
 
 def test_a_worn_punch_bulges():
     """Section 11: (4 p a/(pi E*)) (pi/2 - 1)."""
     found = wear.punch_bulge(pressure=1e8, radius=1e-3, modulus=1e11)
-    assert found == pytest.approx(closed(ledger_judge.worn_punch_bulge)[0], rel=1e-14)
+    assert found == pytest.approx(closed(ledger_solutions.worn_punch_bulge)[0], rel=1e-14)
 
 
 def test_a_worn_cap():
@@ -105,12 +105,12 @@ def test_the_even_flux():
 
 def test_the_restitution_of_kuwabara_and_kono():
     """Section 7."""
-    for ratio, judge, shown in (
-        (0.1, ledger_judge.kuwabara_kono_weak, ".828586"),
-        (0.5, ledger_judge.kuwabara_kono_strong, ".444772"),
+    for ratio, numbers_of, shown in (
+        (0.1, ledger_solutions.kuwabara_kono_weak, ".828586"),
+        (0.5, ledger_solutions.kuwabara_kono_strong, ".444772"),
     ):
         found = impact.kuwabara_kono_restitution(ratio)
-        assert found == pytest.approx(closed(judge)[0], rel=1e-8)
+        assert found == pytest.approx(closed(numbers_of)[0], rel=1e-8)
         printed(shown, found)
 
 
@@ -122,7 +122,7 @@ def test_elliptic_one_to_three():
 @pytest.mark.parametrize(("faces", "shown"), [(3, ".8480"), (4, ".7243"), (6, ".6694")])
 def test_pyramids(faces, shown):
     """Section 1.3, with so many directions that the sum is the mean; the case has fewer."""
-    printed(shown, float(ledger_judge._pyramid(faces, 10_000)))
+    printed(shown, float(ledger_solutions._pyramid(faces, 10_000)))
     (case,) = expected(f"nearly_round_pyramid_{faces}")
     assert case / 1e-4 == pytest.approx(float(shown), rel=2e-3)
 
@@ -135,10 +135,10 @@ def test_the_elastic_particle_below_hertz():
 
 def test_small_twists_are_nearly_those_of_lubkin():
     """Section 12: the formula is -0.25 per cent off at c = 0.95 a, -15 at 0.6."""
-    torque, angle = ledger_judge.lubkin(0.95)
+    torque, angle = ledger_solutions.lubkin(0.95)
     root = math.sqrt(1.0 - 1.5 * torque)
     assert (1.0 - root) * (3.0 - root) / 8.0 / angle - 1.0 == pytest.approx(-0.0025, abs=3e-4)
-    torque, angle = ledger_judge.lubkin(0.6)
+    torque, angle = ledger_solutions.lubkin(0.6)
     root = math.sqrt(1.0 - 1.5 * torque)
     assert (1.0 - root) * (3.0 - root) / 8.0 / angle - 1.0 == pytest.approx(-0.15, abs=0.01)
 
@@ -161,7 +161,7 @@ def test_the_exponent_of_rough_lines():
 
 @pytest.mark.slow
 def test_coefficients_of_rolling_by_boundary_elements():
-    """Section 3, where 84 patches across give 4.127, 3.684 and 1.499: the last has a way to go."""
+    """Section 3, where 84 patches across give 4.127, 3.684 and 1.499: the last has not converged yet."""
     found = rolling_elements.extrapolated(0.25)
     words = ("c11", "c22", "c23")
     np.testing.assert_allclose([expected(f"kalker_{word}_boundary_elements")[0] for word in words], found, rtol=1e-9)
@@ -187,6 +187,6 @@ def test_the_square_pyramid_of_another_code(shared_data):
 
 
 def test_the_remarks_name_cases_that_there_are():
-    told = set(re.findall(r"`([a-z0-9_]+)`", remarks()))
-    assert len(told) > 5
-    assert [name for name in sorted(told) if not (CASES / f"{name}.toml").is_file()] == []
+    stated = set(re.findall(r"`([a-z0-9_]+)`", remarks()))
+    assert len(stated) > 5
+    assert [name for name in sorted(stated) if not (CASES / f"{name}.toml").is_file()] == []

@@ -19,10 +19,10 @@ def test_a_bead_on_a_soft_sample(tmp_path, shared_data):
     with zipfile.ZipFile(curve) as packed:
         packed.extractall(tmp_path)
     (text,) = tmp_path.glob("*.txt")
-    told = dict(
+    stated = dict(
         line.split("\t")[:2] for line in text.read_text(encoding="latin1").splitlines() if line.startswith("E[")
     )
-    assert {word: float(number) for word, number in told.items()} == {
+    assert {word: float(number) for word, number in stated.items()} == {
         "E[eff] (Pa)": 156.009,
         "E[v=0.500] (Pa)": 117.007,
     }

@@ -1,4 +1,4 @@
-"""The rolling cases in src/winkler/cases/*.toml, recomputed by mpmath from their own inputs, or told from where."""
+"""The rolling cases in src/winkler/cases/*.toml, recomputed by mpmath from their own inputs, or with their source."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import mpmath as mp
 import numpy as np
 import pytest
-from theory_judge import JUDGES
+from theory_solutions import REFERENCES
 
 import winkler
 from winkler.reference import rolling as closed
@@ -22,7 +22,7 @@ def number(raw) -> mp.mpf:
 
 
 class Pair:
-    """Two like bodies, as a case tells them."""
+    """Two like bodies, of a case."""
 
     def __init__(self, problem: dict) -> None:
         medium = problem.get("medium") or problem["bed"]["medium"]
@@ -85,12 +85,12 @@ def case_of(name: str) -> dict:
     return tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("judge", RECOMPUTED, ids=lambda judge: judge.__name__)
-def test_a_case_is_recomputed(judge):
-    case = case_of(judge.__name__)
+@pytest.mark.parametrize("solve_reference", RECOMPUTED, ids=lambda solve_reference: solve_reference.__name__)
+def test_a_case_is_recomputed(solve_reference):
+    case = case_of(solve_reference.__name__)
     assert case["grade"] == "analytical"
     with mp.workdps(30):
-        found = judge(case["problem"])
+        found = solve_reference(case["problem"])
     assert set(found) == {expectation["quantity"] for expectation in case["expect"]}
     for expectation in case["expect"]:
         deviation = abs(found[expectation["quantity"]] / mp.mpf(repr(expectation["value"])) - 1)
@@ -117,8 +117,8 @@ def test_every_rolling_case_is_recomputed_or_told_from_where():
     kinds = {"rolling", "simplified_rolling", "rolling_start", "oscillating_rolling"}
     names = {path.stem for path in CASES.glob("*.toml")}
     found = {name for name in names if case_of(name).get("problem", {}).get("kind") in kinds}
-    told = {"rolling_contact_longitudinal"} | {f"kalker_c{n}{of}" for n in (11, 22, 23) for of in ("", "_ellipses")}
-    assert found - set(JUDGES) == {judge.__name__ for judge in RECOMPUTED} | told
+    stated = {"rolling_contact_longitudinal"} | {f"kalker_c{n}{of}" for n in (11, 22, 23) for of in ("", "_ellipses")}
+    assert found - set(REFERENCES) == {solve_reference.__name__ for solve_reference in RECOMPUTED} | stated
 
 
 class TestCarter:

@@ -21,7 +21,7 @@ def number(raw) -> mp.mpf:
 def ellipse(problem: dict) -> dict:
     """Hertz's ellipse in Legendre's integrals, B/A = [E/(1-m) - K]/(K - E), for the unit modulus."""
     one, other = sorted(
-        1 / (2 * number(problem["bodies"][f"{way}_curvature_radius"])) for way in ("longitudinal", "lateral")
+        1 / (2 * number(problem["bodies"][f"{path}_curvature_radius"])) for path in ("longitudinal", "lateral")
     )
     force = number(problem["load"]["force"])
 
@@ -46,9 +46,9 @@ def ellipse(problem: dict) -> dict:
 
 def persson(problem: dict) -> dict:
     """The error function of the pressure over the slope, integrated from the spectrum."""
-    told = problem["spectrum"]
-    hurst, height = number(told["hurst"]), number(told["rms_height"])
-    low, high = (2 * mp.pi / number(told[word]) for word in ("longest", "shortest"))
+    stated = problem["spectrum"]
+    hurst, height = number(stated["hurst"]), number(stated["rms_height"])
+    low, high = (2 * mp.pi / number(stated[word]) for word in ("longest", "shortest"))
     power = -2 * (hurst + 1)
     places = [low, 3 * low, 10 * low, 30 * low, high]
     strength = height**2 / (2 * mp.pi * mp.quad(lambda q: q ** (1 + power), places))
@@ -67,7 +67,7 @@ def punch(problem: dict) -> dict:
     return {"stiffness": stiffness, "force": stiffness * number(problem["load"]["depth"])}
 
 
-JUDGES = {
+REFERENCES = {
     "elliptic_hertz_two_to_three": (ellipse, 1e-14),
     "elliptic_hertz_one_to_nine": (ellipse, 1e-14),
     "persson_area": (persson, 1e-14),
@@ -75,16 +75,16 @@ JUDGES = {
 }
 
 
-@pytest.mark.parametrize("name", JUDGES)
+@pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_is_recomputed(name):
     case = tomllib.loads((CASES / f"{name}.toml").read_text(encoding="utf-8"))
-    judge, rounding = JUDGES[name]
+    reference, rounding = REFERENCES[name]
     assert case["problem"]["medium"]["first"] == {"kind": "elastic", "young": "1 Pa", "poisson": 0.0}
     with mp.workdps(30):
-        answers = judge(case["problem"])
-        assert {item["quantity"] for item in case["expect"]} == set(answers)
+        solutions = reference(case["problem"])
+        assert {item["quantity"] for item in case["expect"]} == set(solutions)
         for item in case["expect"]:
-            expected = answers[item["quantity"]]
+            expected = solutions[item["quantity"]]
             assert abs(mp.mpf(item["value"]) - expected) <= rounding * abs(expected), item["quantity"]
 
 

@@ -1,6 +1,6 @@
-"""The tables of the theory are cases: their numbers are what the judge computes, and have the digits that are known.
+"""The tables of the theory are cases: their numbers are those of the references, and have the digits that are known.
 
-The numbers of sections 1, 7 and 8.2 are checked beside the judges of these sections.
+The numbers of sections 1, 7 and 8.2 are checked beside the reference solutions of these sections.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from theory_judge import JUDGES
+from theory_solutions import REFERENCES
 
 import winkler
 from winkler.problems.rolling import kalker
@@ -31,8 +31,8 @@ SCALES = {
     ("rolling_cubic_saturation", "longitudinal_force"): ("share", LIMIT),
     ("shakedown_limit", "shakedown_force"): ("share", LIMIT),
 }
-"""Where a case has units of its own: what the judge calls the number, and its unit."""
-ASKED = {"lubkin_table": {"angle"}, "torsion_flat_punch": {"angle"}, "torsion_cone": {"angle"}} | {
+"""Where a case has units of its own: the name of the number in the reference, and its unit."""
+REQUESTED = {"lubkin_table": {"angle"}, "torsion_flat_punch": {"angle"}, "torsion_cone": {"angle"}} | {
     "heating_speeds": {"overestimate", "top"},
     "savkoor_briggs_sheared": {"force"},
     "rolling_simplified_saturation": {"share"},
@@ -40,7 +40,7 @@ ASKED = {"lubkin_table": {"angle"}, "torsion_flat_punch": {"angle"}, "torsion_co
     "rolling_uncalibrated": {"share", "slopes"},
     "shakedown_limit": {"share"},
 }
-"""Numbers of the judge that a case asks with, or has in other units."""
+"""Numbers of the reference that a case has as input, or has in other units."""
 OTHERS = {
     ("heating_speeds", "first_peclet"): SPEEDS,
     ("mindlin_ratio", "problem.bed.medium.modulus"): 1.0,
@@ -60,27 +60,27 @@ def values(name, quantity):
     return np.atleast_1d(np.asarray(found, dtype=float))
 
 
-@pytest.mark.parametrize("name", JUDGES)
+@pytest.mark.parametrize("name", REFERENCES)
 def test_a_case_says_what_the_judge_says(name):
-    told = JUDGES[name]()
+    stated = REFERENCES[name]()
     expected = {item["quantity"] for item in read(name)["expect"]}
-    assert set(told) - ASKED.get(name, set()) <= expected
+    assert set(stated) - REQUESTED.get(name, set()) <= expected
     for quantity in expected:
         if (name, quantity) in OTHERS:
             wanted = OTHERS[name, quantity]
         else:
             word, unit = SCALES.get((name, quantity), (quantity, 1.0))
-            content = told[word] if isinstance(told[word], list) else [told[word]]
+            content = stated[word] if isinstance(stated[word], list) else [stated[word]]
             wanted = np.array([float(number) for number in content]) * unit
-        # the judge integrates the motion of the ball to some ten digits
+        # the reference integrates the motion of the ball to some ten digits
         close = 1e-9 if name in ("maw_barber_fawcett_no_slip", "rolling_uncalibrated") else 1e-13
         np.testing.assert_allclose(values(name, quantity), wanted, rtol=close, err_msg=quantity)
 
 
 @pytest.mark.parametrize("name", ["lubkin_table", "torsion_flat_punch", "torsion_cone"])
 def test_the_angles_are_those_of_the_judge(name):
-    asked = read(name)["problem"]["path"]["lateral"]["angle"]["values"]
-    np.testing.assert_allclose(asked, [float(angle) for angle in JUDGES[name]()["angle"]], rtol=1e-14)
+    requested = read(name)["problem"]["path"]["lateral"]["angle"]["values"]
+    np.testing.assert_allclose(requested, [float(angle) for angle in REFERENCES[name]()["angle"]], rtol=1e-14)
 
 
 PRINTED = [
@@ -170,14 +170,14 @@ def test_the_angles_of_torsion_are_as_printed():
         ".00375944587 .0385138791 .0794192099 .1234362505 .1716373462 .2257118580 .2885338883 .3655699474 .4692548849 "
         ".6397178390 1.1915886244"
     )
-    found = [float(angle) / 0.8 for angle in JUDGES["lubkin_table"]()["angle"]]
+    found = [float(angle) / 0.8 for angle in REFERENCES["lubkin_table"]()["angle"]]
     np.testing.assert_allclose(found, [float(text) for text in printed.split()], atol=1.01e-10)
-    assert float(JUDGES["torsion_cone"]()["angle"][0]) / (0.03 * np.pi) == pytest.approx(0.2048898680, abs=1e-10)
+    assert float(REFERENCES["torsion_cone"]()["angle"][0]) / (0.03 * np.pi) == pytest.approx(0.2048898680, abs=1e-10)
 
 
 def test_what_the_rule_at_rest_says_too_much():
     """Of Hertz' flux, in per cent."""
-    found = 100.0 * np.array(JUDGES["heating_speeds"]()["overestimate"])
+    found = 100.0 * np.array(REFERENCES["heating_speeds"]()["overestimate"])
     np.testing.assert_allclose(found, [0.42, 2.1, 4.1, 18.7, 34.3, 122.0, 199.0], rtol=0.015)
 
 

@@ -146,7 +146,7 @@ def off_voigt(tau):
 
 
 def off_relaxing(relaxed, shear, tau):
-    """Carry along the integrals of exp(s / tau) over depth and d^1.5; on the way back look up Ting's time in them."""
+    """Carry along the integrals of exp(s / tau) over depth and d^1.5; on retraction look up Ting's time in them."""
 
     def inward(t, y):
         grown = math.exp(t / tau)
@@ -232,7 +232,7 @@ def dragged(problem):
     return found | shares
 
 
-JUDGES = {
+REFERENCES = {
     "relaxation_test": held,
     "viscoelastic_tangential": dragged,
     "creep_test": creep,
@@ -247,7 +247,7 @@ JUDGES = {
 def test_a_viscoelastic_case_is_recomputed(name):
     case = read(name)
     with mp.workdps(20):
-        found = JUDGES[case["problem"]["kind"]](case["problem"])
+        found = REFERENCES[case["problem"]["kind"]](case["problem"])
         second = case["grade"] == "independent implementation" and case["problem"]["kind"] == "viscoelastic_impact"
         tolerance = 1e-8 if second else 1e-14
         for expectation in case["expect"]:

@@ -1,4 +1,4 @@
-"""The numbers of the wear cases and the closed forms, judged by quadrature."""
+"""The numbers of the wear cases and the closed forms, checked by quadrature."""
 
 import tomllib
 from pathlib import Path
@@ -49,7 +49,7 @@ def test_the_limiting_profile_of_a_ball(case, share):
         assert limiting_height(r * 1e-4, **lengths) == pytest.approx(float(shape(mpmath.mpf(r))) * 1e-6, rel=1e-12)
 
 
-def test_the_march_is_judged_by_the_same_numbers():
+def test_the_march_has_the_same_numbers():
     _, limit = expected("limiting_profile_half_core")
     _, march = expected("fretting_reaches_the_limit")
     for quantity in ("force", "worn_volume", "stick_radius"):

@@ -254,7 +254,7 @@ def test_every_kind_is_cited_told_and_has_formulas(name):
             assert formula(one.latex).startswith("<math")
         assert len(formulas_of(problem)) >= 4
         told = in_words(study)
-        assert "Kept" not in told
+        assert "Unchanged" not in told
         assert "kept" not in told
     assert all(given.told for given in inputs(study))
 

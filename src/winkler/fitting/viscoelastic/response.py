@@ -14,7 +14,7 @@ from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.loading import Depth
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
-from winkler.numerics.springs.hereditary import borne, sunk
+from winkler.numerics.springs.hereditary import forces_of_motion, motion_of_forces
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_end
@@ -119,7 +119,7 @@ def forces(
     count = begun.size
     force, depth, edge, phi = (np.empty(count) for _ in range(4))
     drift, load = np.empty((count, series.times.size)), np.empty((count, series.times.size))
-    borne(
+    forces_of_motion(
         begun, driven, turn + 1, compliance, series.relaxed, series.viscosity, series.moduli, series.times,
         table.deepest, table.force, table.slope, force, depth, edge, drift, load, phi,
     )  # fmt: skip
@@ -129,7 +129,7 @@ def forces(
 def positions(table: ElasticTable, series: CreepSeries, time: Array, force: Array) -> Array:
     """Return the depths ``(n,)`` [m] under forces [N], the first sudden; not a number beyond the table."""
     depth = np.empty(time.size)
-    sunk(
+    motion_of_forces(
         time, force, series.glassy, series.fluidity, series.compliances, series.times, table.deepest, table.force,
         table.slope, depth,
     )  # fmt: skip

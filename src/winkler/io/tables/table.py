@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.checks.physical_size import LARGEST
+from winkler.checks.physical_size import LARGEST_NUMBER
 from winkler.errors import InvalidInput
 from winkler.io.tables.table_cells import cells_of, is_number, like_number, named, number_in
 from winkler.io.text_file import head_of, headed, lines_of
@@ -145,7 +145,7 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
     with np.errstate(over="ignore"):
         values = np.array(numbers).reshape(-1, len(columns)) / factors
-    computable = np.all(np.abs(values) <= LARGEST, axis=1)
+    computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]
         raise InvalidInput(f"{shown}, line {place}: a number is too large to be computed with in SI units; check it.")

@@ -1,10 +1,10 @@
-"""Pairs of conducting bodies, and what lies between their surfaces."""
+"""Pairs of conducting bodies, with a film or an interface between their surfaces."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.laws.film import SurfaceFilm, ThermalInterface
 from winkler.materials.conducting_body import ConductingBody, surface_of
 from winkler.materials.conductor import ElectricalConductor, ThermalConductor
@@ -15,15 +15,15 @@ from winkler.values import value
 
 __all__ = ["ElectricalConductors", "HeatConductors"]
 
-CLEAN = SurfaceFilm()
-PERFECT = ThermalInterface()
+NO_FILM = SurfaceFilm()
+PERFECT_INTERFACE = ThermalInterface()
 
 
-OF_CURRENT = Such(
+CONDUCTS_CURRENT = Condition(
     lambda body: isinstance(surface_of(body), ElectricalConductor),
     "give ElectricalConductor, or Plated or Rod made of it",
 )
-OF_HEAT = Such(
+CONDUCTS_HEAT = Condition(
     lambda body: isinstance(surface_of(body), ThermalConductor), "give ThermalConductor, or Plated or Rod made of it"
 )
 
@@ -47,12 +47,12 @@ class ElectricalConductors:
         If a body does not conduct current.
     """
 
-    first: Annotated[ConductingBody, OF_CURRENT]
-    second: Annotated[ConductingBody, OF_CURRENT]
-    film: SurfaceFilm = CLEAN
+    first: Annotated[ConductingBody, CONDUCTS_CURRENT]
+    second: Annotated[ConductingBody, CONDUCTS_CURRENT]
+    film: SurfaceFilm = NO_FILM
 
     def resistances(self, radius: Array) -> Resistances:
-        """Return what stands in the way of a current [ohm] through discs of the given radii `(m,)` [m]."""
+        """Return the resistances to a current [ohm] through discs of the given radii `(m,)` [m]."""
         return disc_resistances(self.first, self.second, self.film.area_resistance, radius)
 
     @property
@@ -80,12 +80,12 @@ class HeatConductors:
         If a body is given as a conductor of current.
     """
 
-    first: Annotated[ConductingBody, OF_HEAT]
-    second: Annotated[ConductingBody, OF_HEAT]
-    interface: ThermalInterface = PERFECT
+    first: Annotated[ConductingBody, CONDUCTS_HEAT]
+    second: Annotated[ConductingBody, CONDUCTS_HEAT]
+    interface: ThermalInterface = PERFECT_INTERFACE
 
     def resistances(self, radius: Array) -> Resistances:
-        """Return what stands in the way of heat [K/W] through discs of the given radii `(m,)` [m]."""
+        """Return the resistances to heat [K/W] through discs of the given radii `(m,)` [m]."""
         return disc_resistances(self.first, self.second, self.interface.area_resistance, radius)
 
     @property

@@ -1,4 +1,4 @@
-r"""Two conducting bodies that meet in a disc: what stands in the way of a current or of heat.
+r"""Two conducting bodies that meet in a disc: their resistance to a current or to heat.
 
 The equations of conduction are those of a flat punch, :math:`E^* \to 2/(\rho_1+\rho_2)`: voltage for displacement,
 current for force.  A disc of radius a between half-spaces has Holm's resistance :math:`(\rho_1+\rho_2)/(4a)`; a plating
@@ -21,7 +21,7 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.conducting_body import ConductingBody, Plated, Rod, bulk_of, resistivity_of, surface_of
 from winkler.numerics.fields.filmed_disc import spreading
-from winkler.numerics.fields.flux_tube import WIDEST, relief
+from winkler.numerics.fields.flux_tube import LARGEST_RADIUS_RATIO, relief
 from winkler.numerics.transforms import fredholm
 from winkler.numerics.types import Array, ComplexArray
 from winkler.validity import Assumption, Note, Standing
@@ -34,7 +34,7 @@ BARBER = (
     "J. R. Barber, Bounds on the electrical resistance between contacting elastic rough bodies, Proc. R. Soc. A 459 "
     "(2003) 53-66, doi:10.1098/rspa.2002.1038"
 )
-OWN = "own solution of the integral equation along the line of springs"
+OWN_SOLUTION = "own solution of the integral equation along the line of springs"
 
 
 class Resistances(NamedTuple):
@@ -63,7 +63,7 @@ class Resistances(NamedTuple):
 
 @value
 class PlatedResponse:
-    """How two bodies, plated or not, answer a flux: 1 + M(xi).
+    """The response of two bodies, plated or not, to a flux: 1 + M(xi).
 
     Parameters
     ----------
@@ -105,16 +105,16 @@ class PlatedResponse:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         parts = [(resistivity_of(surface_of(body)), body) for body in (self.first, self.second)]
         whole = sum(rho for rho, _ in parts)
-        found = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
+        excess_sum = np.zeros(np.shape(xi), dtype=np.asarray(xi).dtype)
         for rho, body in parts:
             if isinstance(body, Plated):
                 under = resistivity_of(body.on)
                 echo = (under - rho) / (under + rho) * np.exp(-2.0 * xi * body.thickness)
-                found = found + rho / whole * 2.0 * echo / (1.0 - echo)
-        return np.asarray(found)
+                excess_sum = excess_sum + rho / whole * 2.0 * echo / (1.0 - echo)
+        return np.asarray(excess_sum)
 
 
-def _felt(first: ConductingBody, second: ConductingBody, radius: Array) -> Array:
+def _surface_resistivity(first: ConductingBody, second: ConductingBody, radius: Array) -> Array:
     """Return the radius of the disc that would conduct as well if the surfaces' conductors were all there is."""
     plated = [body for body in (first, second) if isinstance(body, Plated)]
     if all(resistivity_of(body.plating) == resistivity_of(body.on) for body in plated):
@@ -125,10 +125,11 @@ def _felt(first: ConductingBody, second: ConductingBody, radius: Array) -> Array
 def _relieved(body: ConductingBody, radius: Array) -> Array:
     if not isinstance(body, Rod):
         return np.ones(radius.shape)
-    if np.max(radius, initial=0.0) > WIDEST * body.radius:
+    if np.max(radius, initial=0.0) > LARGEST_RADIUS_RATIO * body.radius:
         raise OutsideValidity(
             f"The contact, of radius {float(np.max(radius)):.4g} m, is nearly as wide as the rod, of radius "
-            f"{body.radius:.4g} m; it must stay below {WIDEST:g} of that: press less, or give a thicker rod."
+            f"{body.radius:.4g} m; it must stay below {LARGEST_RADIUS_RATIO:g} of that: press less, or give a thicker "
+            "rod."
         )
     return relief(radius / body.radius)
 
@@ -136,7 +137,7 @@ def _relieved(body: ConductingBody, radius: Array) -> Array:
 def disc_resistances(
     first: ConductingBody, second: ConductingBody, area_resistance: float, radius: Array
 ) -> Resistances:
-    """Return what stands in the way of a current through a disc.
+    """Return the resistance to a current through a disc.
 
     Parameters
     ----------
@@ -163,8 +164,10 @@ def disc_resistances(
     filmed = bool(area_resistance) and _bare(first, second)
     spread = spreading(2.0 * area_resistance / (sum(rho) * a)) if filmed else np.ones(a.shape)
     if any(isinstance(body, Plated) for body in (first, second)):
-        # both halves of a plated pair are found together; what the plating changes is told body by body
-        whole = sum(rho) / (4.0 * np.where(touching, _felt(first, second, np.where(touching, radius, 0.0)), 1.0))
+        # both halves of a plated pair are found together; what the plating changes is returned body by body
+        whole = sum(rho) / (
+            4.0 * np.where(touching, _surface_resistivity(first, second, np.where(touching, radius, 0.0)), 1.0)
+        )
         alone = [
             r / (4.0 * np.where(touching, _own(body, radius), 1.0))
             for r, body in zip(rho, (first, second), strict=True)
@@ -180,7 +183,7 @@ def disc_resistances(
 
 def _own(body: ConductingBody, radius: Array) -> Array:
     """Return the disc that one body feels, against another one of the same kind."""
-    return _felt(body, body, np.where(radius > 0.0, radius, 0.0))
+    return _surface_resistivity(body, body, np.where(radius > 0.0, radius, 0.0))
 
 
 def _bare(first: ConductingBody, second: ConductingBody) -> bool:
@@ -188,7 +191,7 @@ def _bare(first: ConductingBody, second: ConductingBody) -> bool:
 
 
 def conduction_notes(first: ConductingBody, second: ConductingBody, area_resistance: float) -> tuple[Note, ...]:
-    """Return what must be said of the bodies and of the film."""
+    """Return what must be stated about the bodies and the film."""
     rods = [isinstance(body, Rod) for body in (first, second)]
     plated = [isinstance(body, Plated) for body in (first, second)]
     notes = []
@@ -207,8 +210,8 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
                 Assumption.CONDUCTION,
                 Standing.EXACT,
                 "The platings conduct as layers bonded without resistance; their halves of the "
-                "resistance are told apart as if each met its like.",
-                OWN,
+                "resistance are separated as if each met its like.",
+                OWN_SOLUTION,
             )
         )
     if any(rods):
@@ -221,7 +224,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
                 if alike
                 else "Each body is taken with a contact of one voltage; where they differ the sum is a little too low, "
                 "by less than 8 % of the constriction, and by nothing for narrow contacts",
-                OWN,
+                OWN_SOLUTION,
             )
         )
     if area_resistance and not _bare(first, second):
@@ -231,7 +234,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
                 Standing.APPROXIMATE,
                 "The film is added to the constriction of a clean contact; it also spreads the current, which costs up "
                 "to 8 % of the constriction more.",
-                OWN,
+                OWN_SOLUTION,
             )
         )
     elif area_resistance:
@@ -240,7 +243,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
                 Assumption.CONDUCTION,
                 Standing.EXACT,
                 "That the film spreads the current is counted in the constriction, up to 8.1 % more than Holm's.",
-                OWN,
+                OWN_SOLUTION,
             )
         )
     return tuple(notes)

@@ -98,11 +98,11 @@ def _spline_gap_slope(curve: Spline, k: float, x: Array) -> Array:
     chunk = max(1, 500_000 // max(inner.size, 1))
     for start in range(0, flat.size if inner.size else 0, chunk):
         part = slice(start, start + chunk)
-        total[part] += _beyond(flat[part, None], inner, k) @ half_jumps
+        total[part] += _slope_beyond(flat[part, None], inner, k) @ half_jumps
     return np.asarray(total.reshape(x.shape))
 
 
-def _beyond(x: Array, b: Array, k: float) -> Array:
+def _slope_beyond(x: Array, b: Array, k: float) -> Array:
     """Return what a slope (r - b)^2 beyond b adds to g'(x), x^-k (3 W2 - 4 b W1 + b^2 W0): its kinks cancel."""
     from scipy.special import betainc
 

@@ -189,7 +189,7 @@ class GradedHalfSpace:
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
-        return PunchFacts(pulls=False, least=0.0, most=1.0, telling=True)
+        return PunchFacts(pulls=False, least=0.0, most=1.0, gives_separation=True)
 
     def _stiffness(self, modulus: float, x: Array) -> Array:
         x, k = np.asarray(x, dtype=float), self.exponent
@@ -229,7 +229,7 @@ class GradedHalfSpace:
         """Refused: the stresses below the surface of a graded body are not known to winkler."""
         raise OutsideValidity(
             "The stresses inside a GradedHalfSpace are not known to winkler: below the surface the power law has no "
-            "closed flat-punch field; ask for the surface (without z), or sample the grading by a layered medium."
+            "closed flat-punch field; request the surface (without z), or sample the grading by a layered medium."
         )
 
 

@@ -59,33 +59,37 @@ def transform(profile: Profile, k: float) -> Transform:
     """
     match profile:
         case Paraboloid():
-            return _Power(0.5 / profile.curvature_radius, 2.0, k)
+            return _PowerTransform(0.5 / profile.curvature_radius, 2.0, k)
         case PowerLaw():
-            return _Power(profile.coefficient, profile.exponent, k)
+            return _PowerTransform(profile.coefficient, profile.exponent, k)
         case FlatPunch():
-            return _Power(0.0, 1.0, k)
+            return _PowerTransform(0.0, 1.0, k)
         case PowerPieces():
-            return _Pieces(profile, k)
+            return _PiecewiseTransform(profile, k)
         case Sphere():
-            return _Round(profile.curvature_radius, profile.curvature_radius, -1.0, k)
+            return _RoundTransform(profile.curvature_radius, profile.curvature_radius, -1.0, k)
         case Ellipsoid():
-            return _Round(profile.radial_semi_axis, profile.radial_semi_axis**2 / profile.axial_semi_axis, -1.0, k)
+            return _RoundTransform(
+                profile.radial_semi_axis, profile.radial_semi_axis**2 / profile.axial_semi_axis, -1.0, k
+            )
         case Hyperboloid():
-            return _Round(profile.curvature_radius / math.tan(profile.half_angle), profile.curvature_radius, 1.0, k)
+            return _RoundTransform(
+                profile.curvature_radius / math.tan(profile.half_angle), profile.curvature_radius, 1.0, k
+            )
         case Measured():
             return measured(profile, k)
         case Designed():
             return designed(profile, k)
         case Sum():
-            return _Sum(tuple(transform(part, k) for part in profile.parts))
+            return _SumTransform(tuple(transform(part, k) for part in profile.parts))
         case CappedCylinder():
             return transform(profile.cap, k)
         case _:
-            return _Quadrature(profile, k)
+            return _QuadratureTransform(profile, k)
 
 
 @value
-class _Power:
+class _PowerTransform:
     """f = c r^n."""
 
     coefficient: float
@@ -112,7 +116,7 @@ class _Power:
 
 
 @value
-class _Round:
+class _RoundTransform:
     """f' = (r/R) / sqrt(1 + sign (r/A)^2), of an ellipsoid (-1) or a hyperboloid (+1)."""
 
     width: float
@@ -157,7 +161,7 @@ def _moment(m: int, x: Array, b: float, k: float) -> Array:
 
 
 @value
-class _Pieces:
+class _PiecewiseTransform:
     """A slope of truncated powers."""
 
     profile: PowerPieces
@@ -193,7 +197,7 @@ class _Pieces:
 
 
 @value
-class _Sum:
+class _SumTransform:
     """The transform is linear."""
 
     parts: tuple[Transform, ...]
@@ -209,7 +213,7 @@ class _Sum:
 
 
 @value
-class _Quadrature:
+class _QuadratureTransform:
     """Any smooth shape: from its slope and curvature between the kinks."""
 
     profile: Profile

@@ -1,4 +1,4 @@
-"""Where a stress is greatest below a contact: a coarse search over the meridian or the body, then ever finer ones."""
+"""The place of the greatest stress below a contact: a coarse search over the meridian or the body, then finer ones."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Place", "Spot", "greatest", "greatest_around"]
+__all__ = ["StressPlace", "StressSpot", "greatest", "greatest_around"]
 
-ZOOMS = 14
+REFINEMENTS = 14
 """Rounds of refinement; each narrows the box to about a third, so the place is good to 1e-6 of the radius."""
 
 
-TURNS = 24
+COARSE_DIRECTIONS = 24
 """Directions about the axis of the coarse search."""
 
 
-class Place(NamedTuple):
+class StressPlace(NamedTuple):
     """A greatest value and where it stands, r and z in the units they were searched in."""
 
     value: float
@@ -28,7 +28,7 @@ class Place(NamedTuple):
     z: float
 
 
-class Spot(NamedTuple):
+class StressSpot(NamedTuple):
     """A greatest value and where it stands in the body."""
 
     value: float
@@ -44,8 +44,8 @@ def greatest(
     top: float = 0.0,
     bottom: float = math.inf,
     both_sides: bool = False,
-    zooms: int = ZOOMS,
-) -> Place:
+    zooms: int = REFINEMENTS,
+) -> StressPlace:
     """Return the greatest value of `field` below a contact.
 
     Parameters
@@ -75,8 +75,8 @@ def greatest(
     for _ in range(zooms):
         around_r = np.unique(np.clip(best.r + dr * np.linspace(-1.0, 1.0, 7), least, None))
         around_z = np.unique(np.clip(best.z + depth_step * np.linspace(-1.0, 1.0, 7), top, bottom))
-        found = _best(field, around_r, around_z)
-        best = found if found.value >= best.value else best
+        best_place = _best(field, around_r, around_z)
+        best = best_place if best_place.value >= best.value else best
         dr, depth_step = 0.36 * dr, 0.36 * depth_step
     return best
 
@@ -87,14 +87,14 @@ def _within(z: Array, top: float, bottom: float, radius: float) -> Array:
     return np.unique(np.concatenate([z[(z > top) & (z < end)][::2], np.linspace(top, end, 5)]))
 
 
-def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> Place:
+def _best(field: Callable[[Array, Array], Array], r: Array, z: Array) -> StressPlace:
     rr, zz = (grid.ravel() for grid in np.meshgrid(r, z, indexing="ij"))
     values = field(rr, zz)
     place = int(np.argmax(np.where(np.isfinite(values), values, -np.inf)))
-    return Place(float(values[place]), float(rr[place]), float(zz[place]))
+    return StressPlace(float(values[place]), float(rr[place]), float(zz[place]))
 
 
-def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float) -> Spot:
+def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float) -> StressSpot:
     """Return the greatest value of a `field` without symmetry below a contact.
 
     Parameters
@@ -106,7 +106,7 @@ def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float
         on the surface as well as the one below it.
     """
     r = np.concatenate([np.linspace(0.0, 0.9, 10), [0.95, 1.0, 1.05, 1.2]]) * radius
-    turn = np.arange(TURNS) / TURNS
+    turn = np.arange(COARSE_DIRECTIONS) / COARSE_DIRECTIONS
     c, s = np.cos(2.0 * np.pi * turn), np.sin(2.0 * np.pi * turn)
     c[np.abs(s) < 1e-12] = np.sign(c[np.abs(s) < 1e-12])
     s[np.abs(s) < 1e-12] = 0.0
@@ -116,19 +116,19 @@ def greatest_around(field: Callable[[Array, Array, Array], Array], radius: float
     return max(_zoomed(field, on, radius), _zoomed(field, below, radius))
 
 
-def _zoomed(field: Callable[[Array, Array, Array], Array], best: Spot, radius: float) -> Spot:
+def _zoomed(field: Callable[[Array, Array, Array], Array], best: StressSpot, radius: float) -> StressSpot:
     wide, high = 0.15 * radius, max(0.3 * best.z, 0.02 * radius)
-    for _ in range(ZOOMS):
+    for _ in range(REFINEMENTS):
         line = np.linspace(-1.0, 1.0, 5)
         x, y = (part.ravel() for part in np.meshgrid(best.x + wide * line, best.y + wide * line))
-        found = _spot(field, x, y, np.unique(np.clip(best.z + high * line, 0.0, None)))
-        best = found if found.value >= best.value else best
+        best_place = _spot(field, x, y, np.unique(np.clip(best.z + high * line, 0.0, None)))
+        best = best_place if best_place.value >= best.value else best
         wide, high = 0.5 * wide, 0.5 * high
     return best
 
 
-def _spot(field: Callable[[Array, Array, Array], Array], x: Array, y: Array, z: Array) -> Spot:
+def _spot(field: Callable[[Array, Array, Array], Array], x: Array, y: Array, z: Array) -> StressSpot:
     across, along, deep = np.repeat(x, z.size), np.repeat(y, z.size), np.tile(z, x.size)
     values = field(across, along, deep)
     place = int(np.nanargmax(values))
-    return Spot(*(float(part[place]) for part in (values, across, along, deep)))
+    return StressSpot(*(float(part[place]) for part in (values, across, along, deep)))

@@ -11,22 +11,22 @@ from numpy.typing import NDArray
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["BLOCK", "CHUNK", "Indices", "point_groups"]
+__all__ = ["PAIRS_PER_CHUNK", "POINTS_PER_BLOCK", "Indices", "point_groups"]
 
 Indices = NDArray[np.intp]
 
-BLOCK = 20_000
+POINTS_PER_BLOCK = 20_000
 """Largest number of points at once."""
-CHUNK = 1 << 16
+PAIRS_PER_CHUNK = 1 << 16
 """Largest number of (point, node) pairs at once: the temporary arrays stay in the cache."""
 
 
 def point_groups(chosen: Indices, parts: Indices, count: Indices) -> Iterator[tuple[Indices, Array, Array]]:
-    """Yield columns of points with the same rule, and its nodes and weights, in pieces of at most `CHUNK` pairs."""
+    """Yield points with the same rule, and its nodes and weights, in pieces of at most `PAIRS_PER_CHUNK` pairs."""
     for some, many in np.unique(np.stack([parts[chosen], count[chosen]]), axis=1).T:
         members = chosen[(parts[chosen] == some) & (count[chosen] == many)]
         nodes, weights = _rule(int(some), int(many))
-        for start in range(0, members.size, step := max(CHUNK // nodes.size, 1)):
+        for start in range(0, members.size, step := max(PAIRS_PER_CHUNK // nodes.size, 1)):
             yield members[start : start + step, None], nodes, weights
 
 

@@ -2,7 +2,7 @@ r"""The field inside a homogeneous body whose surface is sheared: dragged flat p
 
 As for pressures (`winkler.media.interior.subsurface`) the springs' displacement u(x), now along the surface, is a
 pile of flat punches; each carries the traction of the normal punch, directed along x (Ciavarella, Jaeger).  The field
-of given traction is exact; that the surfaces then slide where and as the springs say is exact for nu = 0, and
+of given traction is exact; that the surfaces then slide where and as the springs predict is exact for nu = 0, and
 otherwise neglects the displacement across the direction of load.
 """
 
@@ -20,11 +20,11 @@ from winkler.media.interior.shear_field_punch import (
 from winkler.media.interior.subsurface import superposed_below
 from winkler.media.interior.surface_limit import superposed_on
 from winkler.media.medium import Displacement
-from winkler.media.pile import pile
+from winkler.media.punch_superposition import punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["field", "swerve"]
+__all__ = ["angular_shift", "field"]
 
 NODES = 48
 """Nodes of the one rule that is used on the surface, where points are few."""
@@ -67,8 +67,10 @@ def field(
     return combine_shear(potentials, x, y, z, modulus=modulus, poisson=poisson, shear=shear)
 
 
-def swerve(displacement: Displacement, r: Array, *, modulus: float, poisson: float, shear: float) -> Array:
-    r"""Return how far the surface of one body swerves: B in :math:`u_x=\bar u+B\cos2\theta,\ u_y=B\sin2\theta`.
+def angular_shift(displacement: Displacement, r: Array, *, modulus: float, poisson: float, shear: float) -> Array:
+    r"""Return the part of the shift of a surface that varies with the angle.
+
+    It is B in :math:`u_x=\bar u+B\cos2\theta,\ u_y=B\sin2\theta`, of one body.
 
     Parameters
     ----------
@@ -104,7 +106,7 @@ def _narrower(displacement: Displacement, r: Array) -> tuple[Array, Array]:
     """Superpose DV and r D^2 chi on the surface: only punches narrower than r contribute."""
     nodes, weights = gauss_legendre(NODES)
     first, second = (displacement.edge * part for part in shear_punch_on(r, np.asarray(displacement.radius)))
-    for panel in pile(displacement).panels:
+    for panel in punch_superposition(displacement).panels:
         (wide,) = np.nonzero(r > np.hypot(panel.base, panel.lower))
         own = r[wide]
         p = np.sqrt((own - panel.base) * (own + panel.base))

@@ -1,4 +1,4 @@
-r"""The field of a flat punch that is dragged along the surface: the brick of every stress under friction.
+r"""The field of a flat punch that is dragged along the surface: the element of every stress under friction.
 
 A line load q of tangential springs, uniform on :math:`|x|<t`, is a traction along x of
 :math:`q/(\pi\sqrt{t^2-r^2})`.  With :math:`\zeta=z+i\tau,\ \rho=\sqrt{r^2+\zeta^2}` the potentials of Cerruti are [1]_

@@ -5,8 +5,8 @@ With `flat`, the field of one punch under unit line load, the springs' displacem
 .. math:: \text{field}(r, z) = E^*\Big[\int_0^a \text{flat}(r, z; t)\,(-u'(t))\,\mathrm dt
           + u(a)\,\text{flat}(r, z; a)\Big].
 
-Near the surface `flat` is almost singular at :math:`t = r`, in truth at :math:`t = r + iz`.  In the variable
-:math:`y = \sqrt{t^2-s^2}` of a panel (`pile`) that is :math:`y = p + iq`; with :math:`y = p + q\sinh v` it lies at
+Near the surface `flat` is almost singular at :math:`t = r`, in truth at :math:`t = r + iz`.  In the variable :math:`y =
+\sqrt{t^2-s^2}` of a panel (`punch_superposition`) that is :math:`y = p + iq`; with :math:`y = p + q\sinh v` it lies at
 :math:`v = i\pi/2` whatever the depth, so the work grows with the logarithm of the depth only.  The field passes
 continuously into that on the surface itself (`winkler.media.interior.surface_limit`).
 """
@@ -21,24 +21,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from winkler.errors import InvalidInput
-from winkler.media.interior.point_rules import BLOCK, CHUNK, Indices, point_groups
+from winkler.media.interior.point_rules import PAIRS_PER_CHUNK, POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.interior.surface_limit import superposed_on
 from winkler.media.medium import Displacement
-from winkler.media.pile import FAR, Cluster, Panel, pile
 from winkler.media.punch_field import BodyField, Potentials, combine, punch_below
+from winkler.media.punch_superposition import CLUSTER_DISTANCE, LoadPanel, PunchCluster, punch_superposition
 from winkler.numerics.types import Array
 
 __all__ = ["field", "superposed_below"]
 
 Punch = Callable[[Array, Array, Array, Array | None], tuple[Array, ...]]
 
-COUNTS = np.array([6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112])
+NODE_COUNTS = np.array([6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112])
 """Numbers of nodes of the rules; one of them is chosen for every point and panel."""
-LONGEST = 12.0
+LONGEST_INTERVAL = 12.0
 """Longest interval of v that one rule covers."""
-SHALLOWEST = 1e-30
-"""Least depth below the surface, in contact radii, that is told from the next; cubes of it must not underflow."""
-STRAIGHT = math.log(3.0)
+LEAST_DEPTH_RATIO = 1e-30
+"""Least depth below the surface, in contact radii, that is resolved; cubes of it must not underflow."""
+MAPPING_DISTANCE = math.log(3.0)
 """A panel is mapped by sinh only if the singularity is nearer than this, ln(rho) of its Bernstein ellipse."""
 
 
@@ -72,8 +72,8 @@ def field(displacement: Displacement, r: Array, z: Array, *, modulus: float, poi
         If u'(x) is not smooth between the kinks.
     """
     radius, depth = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
-    for word, given in (("r", radius), ("z", depth)):
-        bad = given[~(np.isfinite(given) & (given >= 0.0))]
+    for word, coordinate in (("r", radius), ("z", depth)):
+        bad = coordinate[~(np.isfinite(coordinate) & (coordinate >= 0.0))]
         if bad.size:
             raise InvalidInput(
                 f"{word}: {bad[0]:g} m is not a place in the body; give finite values from zero upwards."
@@ -108,10 +108,10 @@ def superposed_below(displacement: Displacement, r: Array, z: Array, punch: Punc
     ndarray, (m, n)
         A row for every potential.
     """
-    deep = np.maximum(z, SHALLOWEST * displacement.radius)
+    deep = np.maximum(z, LEAST_DEPTH_RATIO * displacement.radius)
     parts = [
-        _below(displacement, r[start : start + BLOCK], deep[start : start + BLOCK], punch)
-        for start in range(0, max(r.size, 1), BLOCK)
+        _below(displacement, r[start : start + POINTS_PER_BLOCK], deep[start : start + POINTS_PER_BLOCK], punch)
+        for start in range(0, max(r.size, 1), POINTS_PER_BLOCK)
     ]
     return np.concatenate(parts, axis=1)
 
@@ -119,12 +119,12 @@ def superposed_below(displacement: Displacement, r: Array, z: Array, punch: Punc
 def _below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Array:
     total = np.array(punch(r, z, np.asarray(displacement.radius), None))
     total *= displacement.edge
-    waiting: list[tuple[Cluster, Indices]] = [(pile(displacement).root, np.arange(r.size))]
+    waiting: list[tuple[PunchCluster, Indices]] = [(punch_superposition(displacement).root, np.arange(r.size))]
     while waiting:
         cluster, points = waiting.pop()
         if cluster.radii.size:
             middle, half = 0.5 * (cluster.lower + cluster.upper), 0.5 * (cluster.upper - cluster.lower)
-            far = _distance((r[points] + 1j * z[points] - middle) / half) > FAR
+            far = _distance((r[points] + 1j * z[points] - middle) / half) > CLUSTER_DISTANCE
             total[:, points[far]] += _far(cluster, r[points[far]], z[points[far]], punch)
             waiting += [(child, points[~far]) for child in cluster.children if not np.all(far)]
         else:
@@ -134,17 +134,17 @@ def _below(displacement: Displacement, r: Array, z: Array, punch: Punch) -> Arra
     return total
 
 
-def _far(cluster: Cluster, r: Array, z: Array, punch: Punch) -> Array:
+def _far(cluster: PunchCluster, r: Array, z: Array, punch: Punch) -> Array:
     """Superpose the punches that stand for a cluster."""
     parts = []
-    step = max(CHUNK // cluster.radii.size, 1)
+    step = max(PAIRS_PER_CHUNK // cluster.radii.size, 1)
     for start in range(0, max(r.size, 1), step):
         flat = punch(r[start : start + step, None], z[start : start + step, None], cluster.radii, None)
         parts.append(np.array([part @ cluster.weights for part in flat]))
     return np.concatenate(parts, axis=1)
 
 
-def _near(panel: Panel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indices, Array]]:
+def _near(panel: LoadPanel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indices, Array]]:
     """Integrate one panel, in groups of points that share a rule."""
     s, lower, upper, rank = panel.base, panel.lower, panel.upper, panel.series.size
     square, product = (r - s) * (r + s) - z * z, r * z  # p + iq = sqrt((r + iz)^2 - s^2)
@@ -164,7 +164,7 @@ def _near(panel: Panel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indi
         weights = panel.weight(y) * measure
         return np.array([np.sum(part * weights, axis=1) for part in punch(r[i], z[i], t, excess)])
 
-    straight = distance > STRAIGHT
+    straight = distance > MAPPING_DISTANCE
     for i, nodes, weights in point_groups(np.flatnonzero(straight), np.ones(r.size, dtype=int), count):
         y = np.broadcast_to(lower + (upper - lower) * nodes, (i.size, nodes.size))
         yield i[:, 0], punches(i, y, y - p[i], (upper - lower) * weights)
@@ -172,7 +172,7 @@ def _near(panel: Panel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indi
     curved = np.flatnonzero(~straight)
     first, last = np.zeros(r.size), np.zeros(r.size)
     first[curved], last[curved] = (np.arcsinh((end - p[curved]) / q[curved]) for end in (lower, upper))
-    parts = np.ceil((last - first) / LONGEST).astype(int)
+    parts = np.ceil((last - first) / LONGEST_INTERVAL).astype(int)
     length, centre = (last - first)[curved], 0.5 * (first + last)[curved]
     beyond = np.arcsinh((branch - p)[curved] / q[curved])
     nearest = np.minimum(_distance((1j * np.pi - 2.0 * centre) / length), _distance(2.0 * (beyond - centre) / length))
@@ -185,8 +185,10 @@ def _near(panel: Panel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[Indi
         yield i[:, 0], punches(i, y, offset, (last - first)[i] * q[i] * np.cosh(v) * weights)
 
 
-def _enough(wanted: Array) -> Indices:
-    return np.asarray(COUNTS[np.minimum(np.searchsorted(COUNTS, wanted), COUNTS.size - 1)], dtype=np.intp)
+def _enough(needed: Array) -> Indices:
+    return np.asarray(
+        NODE_COUNTS[np.minimum(np.searchsorted(NODE_COUNTS, needed), NODE_COUNTS.size - 1)], dtype=np.intp
+    )
 
 
 def _distance(w: NDArray[Any]) -> Array:

@@ -11,10 +11,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.media.interior.point_rules import BLOCK, Indices, point_groups
+from winkler.media.interior.point_rules import POINTS_PER_BLOCK, Indices, point_groups
 from winkler.media.medium import Displacement
-from winkler.media.pile import Panel, pile
 from winkler.media.punch_field import punch_surface
+from winkler.media.punch_superposition import LoadPanel, punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
@@ -22,19 +22,23 @@ __all__ = ["superposed_on"]
 
 Place = Callable[[Indices, Array], tuple[Array, Array]]
 
-NODES, SHORT = 48, 4.0
+RULE_NODES, LONGEST_INTERVAL = 48, 4.0
 """Points are few here: one rule of many nodes on short intervals of v."""
 
 
 def superposed_on(displacement: Displacement, r: Array) -> Array:
     """Superpose the punches at points of the surface, r of shape ``(n,)``; the rows are V, V_z and psi_r / r."""
     return np.concatenate(
-        [_surface(displacement, r[start : start + BLOCK]) for start in range(0, max(r.size, 1), BLOCK)], axis=1
+        [
+            _surface(displacement, r[start : start + POINTS_PER_BLOCK])
+            for start in range(0, max(r.size, 1), POINTS_PER_BLOCK)
+        ],
+        axis=1,
     )
 
 
 def _surface(displacement: Displacement, r: Array) -> Array:
-    panels, a = pile(displacement).panels, displacement.radius
+    panels, a = punch_superposition(displacement).panels, displacement.radius
     total = np.zeros((3, r.size))  # V, V_z and psi_r/r
     for panel in panels:
         p = np.sqrt(np.abs(r - panel.base) * (r + panel.base))
@@ -55,9 +59,9 @@ def _surface(displacement: Displacement, r: Array) -> Array:
     return np.array([v, v_z, psi_r_by_r])
 
 
-def _above(panel: Panel, r: Array, p: Array) -> Array:
+def _above(panel: LoadPanel, r: Array, p: Array) -> Array:
     """Integrate a panel for r > base, p = sqrt(r^2 - base^2): over punches narrower, then wider than r."""
-    nodes, weights = gauss_legendre(NODES)
+    nodes, weights = gauss_legendre(RULE_NODES)
     first, last = (np.arcsin(np.minimum(end / p, 1.0))[:, None] for end in (panel.lower, panel.upper))
     angle = first + (last - first) * nodes
     y, root = p[:, None] * np.sin(angle), p[:, None] * np.cos(angle)  # root = sqrt(r^2 - t^2) = dy/dv
@@ -72,15 +76,15 @@ def _above(panel: Panel, r: Array, p: Array) -> Array:
     return result
 
 
-def _before(panel: Panel, r: Array, p: Array) -> Array:
+def _before(panel: LoadPanel, r: Array, p: Array) -> Array:
     """Integrate a panel for r < base, p = sqrt(base^2 - r^2): all punches are wider than r."""
     start, stop = np.arcsinh(panel.lower / p), np.arcsinh(panel.upper / p)
     return _wider(panel, r, start, stop, lambda i, v: (p[i] * np.sinh(v), p[i] * np.cosh(v)))
 
 
-def _at(panel: Panel, r: Array, _: Array) -> Array:
+def _at(panel: LoadPanel, r: Array, _: Array) -> Array:
     """Integrate a panel for r = base; the first panel without V_z, see `_tip`."""
-    nodes, weights = gauss_legendre(NODES)
+    nodes, weights = gauss_legendre(RULE_NODES)
     y = panel.lower + (panel.upper - panel.lower) * nodes
     weight = panel.weight(y) * (panel.upper - panel.lower) * weights
     v_z = 0.0 if panel.base == panel.lower == 0.0 else -2.0 * np.sum(weight / y)
@@ -88,11 +92,11 @@ def _at(panel: Panel, r: Array, _: Array) -> Array:
     return np.repeat([[np.pi * np.sum(weight)], [v_z], [psi_r_by_r]], r.size, axis=1)
 
 
-def _wider(panel: Panel, r: Array, start: Array, stop: Array, place: Place) -> Array:
+def _wider(panel: LoadPanel, r: Array, start: Array, stop: Array, place: Place) -> Array:
     """Integrate over punches wider than r; `place` gives y and sqrt(t^2 - r^2) = dy/dv at v for some of the points."""
     result = np.zeros((3, r.size))
-    parts = np.ceil((stop - start) / SHORT).astype(int)
-    for i, nodes, weights in point_groups(np.flatnonzero(parts), parts, np.full(r.size, NODES)):
+    parts = np.ceil((stop - start) / LONGEST_INTERVAL).astype(int)
+    for i, nodes, weights in point_groups(np.flatnonzero(parts), parts, np.full(r.size, RULE_NODES)):
         y, root = place(i, start[i] + (stop - start)[i] * nodes)
         weight = panel.weight(y) * (stop - start)[i] * weights
         kernels = (np.pi * root, np.full(1, -2.0), 2.0 * root / (np.hypot(panel.base, y) + root))
@@ -100,7 +104,7 @@ def _wider(panel: Panel, r: Array, start: Array, stop: Array, place: Place) -> A
     return result
 
 
-def _tip(displacement: Displacement, panel: Panel) -> float:
+def _tip(displacement: Displacement, panel: LoadPanel) -> float:
     """Integrate -u'(t)/t over the first panel: infinite where u' does not vanish at the axis, as under a cone."""
     refined = panel.upper < 1e-6 * displacement.radius  # u' is no power series there
     place = panel.upper * (1.0 if refined else 1e-9)
@@ -111,5 +115,5 @@ def _tip(displacement: Displacement, panel: Panel) -> float:
         return math.copysign(math.inf, near)
     if refined:
         return far / power
-    nodes, weights = gauss_legendre(NODES)
+    nodes, weights = gauss_legendre(RULE_NODES)
     return float(np.sum(panel.weight(panel.upper * nodes) * weights / nodes))

@@ -1,4 +1,4 @@
-r"""The fields of a twisted contact: traction, displacement of the surface, and what is below it.
+r"""The fields of a twisted contact: traction, displacement of the surface, and stresses below it.
 
 Springs with the load :math:`q(x) = x\,h(x)` stand for the body of revolution
 
@@ -30,11 +30,11 @@ from winkler.numerics.types import Array
 
 __all__ = ["TwistBelow", "Twisted", "twist_below", "twist_constants", "twist_displacement", "twist_traction"]
 
-NEAR = 0.02
+SERIES_DISTANCE = 0.02
 """Nearer to the axis than this part of the distance from the disc's edge, series replace differences."""
 TOLERANCE = 1e-11
 """Of the sum over discs."""
-NOISE = 1e-11
+ROUNDING_RATIO = 1e-11
 """A slope that changes the load by no more than this part of it is rounding."""
 SAMPLES = 33
 
@@ -75,14 +75,14 @@ class TwistBelow(NamedTuple):
 
 
 def twist_constants(body: Elastic | TransverselyIsotropic | Rigid) -> tuple[float, float]:
-    """Return the modulus [Pa] that a twist meets, and by how much depths count more than distances along the surface.
+    """Return the modulus [Pa] of a twist, and by how much depths count more than distances along the surface.
 
     For a transversely isotropic body sqrt(C44 C66) and sqrt(C66 / C44).
     """
     if isinstance(body, Elastic):
         return body.shear, 1.0
     if isinstance(body, Rigid):
-        raise OutsideValidity("A rigid body is not deformed by a twist; ask for the other side.")
+        raise OutsideValidity("A rigid body is not deformed by a twist; request the other side.")
     c66 = 0.5 * (body.c11 - body.c12)
     return math.sqrt(body.c44 * c66), math.sqrt(c66 / body.c44)
 
@@ -104,11 +104,11 @@ def twist_traction(twisted: Twisted, r: Array) -> Array:
 
     def slope(x: Array) -> Array:
         # where all springs stick the slope is rounding, which no rule of integration resolves near the axis
-        found = twisted.slope(x)
-        return np.asarray(np.where(np.abs(found) * x <= NOISE * size, 0.0, found))
+        slopes = twisted.slope(x)
+        return np.asarray(np.where(np.abs(slopes) * x <= ROUNDING_RATIO * size, 0.0, slopes))
 
-    turned = abel.pressure(slope, twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
-    return np.where(r > 0.0, 0.5 * r * turned, 0.0)
+    traction = abel.pressure(slope, twisted.kinks, twisted.edge, twisted.radius, np.where(r > 0.0, r, 1.0))
+    return np.where(r > 0.0, 0.5 * r * traction, 0.0)
 
 
 def twist_displacement(twisted: Twisted, r: Array, modulus: float) -> Array:
@@ -140,7 +140,7 @@ def twist_below(twisted: Twisted, r: Array, z: Array, modulus: float, stretch: f
     r, z : ndarray
         Distance from the axis and depth below the surface [m], broadcast; r not negative, z positive.
     modulus, stretch : float
-        What `twist_constants` says of the body.
+        What `twist_constants` returns for the body.
 
     Returns
     -------
@@ -185,15 +185,15 @@ def _disc(r: Array, z: Array, b: Array) -> tuple[Array, Array, Array]:
     """Return G u_theta, tau_theta-z and tau_r-theta of a disc of radius b with q = x."""
     zeta = z + 1j * b
     rho = np.sqrt(r * r + zeta * zeta)
-    small = r < NEAR * np.abs(zeta)
+    small = r < SERIES_DISTANCE * np.abs(zeta)
     safe = np.where(small, 1.0, r)
     with np.errstate(all="ignore"):
-        turned = (-b * rho.real + 0.5 * (zeta * rho).imag + 0.5 * safe**2 * np.log(zeta + rho).imag) / safe
+        traction = (-b * rho.real + 0.5 * (zeta * rho).imag + 0.5 * safe**2 * np.log(zeta + rho).imag) / safe
         axial = (rho.imag - b * (zeta / rho).real) / safe
         # r d/dr of u/r; the derivative of the bracket above is r arg(zeta + rho) - b r Re(1/rho)
-        radial = np.log(zeta + rho).imag - b * (1.0 / rho).real - 2.0 * turned / safe
-    series = _near(r, z, b) if small.any() else (turned, axial, radial)
-    parts = [np.where(small, *each) / (2.0 * np.pi) for each in zip(series, (turned, axial, radial), strict=True)]
+        radial = np.log(zeta + rho).imag - b * (1.0 / rho).real - 2.0 * traction / safe
+    series = _near(r, z, b) if small.any() else (traction, axial, radial)
+    parts = [np.where(small, *each) / (2.0 * np.pi) for each in zip(series, (traction, axial, radial), strict=True)]
     return parts[0], parts[1], parts[2]
 
 
@@ -207,13 +207,13 @@ def _near(r: Array, z: Array, b: Array) -> tuple[Array, Array, Array]:
         return np.asarray((z * zeta ** (1 - n) / (1 - n) - first).imag)
 
     # zeta/rho = sum of c_k (r/zeta)^(2k), rho^-3 = sum of d_k r^(2k) zeta^(-2k-3)
-    turned, axial, radial = np.zeros((3, *np.shape(r)))
+    traction, axial, radial = np.zeros((3, *np.shape(r)))
     c, d = 1.0, 1.0
     for k in range(9):
         if k > 0:
-            turned += c * r ** (2 * k - 1) * power(2 * k)
+            traction += c * r ** (2 * k - 1) * power(2 * k)
             radial += (2 * k - 2) * c * r ** (2 * k - 2) * power(2 * k)
         axial += d * r ** (2 * k + 1) * power(2 * k + 3)
         c *= -(0.5 + k) / (k + 1.0)
         d *= -(1.5 + k) / (k + 1.0)
-    return turned, axial, radial
+    return traction, axial, radial

@@ -1,1 +1,1 @@
-"""Layered bodies, and bodies graded in depth in any way."""
+"""Layered bodies, and bodies graded in depth by any law."""

@@ -1,8 +1,8 @@
 r"""Coated bodies: any number of bonded layers on a half-space or a rigid base.
 
-A stack answers a pressure wave :math:`\hat p\,J_0(\xi r)` with the compliance
+A stack responds to a pressure wave :math:`\hat p\,J_0(\xi r)` with the compliance
 :math:`C(\xi) = \frac{2}{E^*\xi}(1+M(\xi))`, :math:`M\to0` for short waves, which feel the uppermost layer alone.  M is
-all that the method needs to know: from it follow the flat punches (`winkler.numerics.transforms.fredholm`), from these
+all that the method needs: from it follow the flat punches (`winkler.numerics.transforms.fredholm`), from these
 :math:`k(a) = 2E^*\int_0^a\varphi\,\mathrm dx`, the springs :math:`c_N = E^*\varphi(a;a)^2` and g(a).  The equations
 are exact, the numbers good to about ten digits, whatever the thickness; films squeezed to many times their thickness
 lose some of them.
@@ -19,12 +19,12 @@ from winkler.materials.elastic import Elastic, Rigid, Solid
 from winkler.materials.layered import Layer
 from winkler.media.interior import subsurface
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts
-from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.layers import NormalResponse, TangentialResponse
 from winkler.media.medium import Displacement, PunchFacts
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import Response
+from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.validity import Assumption, Note, Standing
@@ -36,8 +36,8 @@ RIGID = Rigid()
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 
 
-class SurfaceResponse(Response, Protocol):
-    """A response that tells what the shortest waves feel."""
+class SurfaceResponse(WaveResponse, Protocol):
+    """A response with the modulus of the shortest waves."""
 
     @property
     def modulus(self) -> float:
@@ -46,18 +46,18 @@ class SurfaceResponse(Response, Protocol):
 
 
 class LayeredMedium:
-    """What all media have in common whose surface compliance is known: subclasses tell it, and what is inside."""
+    """What all media with a known surface compliance have in common: subclasses state it, and what is inside."""
 
     second: Solid
 
     @property
     def response(self) -> SurfaceResponse:
-        """How the pair answers a pressure."""
+        """The response of the pair to a pressure."""
         raise NotImplementedError
 
     @property
     def tangential_response(self) -> SurfaceResponse:
-        """How the pair answers a shear load, averaged over its angle with the wave."""
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
         raise NotImplementedError
 
     @property
@@ -65,7 +65,7 @@ class LayeredMedium:
         """Depth below which nothing changes any more [m]."""
         raise NotImplementedError
 
-    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the first body; arrays of one shape."""
         raise NotImplementedError
 
@@ -142,13 +142,13 @@ class LayeredMedium:
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements in the layers and their base (`below`), or in the other body."""
         second = self.second
-        load = Carried(displacement, self.response)
+        load = CarriedLoad(displacement, self.response)
         r, z = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
         if below:
             return self.inside(load, r, z)
         if not isinstance(second, Elastic):
             raise OutsideValidity(
-                "The second body (z < 0) is rigid; there is no stress field in it: ask for the other side."
+                "The second body (z < 0) is rigid; there is no stress field in it: request the other side."
             )
         return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
 
@@ -197,12 +197,12 @@ class CoatedHalfSpace(LayeredMedium):
 
     @property
     def response(self) -> NormalResponse:
-        """How the pair answers a pressure."""
+        """The response of the pair to a pressure."""
         return NormalResponse(self.layers, self.on, self.second)
 
     @property
     def tangential_response(self) -> TangentialResponse:
-        """How the pair answers a shear load, averaged over its angle with the wave."""
+        """The response of the pair to a shear load, averaged over its angle with the wave."""
         return TangentialResponse(self.layers, self.on, self.second)
 
     @property
@@ -210,7 +210,7 @@ class CoatedHalfSpace(LayeredMedium):
         """Of all layers together [m]."""
         return sum(layer.thickness for layer in self.layers)
 
-    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the layers and their base; arrays of one shape."""
         return coated_interior.field(load, self.layers, self.on, self.modulus, r, z)
 

@@ -1,7 +1,7 @@
 r"""Stresses and displacements inside a stack of layers, by Hankel integrals over what differs from a half-space.
 
 The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay through the layers as `winkler.media.layered.layers`
-tells.  In the uppermost layer the field of a homogeneous half-space under the same pressure is known without an
+computes.  In the uppermost layer the field of a homogeneous half-space under the same pressure is known without an
 integral over waves (`winkler.media.interior.subsurface`); what the interfaces add dies out like
 :math:`e^{-\xi(2h-z)}`, so that points on and just below the surface are as good as all others.  Deeper layers lie at
 least h below the load and need no such help.
@@ -19,29 +19,29 @@ from winkler.materials.elastic import Elastic, Solid
 from winkler.materials.layered import Layer
 from winkler.media.interior import subsurface
 from winkler.media.layered import layers as stack
-from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
-from winkler.numerics.transforms.cosine_transform import DEEP, LOWEST, wave_numbers
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER, wave_numbers
 from winkler.numerics.types import Array
 
-__all__ = ["State", "Waves", "field", "half_space_decay", "superposed", "waves_of"]
+__all__ = ["HankelWaves", "WaveState", "field", "half_space_decay", "superposed", "waves_of"]
 
-PHASE = 10.0
+LARGEST_PHASE = 10.0
 """Largest phase of a wave over one panel of the quadrature."""
-CHUNK = 1_000_000
-MOST = 1e9
+PAIRS_PER_CHUNK = 1_000_000
+MOST_PAIRS = 1e9
 """More pairs of wave numbers and springs than this are refused: the contact is too wide for the uppermost layer."""
 
 
-class Waves(NamedTuple):
+class HankelWaves(NamedTuple):
     """Wave numbers, and quadrature weights times xi times the transform of the pressure."""
 
     xi: Array
     weights: Array
 
 
-class State(NamedTuple):
+class WaveState(NamedTuple):
     """Amplitudes at one depth per pressure of 1: displacements times xi, tractions; and the solid there."""
 
     moved: Array
@@ -49,12 +49,12 @@ class State(NamedTuple):
     solid: Elastic
 
 
-def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
+def field(load: CarriedLoad, layers: tuple[Layer, ...], on: Solid, modulus: float, r: Array, z: Array) -> BodyField:
     """Return stresses and displacements inside the coated body.
 
     Parameters
     ----------
-    load : Carried
+    load : CarriedLoad
         The pressure.
     layers, on
         The stack.
@@ -72,11 +72,11 @@ def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r
     bottoms = np.cumsum([layer.thickness for layer in layers])
     if not isinstance(on, Elastic) and np.any(z > bottoms[-1]):
         raise OutsideValidity(
-            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of coating; ask for points in it."
+            f"z = {np.max(z):.6g} m lies in the rigid base below {bottoms[-1]:.6g} m of coating; request points in it."
         )
     result = np.zeros((6, r.size))
     if load.radius > 0.0 and r.size:
-        waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DEEP / load.response.length)
+        waves = waves_of(load, modulus, float(np.max(r)), 2.0 * DECAY_SPAN / load.response.length)
         upper = z <= bottoms[0]
         if upper.any():
             top = layers[0].solid
@@ -84,39 +84,39 @@ def field(load: Carried, layers: tuple[Layer, ...], on: Solid, modulus: float, r
             result[:, upper] = own
         for depth, state, end in _states(layers, on, bottoms, np.unique(z), waves.xi):
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, Waves(*(part[:end] for part in waves)), r[members])
+            result[:, members] += superposed(state, HankelWaves(*(part[:end] for part in waves)), r[members])
     return BodyField(*(part.reshape(shape) for part in result))
 
 
-def waves_of(load: Carried, modulus: float, farthest: float, end: float) -> Waves:
+def waves_of(load: CarriedLoad, modulus: float, farthest: float, end: float) -> HankelWaves:
     """Return the pressure as a superposition of waves with wave numbers up to `end`, for radii up to `farthest`."""
     response, a = load.response, load.radius
-    xi, weights = wave_numbers(LOWEST / response.span, PHASE / (a + farthest), end)
+    xi, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, LARGEST_PHASE / (a + farthest), end)
     kinks = np.array([b for b, strength in load.kinks if b < a])
-    steps = np.arange(1.0, np.ceil(a * end / PHASE)) * (PHASE / end)
+    steps = np.arange(1.0, np.ceil(a * end / LARGEST_PHASE)) * (LARGEST_PHASE / end)
     edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), steps[steps < a]]))
     x, shares = (part[0] for part in nodes(edges[None], kinks, 24))
-    if xi.size * x.size > MOST:
+    if xi.size * x.size > MOST_PAIRS:
         raise OutsideValidity(
             f"The contact of {a:.3g} m is too wide for the uppermost layer of {response.length:.3g} m to compute the "
             "stresses inside; the surface fields are known, and for the stresses thicker layers can be taken together."
         )
     q = shares * load.value(x)
-    step = max(1, CHUNK // x.size)
+    step = max(1, PAIRS_PER_CHUNK // x.size)
     transform = np.concatenate([np.cos(np.outer(xi[i : i + step], x)) @ q for i in range(0, xi.size, step)])
-    return Waves(xi, weights * xi * transform * (modulus / np.pi))
+    return HankelWaves(xi, weights * xi * transform * (modulus / np.pi))
 
 
 def _states(
     layers: tuple[Layer, ...], on: Solid, bottoms: Array, depths: Array, xi: Array
-) -> Iterator[tuple[float, State, int]]:
+) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes and how many wave numbers matter."""
-    climbs = stack.rise(layers, on, xi)
+    rungs = stack.through_layers(layers, on, xi)
     tops = np.concatenate([[0.0], bottoms])
     surface = np.zeros((xi.size, 2, 1))
     surface[:, 1] = -1.0
     arrived = [surface]
-    for step in climbs:
+    for step in rungs:
         arrived.append(step.decay @ arrived[-1])
     for depth in depths:
         index = int(np.searchsorted(bottoms, depth))
@@ -125,25 +125,25 @@ def _states(
             assert isinstance(on, Elastic)
             loaded = half_space_decay(xi * start, on.poisson) @ arrived[index]
             moved = stack.half_space(on.poisson) / (2.0 * on.shear) @ loaded
-            yield float(depth), State(moved[..., 0], loaded[..., 0], on), _enough(xi, depth)
+            yield float(depth), WaveState(moved[..., 0], loaded[..., 0], on), _enough(xi, depth)
             continue
         solid = layers[index].solid
         twice = 2.0 * solid.shear
-        below = _below(climbs, on, index, xi)
-        here = stack.climb(twice * below, xi * (bottoms[index] - depth), solid.poisson)
-        loaded = stack.climb(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
+        below = _below(rungs, on, index, xi)
+        here = stack.through_layer(twice * below, xi * (bottoms[index] - depth), solid.poisson)
+        loaded = stack.through_layer(here.compliance, xi * start, solid.poisson).decay @ arrived[index]
         moved = here.compliance @ loaded / twice
         if index == 0:
             own = half_space_decay(xi * start, solid.poisson) @ surface
             loaded, moved = loaded - own, moved - stack.half_space(solid.poisson) @ own / twice
         end = _enough(xi, 2.0 * bottoms[0] - depth if index == 0 else depth)
-        yield float(depth), State(moved[..., 0], loaded[..., 0], solid), end
+        yield float(depth), WaveState(moved[..., 0], loaded[..., 0], solid), end
 
 
-def _below(climbs: list[stack.Climb], on: Solid, index: int, xi: Array) -> Array:
+def _below(rungs: list[stack.LayerCompliance], on: Solid, index: int, xi: Array) -> Array:
     """Return the compliance at the lower face of a layer."""
-    if index + 1 < len(climbs):
-        return climbs[index + 1].compliance
+    if index + 1 < len(rungs):
+        return rungs[index + 1].compliance
     if isinstance(on, Elastic):
         return np.broadcast_to(stack.half_space(on.poisson) / (2.0 * on.shear), (xi.size, 2, 2))
     return np.zeros((xi.size, 2, 2))
@@ -157,10 +157,10 @@ def half_space_decay(x: Array, poisson: float) -> Array:
 
 
 def _enough(xi: Array, distance: float) -> int:
-    return int(np.searchsorted(xi, 2.0 * DEEP / distance))
+    return int(np.searchsorted(xi, 2.0 * DECAY_SPAN / distance))
 
 
-def superposed(state: State, waves: Waves, r: Array) -> Array:
+def superposed(state: WaveState, waves: HankelWaves, r: Array) -> Array:
     """Return the six parts of a `BodyField` at one depth."""
     from scipy.special import j0, j1
 
@@ -171,7 +171,7 @@ def superposed(state: State, waves: Waves, r: Array) -> Array:
     n = poisson / (1.0 - poisson)
     common = n * (twice * strain + axial)
     result = np.empty((6, r.size))
-    step = max(1, CHUNK // max(end, 1))
+    step = max(1, PAIRS_PER_CHUNK // max(end, 1))
     for start in range(0, r.size, step):
         part = slice(start, start + step)
         phase = np.outer(r[part], waves.xi)

@@ -5,9 +5,9 @@ On layers the springs' load gives the force, not the pressure.  The pressure com
 .. math:: \frac{q(x)}{E^*} = \varphi(x) = w(x) - \int_x^a \rho(x;t)\,w(t)\,\mathrm dt, \qquad
           w(t) = \varphi(t;t)\,u(t) ,
 
-the superposition of flat punches that the displacement u(t) of the springs asks for.  `Carried` holds it in the form
-of a displacement of homogeneous springs, so that every transform of the homogeneous half-space made of the uppermost
-layer can be used: T4 gives the pressure.  The layers' own share of the surface displacement is T3 of
+the superposition of flat punches that belongs to the displacement u(t) of the springs.  `CarriedLoad` holds it in the
+form of a displacement of homogeneous springs, so that every transform of the homogeneous half-space made of the
+uppermost layer can be used: T4 gives the pressure.  The layers' own share of the surface displacement is T3 of
 
 .. math:: (K\varphi)(x) = \tfrac12\int_{-a}^{a} C(x-t)\,\varphi(t)\,\mathrm dt ,
 
@@ -27,36 +27,36 @@ from winkler.errors import NotConverged
 from winkler.media.medium import Displacement
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.cosine_transform import Response, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Carried", "spread", "surface"]
+__all__ = ["CarriedLoad", "spread", "surface"]
 
-RULES = (16, 32, 64)
-SETTLED = 1e-12
-LAST = 1e-8
-KNOWN = 1e-13
+RULE_NODES = (16, 32, 64)
+SETTLED_TOLERANCE = 1e-12
+LAST_TOLERANCE = 1e-8
+TABLE_TOLERANCE = 1e-13
 """How closely, relative to the greatest, the springs' displacement is tabulated for integrals over it."""
-STEP = 2.0
+FIRST_DISTANCE = 2.0
 """First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
-CHUNK = 200_000
+PAIRS_PER_CHUNK = 200_000
 
 
 @value
-class Carried:
+class CarriedLoad:
     """q(x) / E* [m]: the springs' displacement of a homogeneous half-space that presses with the same pressure.
 
     Parameters
     ----------
     displacement : Displacement
         u(x) of the springs of the layered medium.
-    response : Response
+    response : WaveResponse
         Of the medium.
     """
 
     displacement: Displacement
-    response: Response
+    response: WaveResponse
 
     @property
     def radius(self) -> float:
@@ -89,23 +89,23 @@ class Carried:
         """Its derivative [-]."""
         x = np.asarray(x, dtype=float)
         own = fredholm.edge(self.response, x) * self.displacement.slope(x)
-        turned = fredholm.edge_slope(self.response, x) * self.displacement.value(x)
-        return np.asarray(own + turned - _panels(self)(x)[1])
+        edge_part = fredholm.edge_slope(self.response, x) * self.displacement.value(x)
+        return np.asarray(own + edge_part - _panels(self)(x)[1])
 
 
-def surface(displacement: Displacement, response: Response, r: Array) -> Array:
+def surface(displacement: Displacement, response: WaveResponse, r: Array) -> Array:
     """Return the displacement of the surface [m], inside and outside the contact, sum over both bodies."""
     r = np.asarray(r, dtype=float)
-    load = Carried(displacement, response)
+    load = CarriedLoad(displacement, response)
     reach = max(float(np.max(r, initial=0.0)), load.radius)
     layers = spread(load, math.ceil(math.log2(reach / load.radius) - 1e-12))
     own = abel.surface(load.value, [b for b, _ in load.kinks], r, load.radius)
     return own + abel.surface(lambda x: np.asarray(layers(x)[0]), list(layers.edges[1:-1]), r)
 
 
-def _steps(response: Response, reach: float) -> Array:
+def _steps(response: WaveResponse, reach: float) -> Array:
     """Return the distances at which an integral over the kernel is cut."""
-    first = STEP * response.length
+    first = FIRST_DISTANCE * response.length
     return np.asarray(first * 2.0 ** np.arange(max(1, math.ceil(math.log2(max(reach / first, 1.0))) + 1)))
 
 
@@ -120,32 +120,32 @@ def _rows(fixed: Array, moving: Array, low: Array, high: float) -> Array:
     return np.asarray(edges)
 
 
-def _size(load: Carried) -> float:
+def _size(load: CarriedLoad) -> float:
     """Return the largest displacement of the springs [m]."""
     return float(np.max(np.abs(load.displacement.value(load.radius * np.linspace(0.0, 1.0, 9)))))
 
 
 @functools.lru_cache(maxsize=64)
-def _springs(given: Hashable) -> RootPanels:
-    """Return u(x) on panels: the springs are asked for at many more places than it takes to know them."""
-    displacement = cast(Displacement, given)
+def _springs(key: Hashable) -> RootPanels:
+    """Return u(x) on panels: the springs are evaluated at many more places than it takes to tabulate them."""
+    displacement = cast(Displacement, key)
     a, kinks = displacement.radius, np.array([b for b, _ in displacement.kinks if b < displacement.radius])
 
     def tolerances(values: Array) -> Array:
-        return np.asarray(KNOWN * np.max(np.abs(values), axis=1))
+        return np.asarray(TABLE_TOLERANCE * np.max(np.abs(values), axis=1))
 
     edges = np.concatenate([[0.0], kinks, [a]])
     return fit(lambda x: displacement.value(x)[None], np.unique(edges), kinks, tolerances)
 
 
-def _panels(load: Carried) -> RootPanels:
+def _panels(load: CarriedLoad) -> RootPanels:
     return _tabulated(cast(Hashable, load))
 
 
 @functools.lru_cache(maxsize=128)
-def _tabulated(given: Hashable) -> RootPanels:
+def _tabulated(key: Hashable) -> RootPanels:
     """Return the integral over rho w and its derivative by x."""
-    load = cast(Carried, given)
+    load = cast(CarriedLoad, key)
     a, kinks = load.radius, np.array([b for b, _ in load.displacement.kinks if b < load.radius])
     near_edge = a - _steps(load.response, a)
     edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), near_edge[near_edge > 0.0]]))
@@ -158,31 +158,33 @@ def _tabulated(given: Hashable) -> RootPanels:
     def sums(count: int, x: Array) -> Array:
         return _rho_sums(load, x, kinks, count)
 
-    return fit(lambda x: _settled(sums, x, np.array([scale, scale / a]), _aim(load)), edges, kinks, tolerances)
+    return fit(
+        lambda x: _settled(sums, x, np.array([scale, scale / a]), _target_tolerance(load)), edges, kinks, tolerances
+    )
 
 
-def _aim(load: Carried) -> float:
+def _target_tolerance(load: CarriedLoad) -> float:
     """Return the relative error aimed at: not less than that of the response."""
-    return max(SETTLED, load.response.precision)
+    return max(SETTLED_TOLERANCE, load.response.precision)
 
 
-def _smooth(load: Carried) -> float:
+def _smooth(load: CarriedLoad) -> float:
     """Return how smooth, relative to its size, what is tabulated can be expected to be."""
-    return max(SETTLED, 1e-3 * load.response.precision)
+    return max(SETTLED_TOLERANCE, 1e-3 * load.response.precision)
 
 
 def _settled(sums: Callable[[int, Array], Array], x: Array, least: Array, aim: float) -> Array:
     """Return sums ``(functions, n)`` by rules fine enough, against their size or `least`, what they add to."""
-    last = sums(RULES[0], x)
+    last = sums(RULE_NODES[0], x)
     change = math.inf
-    for count in RULES[1:]:
+    for count in RULE_NODES[1:]:
         current = sums(count, x)
         size = np.maximum(np.max(np.abs(current), axis=1), least)[:, None]
         change = float(np.max(np.abs(current - last) / size))
         if change <= aim:
             return np.asarray(current)
         last = current
-    if change > max(LAST, 100.0 * aim):
+    if change > max(LAST_TOLERANCE, 100.0 * aim):
         raise NotConverged(
             f"The pressure on the layers still moves by {change:.1e}: the springs' displacement is not smooth between "
             "its kinks."
@@ -190,11 +192,11 @@ def _settled(sums: Callable[[int, Array], Array], x: Array, least: Array, aim: f
     return np.asarray(last)
 
 
-def _rho_sums(load: Carried, x: Array, kinks: Array, count: int) -> Array:
+def _rho_sums(load: CarriedLoad, x: Array, kinks: Array, count: int) -> Array:
     a, response, springs = load.radius, load.response, _springs(cast(Hashable, load.displacement))
     steps, fixed = _steps(response, a), doubled(list(kinks), a)
     result = np.empty((2, x.size))
-    width = max(1, CHUNK // (count * (steps.size + fixed.size + 5)))
+    width = max(1, PAIRS_PER_CHUNK // (count * (steps.size + fixed.size + 5)))
     for start in range(0, x.size, width):
         part = x[start : start + width]
         t, weights = nodes(_rows(fixed, part[:, None] + steps, part, a), kinks, count)
@@ -206,14 +208,14 @@ def _rho_sums(load: Carried, x: Array, kinks: Array, count: int) -> Array:
     return result
 
 
-def spread(load: Carried, octave: int, order: int = 0) -> RootPanels:
+def spread(load: CarriedLoad, octave: int, order: int = 0) -> RootPanels:
     """Return K phi, or its slope (order 1), from the axis to 2^octave contact radii."""
     return _spread(cast(Hashable, load), octave, order)
 
 
 @functools.lru_cache(maxsize=64)
-def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
-    load = cast(Carried, given)
+def _spread(key: Hashable, octave: int, order: int) -> RootPanels:
+    load = cast(CarriedLoad, key)
     a = load.radius
     end = a * 2.0**octave
     steps = _steps(load.response, end)
@@ -232,7 +234,7 @@ def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
 
     def sums(count: int, x: Array) -> Array:
         result = np.empty((1, x.size))
-        width = max(1, CHUNK // (count * (4 * steps.size + panels.size + 5)))
+        width = max(1, PAIRS_PER_CHUNK // (count * (4 * steps.size + panels.size + 5)))
         for start in range(0, x.size, width):
             part = x[start : start + width, None]
             near = np.concatenate([part - steps, part, part + steps, steps - part], axis=1)
@@ -245,4 +247,4 @@ def _spread(given: Hashable, octave: int, order: int) -> RootPanels:
     def tolerances(values: Array) -> Array:
         return np.asarray(_smooth(load) * np.maximum(np.max(np.abs(values), axis=1), least))
 
-    return fit(lambda x: _settled(sums, x, least, _aim(load)), edges, np.zeros(0), tolerances)
+    return fit(lambda x: _settled(sums, x, least, _target_tolerance(load)), edges, np.zeros(0), tolerances)

@@ -1,9 +1,9 @@
-r"""Half-spaces whose stiffness changes with depth in any way, to a stated tolerance.
+r"""Half-spaces whose stiffness changes with depth by any law, to a stated tolerance.
 
 A stiffness k(a) is a least energy, so it rises wherever the compliance falls: if two bodies differ in
 :math:`C(\xi)` by less than a part :math:`\varepsilon` at every wave number, every k(a) differs by less than
 :math:`\varepsilon`.  The body is cut into cells until C moves by less than the tolerance
-(`winkler.media.layered.depth_climb`); they get thinner towards the surface, in proportion to the depth, because
+(`winkler.media.layered.depth_recursion`); they get thinner towards the surface, in proportion to the depth, because
 narrow contacts feel the very top alone.
 """
 
@@ -17,7 +17,7 @@ from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Rigid, Solid
 from winkler.media.layered import depth_interior
 from winkler.media.layered.coated import LayeredMedium
-from winkler.media.layered.coated_load import Carried
+from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.depth_response import NormalDepthResponse, TangentialDepthResponse
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
@@ -27,7 +27,7 @@ from winkler.values import value
 __all__ = ["DepthGradedHalfSpace"]
 
 RIGID = Rigid()
-TIGHTEST, LOOSEST = 1e-7, 1e-2
+LEAST_TOLERANCE, LARGEST_TOLERANCE = 1e-7, 1e-2
 
 
 @value
@@ -48,7 +48,7 @@ class DepthGradedHalfSpace(LayeredMedium):
     InvalidInput
         If something is not of these kinds.
     NotConverged
-        When asked for a result: if more than 3000 cells would be needed.
+        When a result is computed: if more than 3000 cells would be needed.
 
     Examples
     --------
@@ -61,16 +61,16 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     grading: DepthGrading
     second: Solid = RIGID
-    tolerance: Annotated[float, between(TIGHTEST, LOOSEST)] = 1e-6
+    tolerance: Annotated[float, between(LEAST_TOLERANCE, LARGEST_TOLERANCE)] = 1e-6
 
     @functools.cached_property
     def response(self) -> NormalDepthResponse:
-        """How the pair answers a pressure."""
+        """The response of the pair to a pressure."""
         return NormalDepthResponse(self.grading, self.second, self.tolerance)
 
     @functools.cached_property
     def tangential_response(self) -> TangentialDepthResponse:
-        """How the pair answers a shear load."""
+        """The response of the pair to a shear load."""
         return TangentialDepthResponse(self.grading, self.second, self.tolerance)
 
     @property
@@ -78,7 +78,7 @@ class DepthGradedHalfSpace(LayeredMedium):
         """Depth below which the grading has settled, to the tolerance [m]."""
         return self.grading.settled_at(self.tolerance)
 
-    def inside(self, load: Carried, r: Array, z: Array) -> BodyField:
+    def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
         """Stresses and displacements in the graded body; arrays of one shape."""
         return depth_interior.field(load, self.grading, self.tolerance, self.modulus, r, z)
 

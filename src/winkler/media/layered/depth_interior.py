@@ -1,10 +1,10 @@
 r"""Stresses and displacements inside a body graded in depth, by Hankel integrals.
 
-The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay on the way down as `winkler.media.layered.depth_climb`
-tells. Near the surface, where short waves count, the field of a homogeneous half-space made of the surface under the
+The tractions on the surface, :math:`\hat p\,J_0(\xi r)`, decay with depth as `winkler.media.layered.depth_recursion`
+computes. Near the surface, where short waves count, the field of a homogeneous half-space made of the surface under the
 same pressure is taken out: it is known without an integral over waves (`winkler.media.interior.subsurface`), and what
 is left of the amplitudes falls like :math:`1/\xi` even on the surface.  Waves shorter than a 3000th of the contact are
-left out, which is felt at depths below a hundredth of the radius.  Against twice as many waves (E three times stiffer
+left out, which matters at depths below a hundredth of the radius.  Against twice as many waves (E three times stiffer
 far below) that cost 1e-7 of the mean pressure under a paraboloid or a cone; under a flat punch 3e-6, and 1e-4 at a
 hundredth of the radius from its edge.
 
@@ -22,9 +22,17 @@ import numpy as np
 from winkler.errors import OutsideValidity
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.interior import subsurface
-from winkler.media.layered.coated_interior import MOST, PHASE, State, Waves, half_space_decay, superposed, waves_of
-from winkler.media.layered.coated_load import Carried
-from winkler.media.layered.depth_climb import Mesh, descend, mesh
+from winkler.media.layered.coated_interior import (
+    LARGEST_PHASE,
+    MOST_PAIRS,
+    HankelWaves,
+    WaveState,
+    half_space_decay,
+    superposed,
+    waves_of,
+)
+from winkler.media.layered.coated_load import CarriedLoad
+from winkler.media.layered.depth_recursion import Mesh, mesh, states_with_depth
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.layered.layers import half_space
 from winkler.media.punch_field import BodyField
@@ -34,23 +42,23 @@ from winkler.numerics.types import Array
 
 __all__ = ["field"]
 
-SHORTEST = 3000.0
+LARGEST_WAVE_NUMBER = 3000.0
 """Largest wave number, over the contact radius, near the surface."""
-DIED = 34.0
+DECAY_DEPTH = 34.0
 """A wave is nothing below this depth over its wave number."""
-AXIS = 1e-6
-"""Nearest to the axis that a point of the surface is looked at, over the contact radius."""
-AT_ONCE = 64
-"""Depths for which the body is climbed at once."""
-LOWEST = 1e-3
+LEAST_RADIUS_RATIO = 1e-6
+"""Nearest to the axis at which a point of the surface is evaluated, over the contact radius."""
+WAVES_AT_ONCE = 64
+"""Depths for which the recursion through the body runs at once."""
+LEAST_WAVE_NUMBER = 1e-3
 
 
-def field(load: Carried, grading: DepthGrading, tolerance: float, modulus: float, r: Array, z: Array) -> BodyField:
+def field(load: CarriedLoad, grading: DepthGrading, tolerance: float, modulus: float, r: Array, z: Array) -> BodyField:
     """Return stresses and displacements inside the graded body.
 
     Parameters
     ----------
-    load : Carried
+    load : CarriedLoad
         The pressure.
     grading : DepthGrading
         A value.
@@ -75,56 +83,56 @@ def field(load: Carried, grading: DepthGrading, tolerance: float, modulus: float
     top = solid_at(grading)
     if near.any():
         # a slope of the load that misses zero at the axis by rounding would be an infinite pressure in its middle
-        beside = np.where(z == 0.0, np.maximum(r, AXIS * a), r)
+        beside = np.where(z == 0.0, np.maximum(r, LEAST_RADIUS_RATIO * a), r)
         own = subsurface.field(load, beside[near], z[near], modulus=modulus, poisson=top.poisson, shear=top.shear)
         result[:, near] = own
     depths = np.unique(z)
-    end = min(SHORTEST / a, DIED / depths[0]) if depths[0] > 0.0 else SHORTEST / a
+    end = min(LARGEST_WAVE_NUMBER / a, DECAY_DEPTH / depths[0]) if depths[0] > 0.0 else LARGEST_WAVE_NUMBER / a
     farthest = float(np.max(r))
-    if (end * (a + farthest)) * (end * a) * (NODES / PHASE) ** 2 > 0.5 * MOST:
+    if (end * (a + farthest)) * (end * a) * (NODES / LARGEST_PHASE) ** 2 > 0.5 * MOST_PAIRS:
         raise OutsideValidity(
             f"Stresses inside a graded body at r = {farthest:.6g} m and z = {depths[0]:.6g} m under a contact of "
-            f"{a:.6g} m would need too many waves; ask for points deeper or nearer to the axis, or for the surface."
+            f"{a:.6g} m would need too many waves; request points deeper or nearer to the axis, or for the surface."
         )
     waves = waves_of(load, modulus, farthest, end)
-    for start in range(0, depths.size, AT_ONCE):
-        part = depths[start : start + AT_ONCE]
+    for start in range(0, depths.size, WAVES_AT_ONCE):
+        part = depths[start : start + WAVES_AT_ONCE]
         for depth, state, last in _states(grading, tolerance, part, waves.xi, load.response.span):
             if depth < a:
                 surface = np.zeros((last, 2, 1))
                 surface[:, 1] = -1.0
                 own_load = half_space_decay(waves.xi[:last] * depth, top.poisson) @ surface
                 own_moved = half_space(top.poisson) @ own_load / (2.0 * top.shear)
-                state = State(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
+                state = WaveState(state.moved - own_moved[..., 0], state.loaded - own_load[..., 0], state.solid)
             (members,) = np.nonzero(z == depth)
-            result[:, members] += superposed(state, Waves(waves.xi[:last], waves.weights[:last]), r[members])
+            result[:, members] += superposed(state, HankelWaves(waves.xi[:last], waves.weights[:last]), r[members])
     return BodyField(*(part.reshape(shape) for part in result))
 
 
 def _states(
     grading: DepthGrading, tolerance: float, depths: Array, xi: Array, span: float
-) -> Iterator[tuple[float, State, int]]:
+) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes of the waves that matter, and how many these are."""
-    edges = [0.0, LOWEST / span]
+    edges = [0.0, LEAST_WAVE_NUMBER / span]
     while edges[-1] < xi[-1]:
         edges.append(2.0 * edges[-1])
     bounds = np.array(edges)
     samples = fit_nodes(bounds)
     cells = mesh(cast(Hashable, grading), tolerance, 0.25 / bounds[-1], tuple(float(z) for z in depths))
     for depth, amplitudes in _amplitudes(cells, samples.ravel(), depths):
-        last = int(np.searchsorted(xi, DIED / depth)) if depth > 0.0 else xi.size
-        scaled = amplitudes * np.exp(np.minimum(samples.ravel() * depth, 2.0 * DIED))
+        last = int(np.searchsorted(xi, DECAY_DEPTH / depth)) if depth > 0.0 else xi.size
+        scaled = amplitudes * np.exp(np.minimum(samples.ravel() * depth, 2.0 * DECAY_DEPTH))
         held = np.exp(-xi[:last] * depth)
         parts = [panels_from(bounds, row.reshape(samples.shape))(xi[:last]) * held for row in scaled]
-        yield depth, State(np.stack(parts[:2], axis=1), np.stack(parts[2:], axis=1), solid_at(grading, depth)), last
+        yield depth, WaveState(np.stack(parts[:2], axis=1), np.stack(parts[2:], axis=1), solid_at(grading, depth)), last
 
 
 def _amplitudes(cells: Mesh, xi: Array, depths: Array) -> Iterator[tuple[float, Array]]:
     """Yield, depth by depth, displacements times xi and tractions ``(4, m)``."""
-    wanted = set(depths.tolist())
+    requested = set(depths.tolist())
     rung = None
-    for rung in descend(cells, xi):
-        if rung.depth in wanted:
+    for rung in states_with_depth(cells, xi):
+        if rung.depth in requested:
             yield rung.depth, np.array(rung[1:])
     assert rung is not None
     deep = np.stack([rung.shear, rung.axial], axis=1)[..., None]

@@ -1,9 +1,9 @@
-r"""The surface compliance of a body graded in depth, as wave numbers ask for it.
+r"""The surface compliance of a body graded in depth, as a function of the wave number.
 
-Up to :math:`\xi_1`, a few hundred over the depth across which the surface changes, the body is climbed
-(`winkler.media.layered.depth_climb`).  Beyond, 1 + M is a power series in :math:`1/\xi`, whose first terms are taken
-from M just below :math:`\xi_1`.  There :math:`M\approx A/\xi`: the kernel has a logarithm at zero distance, which is
-rounded off over a length :math:`\delta`, M times
+Up to :math:`\xi_1`, a few hundred over the depth across which the surface changes, the recursion runs through the body
+(`winkler.media.layered.depth_recursion`).  Beyond, 1 + M is a power series in :math:`1/\xi`, whose first terms are
+taken from M just below :math:`\xi_1`.  There :math:`M\approx A/\xi`: the kernel has a logarithm at zero distance, which
+is rounded off over a length :math:`\delta`, M times
 
 .. math:: 1-(1-e^{-2\xi\delta})^3 .
 
@@ -21,18 +21,24 @@ import numpy as np
 
 from winkler.materials.depth_grading import DepthGrading
 from winkler.materials.elastic import Elastic, Rigid, Solid
-from winkler.media.layered.depth_climb import Mesh, ascend, ascend_across, mesh, shallowest
+from winkler.media.layered.depth_recursion import (
+    Mesh,
+    mesh,
+    surface_compliance,
+    surface_compliance_across,
+    surface_depth,
+)
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
 __all__ = ["NormalDepthResponse", "TangentialDepthResponse", "solid_at"]
 
-SHORT = 100.0
+SERIES_WAVE_NUMBER = 100.0
 """xi_1 times the depth across which the surface changes."""
-SPREAD = 16.0
+SERIES_SPAN = 16.0
 """The series is fitted up to this many xi_1."""
-TERMS = 6
-ROUNDED = 0.434
+SERIES_TERMS = 6
+STIFFNESS_ERROR_RATIO = 0.434
 """Largest change of a stiffness, over |A| delta (a quadrature over the punches of a homogeneous half-space)."""
 
 
@@ -43,10 +49,10 @@ def solid_at(grading: DepthGrading, depth: float = 0.0) -> Elastic:
 
 
 def _cells(grading: DepthGrading, tolerance: float) -> Mesh:
-    return mesh(cast(Hashable, grading), tolerance, shallowest(grading) / (SHORT * SPREAD))
+    return mesh(cast(Hashable, grading), tolerance, surface_depth(grading) / (SERIES_WAVE_NUMBER * SERIES_SPAN))
 
 
-class _Response:
+class _DepthResponse:
     """What both responses share; M times E* or G* of the pair over that of the graded body alone."""
 
     grading: DepthGrading
@@ -54,7 +60,7 @@ class _Response:
     tolerance: float
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
-        """Return M of the graded body against a rigid one, where it is climbed."""
+        """Return M of the graded body against a rigid one, where the recursion computes it."""
         raise NotImplementedError
 
     @property
@@ -70,14 +76,14 @@ class _Response:
     @functools.cached_property
     def span(self) -> float:
         """Length [m] beyond which the body is what it is far below."""
-        depths = np.geomspace(1e-3 * shallowest(self.grading), self.grading.settled_at(self.tolerance), 200)
+        depths = np.geomspace(1e-3 * surface_depth(self.grading), self.grading.settled_at(self.tolerance), 200)
         young = self.grading.young_at(depths)
         return float(depths[-1] * np.max(young) / np.min(young))
 
     @functools.cached_property
     def smooth(self) -> float:
         """The kernel is smooth on this length [m], but for its logarithm."""
-        return max(0.5 * shallowest(self.grading), self.length)
+        return max(0.5 * surface_depth(self.grading), self.length)
 
     @property
     def precision(self) -> float:
@@ -87,7 +93,7 @@ class _Response:
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         xi = np.asarray(xi)
-        limit = SHORT / shallowest(self.grading)
+        limit = SERIES_WAVE_NUMBER / surface_depth(self.grading)
         short = np.abs(xi) > limit
         result = np.empty_like(xi)
         result[~short] = self._own(xi[~short])
@@ -98,29 +104,31 @@ class _Response:
 
 
 @functools.lru_cache(maxsize=128)
-def _series(given: Hashable) -> Array:
+def _series(key: Hashable) -> Array:
     """Return the coefficients of M = sum over j of c_j (xi_1 / xi)^(j+1)."""
-    response = cast(_Response, given)
-    angle = np.pi * (np.arange(4 * TERMS) + 0.5) / (4 * TERMS)
-    shorter = 1.0 / SPREAD + (1.0 - 1.0 / SPREAD) * np.cos(0.5 * angle) ** 2
-    own = response._own(SHORT / shallowest(response.grading) / shorter)
-    return np.asarray(np.linalg.lstsq(np.vander(shorter, TERMS, increasing=True), own / shorter, rcond=None)[0])
+    response = cast(_DepthResponse, key)
+    angle = np.pi * (np.arange(4 * SERIES_TERMS) + 0.5) / (4 * SERIES_TERMS)
+    shorter = 1.0 / SERIES_SPAN + (1.0 - 1.0 / SERIES_SPAN) * np.cos(0.5 * angle) ** 2
+    own = response._own(SERIES_WAVE_NUMBER / surface_depth(response.grading) / shorter)
+    return np.asarray(np.linalg.lstsq(np.vander(shorter, SERIES_TERMS, increasing=True), own / shorter, rcond=None)[0])
 
 
 @functools.lru_cache(maxsize=128)
-def _rounding(given: Hashable) -> float:
-    response = cast(_Response, given)
-    limit = SHORT / shallowest(response.grading)
-    fall = abs(float(_series(given)[0])) * limit
+def _rounding(key: Hashable) -> float:
+    response = cast(_DepthResponse, key)
+    limit = SERIES_WAVE_NUMBER / surface_depth(response.grading)
+    fall = abs(float(_series(key)[0])) * limit
     # a grading that starts flat has no logarithm: the next terms of the series are then rounded off
-    xi = limit * np.geomspace(1e-2, SPREAD, 60)
+    xi = limit * np.geomspace(1e-2, SERIES_SPAN, 60)
     fall = max(fall, float(np.max(np.abs(response._own(xi)) * xi)) * 1e-3)
-    return min(0.5 * response.tolerance / (ROUNDED * max(fall, 1e-300)), 1e-2 * shallowest(response.grading))
+    return min(
+        0.5 * response.tolerance / (STIFFNESS_ERROR_RATIO * max(fall, 1e-300)), 1e-2 * surface_depth(response.grading)
+    )
 
 
 @value
-class NormalDepthResponse(_Response):
-    """How a graded body and its counterpart answer a pressure: 1 + M(xi) = C(xi) E* xi / 2.
+class NormalDepthResponse(_DepthResponse):
+    """The response of a graded body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
 
     Parameters
     ----------
@@ -149,12 +157,12 @@ class NormalDepthResponse(_Response):
 
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
-        normal = ascend(_cells(self.grading, self.tolerance), xi)[2]
+        normal = surface_compliance(_cells(self.grading, self.tolerance), xi)[2]
         return np.asarray(-normal * top.shear / (1.0 - top.poisson) - 1.0)
 
 
 @value
-class TangentialDepthResponse(_Response):
+class TangentialDepthResponse(_DepthResponse):
     """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
 
     grading: DepthGrading
@@ -175,5 +183,5 @@ class TangentialDepthResponse(_Response):
     def _own(self, xi: ComplexArray) -> ComplexArray:
         top = solid_at(self.grading)
         cells = _cells(self.grading, self.tolerance)
-        turned = 0.25 * (ascend_across(cells, xi) - ascend(cells, xi)[0])
-        return np.asarray(turned * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)
+        twisted = 0.25 * (surface_compliance_across(cells, xi) - surface_compliance(cells, xi)[0])
+        return np.asarray(twisted * 4.0 * top.shear / (2.0 - top.poisson) - 1.0)

@@ -1,4 +1,4 @@
-r"""What a body of revolution is for a layered medium: the moments of its homogeneous transform with flat punches.
+r"""The springs of a body of revolution on a layered medium: the moments of its homogeneous transform with flat punches.
 
 With h the transform of the profile for a homogeneous half-space, and rho, phi the flat punches of
 `winkler.numerics.transforms.fredholm`
@@ -23,7 +23,7 @@ from winkler.errors import NotConverged
 from winkler.media.layered.smooth_moments import smooth_moments
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import fredholm, punch_tables
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, stretched
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, scaled_response
 from winkler.numerics.types import Array
 from winkler.profiles.conical import Cone
 from winkler.profiles.power import Paraboloid, PowerLaw
@@ -31,32 +31,34 @@ from winkler.profiles.profile import Profile
 
 __all__ = ["gap", "gap_load", "gap_slope", "kinks"]
 
-LOWEST = -60
+LOWEST_OCTAVE = -60
 """Octaves below this are the uppermost layer alone."""
-RULES = (16, 32, 64, 128)
-SETTLED = 2e-13
-LAST = 1e-9
-CHUNK = 200_000
+RULE_NODES = (16, 32, 64, 128)
+SETTLED_TOLERANCE = 2e-13
+LAST_TOLERANCE = 1e-9
+PAIRS_PER_CHUNK = 200_000
 
 
-def gap(response: Response, profile: Profile, x: Array) -> Array:
+def gap(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return g(x) [m]; infinite where the homogeneous transform is, at the end of a profile that is vertical there."""
     x = np.asarray(x, dtype=float)
     own = np.array(profile.gap(x))
     finite = np.isfinite(own)
     here = x[finite]
-    own[finite] = (own[finite] - _moments(response, profile, here)[0]) / fredholm.edge(response, _held(profile, here))
+    own[finite] = (own[finite] - _moments(response, profile, here)[0]) / fredholm.edge(
+        response, _within_profile(profile, here)
+    )
     return own
 
 
-def gap_slope(response: Response, profile: Profile, x: Array) -> Array:
+def gap_slope(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return g'(x) [-]; infinite where that of the homogeneous transform is."""
     x = np.asarray(x, dtype=float)
     own = np.array(profile.gap_slope(x))
     finite = np.isfinite(own)
     here = x[finite]
     lost, lost_slope, _ = _moments(response, profile, here)
-    place = _held(profile, here)
+    place = _within_profile(profile, here)
     edge, edge_slope = fredholm.edge(response, place), fredholm.edge_slope(response, place)
     g = (profile.gap(here) - lost) / edge
     falling = np.where(edge_slope == 0.0, 0.0, g * edge_slope)
@@ -64,15 +66,15 @@ def gap_slope(response: Response, profile: Profile, x: Array) -> Array:
     return own
 
 
-def kinks(response: Response, profile: Profile) -> tuple[tuple[float, float], ...]:
+def kinks(response: WaveResponse, profile: Profile) -> tuple[tuple[float, float], ...]:
     """Return ``(x, strength)`` where g is not smooth: the moments are, so that only the edge divides b jump."""
     return tuple(
-        (b, b * jump / float(fredholm.edge(response, _held(profile, np.asarray(b)))) if jump else 0.0)
+        (b, b * jump / float(fredholm.edge(response, _within_profile(profile, np.asarray(b)))) if jump else 0.0)
         for b, jump in profile.kinks
     )
 
 
-def gap_load(response: Response, profile: Profile, x: Array) -> Array:
+def gap_load(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the integral of k' g from 0 to x, over 2 E* [m^2]."""
     return np.asarray(_moments(response, profile, np.asarray(x, dtype=float))[2])
 
@@ -81,7 +83,7 @@ def _end(profile: Profile) -> float:
     return min(profile.reach, profile.rim)
 
 
-def _held(profile: Profile, x: Array) -> Array:
+def _within_profile(profile: Profile, x: Array) -> Array:
     return np.minimum(x, _end(profile))
 
 
@@ -98,12 +100,12 @@ def _power(profile: Profile) -> tuple[float, float]:
             return 0.0, 0.0
 
 
-def _moments(response: Response, profile: Profile, x: Array) -> Array:
+def _moments(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
     own, unit = in_own_lengths(response)
     coefficient, exponent = _power(profile)
     if exponent == 0.0:
-        return _moments_of(response if unit == 1.0 else stretched(cast(Hashable, own), unit), profile, x)
+        return _moments_of(response if unit == 1.0 else scaled_response(cast(Hashable, own), unit), profile, x)
     height = coefficient * unit**exponent
     scales = np.array([height, height / unit, height * unit]).reshape(3, *([1] * x.ndim))
     return np.asarray(scales * _moments_of(own, _unit_power(exponent), x / unit))
@@ -114,25 +116,25 @@ def _unit_power(exponent: float) -> PowerLaw:
     return PowerLaw(1.0, exponent)
 
 
-def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
+def _moments_of(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the same of a profile in the lengths of the response."""
-    flat = _held(profile, x).ravel()
-    octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST)
+    flat = _within_profile(profile, x).ravel()
+    octaves = np.maximum(punch_tables.octave_of(response, flat), LOWEST_OCTAVE)
     result = np.zeros((3, flat.size))
     waiting = np.ones(flat.size, dtype=bool)
-    whole = (octaves > LOWEST) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
+    whole = (octaves > LOWEST_OCTAVE) & (flat <= min((b for b, _ in profile.kinks), default=math.inf))
     tabled = np.maximum(octaves, 0)  # all narrower contacts are in the lowest of the tables
     for octave in np.unique(tabled[whole]):
         (members,) = np.nonzero(whole & (tabled == octave))
-        found, holds = smooth_moments(response, profile, int(octave), flat[members])
-        result[:, members[holds]] = found[:, holds]
+        table_moments, holds = smooth_moments(response, profile, int(octave), flat[members])
+        result[:, members[holds]] = table_moments[:, holds]
         waiting[members[holds]] = False
     for octave in np.unique(octaves[waiting]):
         (members,) = np.nonzero(waiting & (octaves == octave))
-        if octave == LOWEST:
+        if octave == LOWEST_OCTAVE:
             result[2, members] = profile.gap_integral(flat[members])
             continue
-        steep = flat[members] > _tame(cast(Hashable, profile))
+        steep = flat[members] > _table_end(cast(Hashable, profile))
         for chosen, moments in ((members[steep], _directly), (members[~steep], _tabulated)):
             if chosen.size:
                 result[:, chosen] = moments(response, profile, int(octave), flat[chosen])
@@ -140,7 +142,7 @@ def _moments_of(response: Response, profile: Profile, x: Array) -> Array:
 
 
 @functools.lru_cache(maxsize=256)
-def _tame(body: Hashable) -> float:
+def _table_end(body: Hashable) -> float:
     """Return up to where the moments are tabulated: not quite to the equator of a sphere, where it is vertical."""
     profile = cast(Profile, body)
     end = _end(profile)
@@ -151,53 +153,58 @@ def _tame(body: Hashable) -> float:
     return end if math.isfinite(slope) else 0.97 * end
 
 
-def _tabulated(response: Response, profile: Profile, octave: int, a: Array) -> Array:
+def _tabulated(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
     return _octave(cast(Hashable, response), cast(Hashable, profile), octave)(a)
 
 
-def _directly(response: Response, profile: Profile, octave: int, a: Array) -> Array:
+def _directly(response: WaveResponse, profile: Profile, octave: int, a: Array) -> Array:
     return _integrated(response, profile, a, punch_tables.tables(response, octave)[-1].panels)
 
 
 @functools.lru_cache(maxsize=512)
-def _octave(given: Hashable, body: Hashable, octave: int) -> RootPanels:
-    response, profile = cast(Response, given), cast(Profile, body)
+def _octave(key: Hashable, body: Hashable, octave: int) -> RootPanels:
+    response, profile = cast(WaveResponse, key), cast(Profile, body)
     high = punch_tables.first_radius(response) * 2.0**octave
-    low, high = 0.5 * high, min(high, _tame(body))
+    low, high = 0.5 * high, min(high, _table_end(body))
     kinks = np.array([b for b, _ in profile.kinks if b < high])
     steps = [table.high for table in punch_tables.tables(response, octave) if low < table.high < high]
     edges = np.unique(np.concatenate([[low, high], kinks[kinks > low], steps]))
-    noise = _noise(profile) / SETTLED
+    noise = _noise(profile) / SETTLED_TOLERANCE
 
     def tolerances(values: Array) -> Array:
         size = float(np.max(np.abs(profile.gap(edges[:-1])))) + float(np.max(np.abs(values[0]))) + noise
         whole = np.max(np.abs(values[2])) + noise * high
-        return np.array([SETTLED * size, 10.0 * SETTLED * size / low, SETTLED * whole]) + 1e-300
+        return (
+            np.array([SETTLED_TOLERANCE * size, 10.0 * SETTLED_TOLERANCE * size / low, SETTLED_TOLERANCE * whole])
+            + 1e-300
+        )
 
     panels = punch_tables.tables(response, octave)[-1].panels
     return fit(lambda a: _integrated(response, profile, a, panels), edges, kinks, tolerances)
 
 
 def _noise(profile: Profile) -> float:
-    """Return what rounding may do to g [m]: a shape of many pieces knows g to that of its first piece."""
+    """Return what rounding may do to g [m]: a shape of many pieces has the g of its first piece to rounding."""
     if not profile.kinks:
         return 0.0
     return 4.0 * float(np.finfo(float).eps * np.abs(profile.gap(np.array([profile.kinks[0][0]]))[0]))
 
 
-def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -> Array:
+def _integrated(response: WaveResponse, profile: Profile, a: Array, panels: Array) -> Array:
     """Integrate over the springs of contacts with radii a ``(m,)`` of one octave, which has these panels of x/a."""
     kinks = np.array([b for b, _ in profile.kinks if b < np.max(a)])
     inner, end = doubled(list(kinks), float(np.max(a))), _end(profile)
-    if np.max(a) > 0.5 * end > 0.5 * _tame(cast(Hashable, profile)):  # where the profile ends it is vertical
+    if np.max(a) > 0.5 * end > 0.5 * _table_end(cast(Hashable, profile)):  # where the profile ends it is vertical
         inner = np.concatenate([inner, end * (1.0 - 0.5 ** np.arange(1, 49))])
     edges = np.concatenate([np.minimum(inner, a[:, None]), a[:, None] * panels], axis=1)
     edges.sort(axis=1)
-    most = float(np.max(np.abs(profile.gap(np.minimum(a, np.nextafter(end, 0.0)))))) + _noise(profile) / SETTLED
+    most = (
+        float(np.max(np.abs(profile.gap(np.minimum(a, np.nextafter(end, 0.0)))))) + _noise(profile) / SETTLED_TOLERANCE
+    )
     last: Array | None = None
     change = math.inf
-    for count in RULES:
-        step = max(1, CHUNK // (edges.shape[1] * count))
+    for count in RULE_NODES:
+        step = max(1, PAIRS_PER_CHUNK // (edges.shape[1] * count))
         current = np.concatenate(
             [
                 _sums(response, profile, a[i : i + step], edges[i : i + step], kinks, count)
@@ -208,13 +215,13 @@ def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -
         if last is not None:
             size = np.maximum(
                 np.max(np.abs(current), axis=1),
-                np.array([most, most / np.min(a), _noise(profile) / SETTLED * np.max(a)]),
+                np.array([most, most / np.min(a), _noise(profile) / SETTLED_TOLERANCE * np.max(a)]),
             )[:, None]
             change = float(np.max(np.abs(current - last) / np.where(size > 0.0, size, 1.0)))
-            if change <= SETTLED:
+            if change <= SETTLED_TOLERANCE:
                 return current
         last = current
-    if change > LAST or last is None:
+    if change > LAST_TOLERANCE or last is None:
         raise NotConverged(
             f"The transform of the profile for this medium still moves by {change:.1e} at a contact radius of "
             f"{float(np.max(a)):.3g} m: the shape is not smooth between its stated kinks: state them."
@@ -222,7 +229,7 @@ def _integrated(response: Response, profile: Profile, a: Array, panels: Array) -
     return last
 
 
-def _sums(response: Response, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
+def _sums(response: WaveResponse, profile: Profile, a: Array, edges: Array, kinks: Array, count: int) -> Array:
     x, weights = nodes(edges, kinks, count)
     x = np.minimum(x, np.nextafter(_end(profile), 0.0))
     h, slope = profile.gap(x), profile.gap_slope(x)

@@ -1,4 +1,4 @@
-r"""A stack of bonded elastic layers, seen from its surface: the compliance that a Hankel transform meets.
+r"""A stack of bonded elastic layers, and its surface compliance as a function of the wave number.
 
 A load :math:`\hat p\,J_0(\xi r)` moves the surface by :math:`C(\xi)\,\hat p\,J_0(\xi r)`.  Inside a layer
 displacements and tractions, :math:`u_r = U J_1`, :math:`u_z = W J_0`, :math:`\tau = 2G\xi\,T J_1`,
@@ -7,11 +7,11 @@ displacements and tractions, :math:`u_r = U J_1`, :math:`u_z = W J_0`, :math:`\t
 .. math:: U' = W + 2T,\quad W' = -nU + mS,\quad T' = \frac{U}{1-\nu} + nS,\quad S' = -T,\qquad
           n = \frac{\nu}{1-\nu},\quad m = \frac{1-2\nu}{1-\nu},
 
-without a singularity at :math:`\nu=1/2`.  What lies below an interface is known by its compliance Y, displacements =
-Y tractions; `climb` carries Y to the upper face of a layer.  A thin layer (:math:`|\xi h|\le 1`) is climbed by its
-propagator :math:`e^{-xA}`, closed because :math:`(A^2-1)^2 = 0`; a thick one by splitting its field into a part that
-decays downward and one that decays upward.  No exponential ever grows, nothing cancels in thin layers, and the decay
-of the tractions on the way down comes along, from which the field inside is built.
+without a singularity at :math:`\nu=1/2`.  What lies below an interface is known by its compliance Y, displacements = Y
+tractions; `through_layer` carries Y to the upper face of a layer.  A thin layer (:math:`|\xi h|\le 1`) is crossed by
+its propagator :math:`e^{-xA}`, closed because :math:`(A^2-1)^2 = 0`; a thick one by splitting its field into a part
+that decays downward and one that decays upward.  No exponential ever grows, nothing cancels in thin layers, and the
+decay of the tractions with depth comes along, from which the field inside is built.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from winkler.media.layered.blocks import Four, add, four, invert, matrix, scaled
 from winkler.numerics.types import ComplexArray
 from winkler.values import value
 
-__all__ = ["Climb", "NormalResponse", "TangentialResponse", "climb", "half_space", "rise"]
+__all__ = ["LayerCompliance", "NormalResponse", "TangentialResponse", "half_space", "through_layer", "through_layers"]
 
-THIN = 1.0
-"""Up to this |xi h| a layer is climbed by its propagator."""
-
-
-FAINT = 44.0
-"""A layer whose top lies this deep, times xi, is not felt: exp(-44) is nothing."""
+THIN_LAYER_LIMIT = 1.0
+"""Up to this |xi h| a layer is crossed by its propagator."""
 
 
-class Climb(NamedTuple):
+DECAY_DEPTH = 44.0
+"""A layer whose top lies this deep, times xi, has no effect: exp(-44) is negligible."""
+
+
+class LayerCompliance(NamedTuple):
     """Compliance at the upper face, and the tractions at the lower face per traction at the upper face."""
 
     compliance: ComplexArray
@@ -67,7 +67,7 @@ def _growing(x: ComplexArray | float, poisson: float) -> tuple[ComplexArray, Com
     )
 
 
-def climb(below: ComplexArray, x: ComplexArray, poisson: float) -> Climb:
+def through_layer(below: ComplexArray, x: ComplexArray, poisson: float) -> LayerCompliance:
     """Return what a layer makes of the compliance below it.
 
     Parameters
@@ -84,12 +84,12 @@ def climb(below: ComplexArray, x: ComplexArray, poisson: float) -> Climb:
     Climb
         2 G Y at its upper face and the decay, ``(m, 2, 2)`` both.
     """
-    thin = np.abs(x) <= THIN
+    thin = np.abs(x) <= THIN_LAYER_LIMIT
     upper, decay = np.empty_like(below), np.empty_like(below)
-    for chosen, way in ((thin, _propagated), (~thin, _split)):
+    for chosen, crossed in ((thin, _propagated), (~thin, _split)):
         if chosen.any():
-            upper[chosen], decay[chosen] = way(below[chosen], x[chosen], poisson)
-    return Climb(upper, decay)
+            upper[chosen], decay[chosen] = crossed(below[chosen], x[chosen], poisson)
+    return LayerCompliance(upper, decay)
 
 
 def _propagated(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[ComplexArray, ComplexArray]:
@@ -134,7 +134,7 @@ def _split(below: ComplexArray, x: ComplexArray, poisson: float) -> tuple[Comple
 # 2x2 matrices entry by entry: much faster than a product of stacks of small matrices
 
 
-def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:
+def through_layers(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[LayerCompliance]:
     """Climb through a stack.
 
     Parameters
@@ -154,18 +154,20 @@ def rise(layers: tuple[Layer, ...], on: Solid, xi: ComplexArray) -> list[Climb]:
     below: ComplexArray = np.zeros((xi.size, 2, 2), dtype=xi.dtype)
     if isinstance(on, Elastic):
         below = below + half_space(on.poisson) / (2.0 * on.shear)
-    climbs = []
+    rungs = []
     bottom = sum(layer.thickness for layer in layers)
     for layer in reversed(layers):
         twice, own = 2.0 * layer.solid.shear, half_space(layer.solid.poisson)
         bottom -= layer.thickness
-        felt = np.real(xi) * bottom < FAINT
+        reached = np.real(xi) * bottom < DECAY_DEPTH
         upper, decay = np.empty_like(below), np.zeros_like(below)
-        upper[~felt] = own
-        upper[felt], decay[felt] = climb(twice * below[felt], xi[felt] * layer.thickness, layer.solid.poisson)
+        upper[~reached] = own
+        upper[reached], decay[reached] = through_layer(
+            twice * below[reached], xi[reached] * layer.thickness, layer.solid.poisson
+        )
         below = upper / twice
-        climbs.append(Climb(below, decay))
-    return climbs[::-1]
+        rungs.append(LayerCompliance(below, decay))
+    return rungs[::-1]
 
 
 def _rounded(ratio: float) -> float:
@@ -173,7 +175,7 @@ def _rounded(ratio: float) -> float:
     return float(f"{ratio:.13e}")
 
 
-class _Response:
+class _LayeredResponse:
     """What both responses share: the lengths over which the stack differs from its uppermost layer."""
 
     layers: tuple[Layer, ...]
@@ -215,8 +217,8 @@ class _Response:
 
 
 @value
-class NormalResponse(_Response):
-    """How a coated body and its counterpart answer a pressure: 1 + M(xi) = C(xi) E* xi / 2.
+class NormalResponse(_LayeredResponse):
+    """The response of a coated body and its counterpart to a pressure: 1 + M(xi) = C(xi) E* xi / 2.
 
     Parameters
     ----------
@@ -236,7 +238,7 @@ class NormalResponse(_Response):
     def own(self) -> tuple[NormalResponse, float]:
         """The same in units of its uppermost layer, contrasts and Poisson's ratios alone; and that layer's thickness.
 
-        Of the second body nothing is felt but how much more it yields: it becomes one without Poisson's ratio.
+        Of the second body only its additional compliance matters: it becomes one without Poisson's ratio.
         """
         second = self.second
         if isinstance(second, Elastic):
@@ -252,13 +254,13 @@ class NormalResponse(_Response):
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
         top = self.layers[0].solid
-        compliance = rise(self.layers, self.on, xi)[0].compliance[:, 1, 1]
+        compliance = through_layers(self.layers, self.on, xi)[0].compliance[:, 1, 1]
         relative = -compliance * top.shear / (1.0 - top.poisson) - 1.0
         return np.asarray(relative * (self.modulus * (1.0 - top.poisson**2) / top.young))
 
 
 @value
-class TangentialResponse(_Response):
+class TangentialResponse(_LayeredResponse):
     """The same for a tangential load, averaged over its angle with the wave: 1 + M(xi) = C_T(xi) G* xi / 2."""
 
     layers: tuple[Layer, ...]
@@ -281,7 +283,7 @@ class TangentialResponse(_Response):
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-] at real or complex wave numbers (m,) [1/m]."""
-        along = -rise(self.layers, self.on, xi)[0].compliance[:, 0, 0]
+        along = -through_layers(self.layers, self.on, xi)[0].compliance[:, 0, 0]
         across = np.full(xi.shape, 1.0 / self.on.shear if isinstance(self.on, Elastic) else 0.0, dtype=xi.dtype)
         for layer in reversed(self.layers):
             fall = np.tanh(xi * layer.thickness)

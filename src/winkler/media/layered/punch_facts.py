@@ -1,9 +1,9 @@
-r"""What flat punches of all sizes do on a layered medium: whether one pulls, and how the surface moves outside it.
+r"""Flat punches of all sizes on a layered medium: whether one pulls, and the surface displacement outside it.
 
 On a homogeneous half-space a flat punch presses everywhere, and the surface outside sinks less than it does.  On
 layers neither goes without saying: a hard coating carries a wide punch at its edge and lifts off in the middle, an
 incompressible film is squeezed out and rises around it.  Under the punch :math:`\sigma(r;a)` of
-`winkler.numerics.transforms.fredholm` tells; outside
+`winkler.numerics.transforms.fredholm` computes; outside
 
 .. math:: 1 - u_1(r;a) = \frac2\pi\int_a^r \frac{\psi(x;a)}{\sqrt{r^2-x^2}}\,\mathrm dx , \qquad
           \psi(x;a) = 1 - \int_0^a K(x,t)\,\varphi(t;a)\,\mathrm dt .
@@ -20,86 +20,88 @@ from typing import cast
 
 import numpy as np
 
-from winkler.media.medium import CALM, PunchFacts
+from winkler.media.medium import LEAST_SURFACE_RISE, PunchFacts
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.sqrt_panels import root
 from winkler.numerics.transforms import fredholm, punch_tables
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.punch_tables import Punches
 
 __all__ = ["facts"]
 
-RADII = 16
+RADII_PER_TABLE = 16
 """Radii of a table at which sigma is sampled."""
-PLACES = 17
+POINTS_PER_PANEL = 17
 """Places of a panel of r/a at which it is."""
-ROUNDING = 1e-9
+LEAST_PULL_RATIO = 1e-9
 """A pull of this part of the greatest push is none."""
-NARROW = 0.05
+SMALL_KERNEL_INTEGRAL = 0.05
 """Where the integral of K cannot be more than this, phi and sigma differ from one by little, and no punch pulls."""
-OUTSIDE = 160
-FAR = 16.0
-"""How far outside the surface is looked at, in radii or lengths over which the stack answers."""
+OUTER_POINTS = 160
+OUTER_DISTANCE = 16.0
+"""Distance up to which the surface outside is evaluated, in radii or lengths of the response of the stack."""
 
 
-def facts(response: Response, radius: float) -> PunchFacts:
+def facts(response: WaveResponse, radius: float) -> PunchFacts:
     """Return what is known of all flat punches up to a radius [m]."""
     response, unit = in_own_lengths(response)
     radius /= unit
-    pull, least, most, calm = math.inf, CALM, 1.0, 0.0
+    pull, least, most, flat_beyond = math.inf, LEAST_SURFACE_RISE, 1.0, 0.0
     for octave in range(max(int(punch_tables.octave_of(response, np.array([radius]))[0]), 0), -1, -1):
-        if _weight_of_octave(cast(Hashable, response), octave) < NARROW:
+        if _weight_of_octave(cast(Hashable, response), octave) < SMALL_KERNEL_INTEGRAL:
             break  # and so are all narrower ones
         first, low, high, far = _octave(cast(Hashable, response), octave)
-        pull, least, most, calm = min(pull, first), min(least, low), max(most, high), max(calm, far)
-    return PunchFacts(pulls=bool(pull < radius), least=least, most=most, telling=False, calm=unit * calm)
+        pull, least, most, flat_beyond = min(pull, first), min(least, low), max(most, high), max(flat_beyond, far)
+    return PunchFacts(
+        pulls=bool(pull < radius), least=least, most=most, gives_separation=False, flat_beyond=unit * flat_beyond
+    )
 
 
 @functools.lru_cache(maxsize=512)
-def _octave(given: Hashable, octave: int) -> tuple[float, float, float, float]:
-    """Return up to which radius no punch of an octave pulls, and what `_outside` says of its widest."""
-    response = cast(Response, given)
+def _octave(key: Hashable, octave: int) -> tuple[float, float, float, float]:
+    """Return up to which radius no punch of an octave pulls, and what `_outside` returns for its widest."""
+    response = cast(WaveResponse, key)
     tables = punch_tables.tables(response, octave)
     pull = min(_first_pull(table) for table in tables)
     return pull, *_outside(response, tables[-1])
 
 
 @functools.lru_cache(maxsize=512)
-def _weight_of_octave(given: Hashable, octave: int) -> float:
+def _weight_of_octave(key: Hashable, octave: int) -> float:
     """Return the weight of the widest punch of an octave of radii."""
-    response = cast(Response, given)
+    response = cast(WaveResponse, key)
     return _weight(response, punch_tables.first_radius(response) * 2.0**octave)
 
 
-def _weight(response: Response, a: float) -> float:
-    """Return the radius a of a punch times the largest |C| that it meets."""
+def _weight(response: WaveResponse, a: float) -> float:
+    """Return the radius a of a punch times the largest |C| on it."""
     return a * float(np.max(np.abs(transform(response, 2.0 * a)(np.linspace(0.0, 2.0 * a, 65)))))
 
 
 def _first_pull(table: Punches) -> float:
     """Return the last sampled radius before one whose punch pulls; infinite if none does."""
     cheb = np.polynomial.chebyshev
-    s = np.linspace(-1.0, 1.0, RADII + 1)
-    inner = cheb.chebvander(np.cos(np.linspace(0.0, math.pi, PLACES)), table.push.shape[2] - 1)
+    s = np.linspace(-1.0, 1.0, RADII_PER_TABLE + 1)
+    inner = cheb.chebvander(np.cos(np.linspace(0.0, math.pi, POINTS_PER_PANEL)), table.push.shape[2] - 1)
     sigma = np.einsum("ak,kpi,ri->apr", cheb.chebvander(s, table.push.shape[0] - 1), table.push, inner)
-    pulling = np.min(sigma, axis=(1, 2)) < -ROUNDING * np.max(np.abs(sigma), axis=(1, 2))
+    pulling = np.min(sigma, axis=(1, 2)) < -LEAST_PULL_RATIO * np.max(np.abs(sigma), axis=(1, 2))
     if not pulling.any():
         return math.inf
     before = max(int(np.argmax(pulling)) - 1, 0)
     return float(table.low + (table.high - table.low) * 0.5 * (1.0 + s[before]))
 
 
-def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
-    """Return least and greatest displacement of the surface outside a table's widest punch, and where it is calm."""
+def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, float]:
+    """Return least and greatest displacement outside a table's widest punch, and the distance where it is flat."""
     a = table.high
     nodes, weights = gauss_legendre(24)
     width = np.diff(table.panels)[:, None]
     t = a * (table.panels[:-1, None] + width * nodes).ravel()
     phi = fredholm.punches(response, t, np.full(t.size, a))
-    if _weight(response, a) * np.max(np.abs(phi)) < -CALM:
-        return CALM, 1.0, 0.0
-    far = FAR * max(a, response.span)
-    x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTSIDE)])
+    if _weight(response, a) * np.max(np.abs(phi)) < -LEAST_SURFACE_RISE:
+        return LEAST_SURFACE_RISE, 1.0, 0.0
+    far = OUTER_DISTANCE * max(a, response.span)
+    x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTER_POINTS)])
     kernel = transform(response, far + 2.0 * a)
     both = 0.5 * (kernel(x[:, None] - t) + kernel(x[:, None] + t))
     psi = 1.0 - both @ (a * (width * weights).ravel() * phi)
@@ -111,8 +113,8 @@ def _outside(response: Response, table: Punches) -> tuple[float, float, float]:
     shares = np.arcsin(stop) - np.arcsin(start)
     legs = y[1:, None] * (np.sqrt((1.0 - start) * (1.0 + start)) - np.sqrt((1.0 - stop) * (1.0 + stop)))
     moved = 1.0 - (2.0 / math.pi) * (shares @ (v[:-1] - rise * y[:-1]) + legs @ rise)
-    heaved = np.flatnonzero(moved < CALM)
-    calm = 0.0
+    heaved = np.flatnonzero(moved < LEAST_SURFACE_RISE)
+    flat_beyond = 0.0
     if heaved.size:  # moved[i] stands at x[i + 1]
-        calm = float(x[heaved[-1] + 2]) - a if heaved[-1] + 2 < x.size else math.inf
-    return float(np.min(moved)), float(np.max(moved)), calm
+        flat_beyond = float(x[heaved[-1] + 2]) - a if heaved[-1] + 2 < x.size else math.inf
+    return float(np.min(moved)), float(np.max(moved)), flat_beyond

@@ -107,7 +107,7 @@ class RelaxingInProportion(RelaxingMedium):
             Assumption.RESPONSE,
             Standing.EXACT,
             "All parts that are not rigid relax by the same function of time, with Poisson's ratios that do not "
-            "change: then g does not change either, and while the contact is one disc every elastic answer stays "
+            "change: then g does not change either, and while the contact is one disc every elastic result stays "
             "true with the displacements replaced by their hereditary integral.",
             LEE,
         )
@@ -119,7 +119,7 @@ class RelaxingInProportion(RelaxingMedium):
         Both are linear in the displacement of the springs: stresses in what they bear, displacements in how far they
         are pressed in.
         """
-        borne = self.remembered(displacement)
+        borne = self.elastic_parts(displacement)
         moved = np.array(self.medium.interior(displacement, r, z, below=below))
         loaded = np.array(self.medium.interior(borne[0], r, z, below=below)) if borne else np.zeros(moved.shape)
         return BodyField(*loaded[:4], *moved[4:])

@@ -1,7 +1,7 @@
-r"""What every medium has in common whose springs relax, all by the same function of time.
+r"""The common base of media whose springs all relax by the same function of time.
 
 Its equivalent profile g does not change in time.  What the springs of the elastic medium alike would bear, and how far
-they are pressed in, then tell the fields: pressure and stresses are those of the elastic medium whose springs are
+they are pressed in, then give the fields: pressure and stresses are those of the elastic medium whose springs are
 displaced by :math:`b(x,t)=\int\varphi(t-t')\,\partial u(x,t')/\partial t'\,\mathrm dt'`, displacements those of the
 elastic medium whose springs are displaced by u itself, also where they recover outside the contact: every transform is
 linear, and the same at all times.
@@ -20,12 +20,12 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 
-__all__ = ["RelaxingMedium", "Remembered"]
+__all__ = ["RelaxingDisplacement", "RelaxingMedium"]
 
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
 
 
-class Remembered(Displacement, Protocol):
+class RelaxingDisplacement(Displacement, Protocol):
     """The springs of a relaxing medium at one moment: how far they are pressed in, or have not recovered."""
 
     @property
@@ -35,7 +35,7 @@ class Remembered(Displacement, Protocol):
 
 
 class RelaxingMedium:
-    """An elastic medium times a function of time: subclasses tell both, and the assumptions."""
+    """An elastic medium times a function of time: subclasses state both, and the assumptions."""
 
     @property
     def elastic(self) -> Medium:
@@ -58,13 +58,13 @@ class RelaxingMedium:
         raise NotImplementedError
 
     def timeless(self) -> OutsideValidity:
-        """Return the error of who asks for a single answer."""
+        """Return the error of a call that requests a single value."""
         return OutsideValidity(
-            f"{type(self).__name__}: its stiffness changes in time, so no single answer exists; use "
+            f"{type(self).__name__}: its stiffness changes in time, so no single value exists; use "
             "ViscoelasticIndentation(bed, path), or an elastic medium."
         )
 
-    def remembered(self, displacement: Displacement) -> tuple[Displacement, ...]:
+    def elastic_parts(self, displacement: Displacement) -> tuple[Displacement, ...]:
         """Return what elastic springs would bear the same; refuse springs without memory."""
         borne = getattr(displacement, "borne", None)
         if not isinstance(borne, tuple):
@@ -112,8 +112,8 @@ class RelaxingMedium:
         raise self.timeless()
 
     def pressure(self, displacement: Displacement, r: Array) -> Array:
-        """p(r) [Pa] of springs that remember."""
-        parts = [self.elastic.pressure(part, r) for part in self.remembered(displacement)]
+        """p(r) [Pa] of springs with a history."""
+        parts = [self.elastic.pressure(part, r) for part in self.elastic_parts(displacement)]
         return np.asarray(sum(parts, np.zeros(np.shape(r))))
 
     def displacement(self, displacement: Displacement, r: Array) -> Array:

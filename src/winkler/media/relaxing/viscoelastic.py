@@ -31,7 +31,7 @@ from winkler.values import value
 __all__ = ["ViscoelasticHalfSpace"]
 
 RIGID = Rigid()
-UNIT = HalfSpace(Elastic(0.75, 0.5))
+UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 """E* = 1 Pa."""
 
 
@@ -39,7 +39,7 @@ UNIT = HalfSpace(Elastic(0.75, 0.5))
 class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     """Two homogeneous half-spaces in contact, at least one of them viscoelastic.
 
-    What it answers depends on time: a `winkler.problems.viscoelastic.indentation.ViscoelasticIndentation` asks for
+    Its response depends on time: a `winkler.problems.viscoelastic.indentation.ViscoelasticIndentation` needs
     it.  Its moduli right after a sudden step, and after all time, are `relaxation.glassy` and `relaxation.relaxed`.
 
     Parameters
@@ -78,8 +78,8 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
 
     @property
     def elastic(self) -> HalfSpace:
-        """Half-spaces with E* = 1 Pa: g does not know the modulus."""
-        return UNIT
+        """Half-spaces with E* = 1 Pa: g does not depend on the modulus."""
+        return UNIT_HALF_SPACE
 
     @property
     def creep(self) -> CreepSeries:
@@ -133,12 +133,12 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         OutsideValidity
             If the body is rigid, or both creep and not in proportion: how much each of them moves is then not known.
         """
-        borne = self.remembered(displacement)
+        borne = self.elastic_parts(displacement)
         body, other = (self.first, self.second) if below else (self.second, self.first)
         if isinstance(body, Rigid):
             raise OutsideValidity(
                 f"The {'first body (z > 0)' if below else 'second body (z < 0)'} is rigid; there is no stress field in "
-                "it: ask for the other side."
+                "it: request the other side."
             )
         shear = body.shear if isinstance(body, Elastic) else 0.5 * (1.0 - body.poisson)
         stresses = [subsurface.field(part, r, z, modulus=1.0, poisson=body.poisson, shear=shear) for part in borne]
@@ -164,7 +164,7 @@ def _share(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
     if not (alike and np.isclose(own.relaxed, ratio * its.relaxed, rtol=1e-12, atol=0.0)):
         raise OutsideValidity(
             "ViscoelasticHalfSpace: both bodies creep, each by a function of its own, so that how much each of them "
-            "moves is not known; ask for the surface (without z), or take one of them elastic or rigid."
+            "moves is not known; request the surface (without z), or take one of them elastic or rigid."
         )
     return float((1.0 - body.poisson) / (1.0 - body.poisson + (1.0 - other.poisson) * ratio))
 

@@ -14,8 +14,8 @@ from winkler.numerics.types import Array
 
 __all__ = ["between"]
 
-ITERATIONS = 200
-CLOSE = 2.0 * np.finfo(float).eps
+MOST_ITERATIONS = 200
+ROOT_TOLERANCE = 2.0 * np.finfo(float).eps
 
 
 def between(function: Callable[[Array, Array], Array], low: Array, high: Array) -> Array:
@@ -48,11 +48,11 @@ def between(function: Callable[[Array, Array], Array], low: Array, high: Array) 
     fb, fa = function(b, every), function(a, every)
     c, fc, share = b.copy(), fb.copy(), np.full(low.size, 0.5)
     waiting = every
-    for _ in range(ITERATIONS):
+    for _ in range(MOST_ITERATIONS):
         better = np.abs(fb) < np.abs(fa)
         best = np.where(better, b, a)
         width = np.abs(b - a)
-        part = CLOSE * np.abs(best) / np.where(width > 0.0, width, 1.0)
+        part = ROOT_TOLERANCE * np.abs(best) / np.where(width > 0.0, width, 1.0)
         settled = (part >= 0.5) | (width == 0.0) | (np.where(better, fb, fa) == 0.0)
         result[waiting[settled]] = best[settled]
         left = ~settled
@@ -73,7 +73,7 @@ def between(function: Callable[[Array, Array], Array], low: Array, high: Array) 
 
 
 def _share(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
-    """Return where to look next, as a part of the way from a to b."""
+    """Return the next trial, as a part of the distance from a to b."""
     with np.errstate(all="ignore"):
         xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         trusted = (phi * phi < xi) & ((1.0 - phi) ** 2 < 1.0 - xi)

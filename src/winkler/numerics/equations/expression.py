@@ -1,6 +1,6 @@
 r"""Formulas of one variable: read safely, differentiated exactly.
 
-`Expression` takes a text such as ``"r**2/(2*R) + h*(1 - cos(k*r))"`` apart by its grammar; nothing of it is ever
+`Expression` parses a text such as ``"r**2/(2*R) + h*(1 - cos(k*r))"`` by its grammar; nothing of it is ever
 executed.  It is evaluated with truncated Taylor series (value, first and second derivative travel together):
 
 .. math:: (uv)'' = u''v + 2u'v' + uv'', \qquad F(u)'' = F''(u)\,u'^2 + F'(u)\,u''
@@ -26,8 +26,8 @@ from winkler.numerics.equations.taylor import (
     FUNCTIONS,
     OPERATORS,
     Derivatives,
-    Refused,
-    Series,
+    RefusedFormula,
+    TaylorSeries,
     Terms,
     called,
     constant,
@@ -38,20 +38,24 @@ from winkler.values import value
 
 __all__ = ["CONSTANTS", "Expression"]
 
-LONGEST, DEEPEST = 1000, 100  # characters, levels within each other
+MOST_CHARACTERS, MOST_LEVELS = 1000, 100  # characters, levels within each other
 
 CONSTANTS = {"pi": math.pi, "e": math.e}
 
-KINKED = "its kink must be stated: write sqrt((...)**2), and give the radius where that vanishes among the corners"
-PIECES = "it has kinks or jumps; give the pieces as profiles of their own"
-REFUSED = {
-    **dict.fromkeys(("abs", "fabs"), KINKED),
-    **dict.fromkeys(["max", "min", "maximum", "minimum", "sign", "floor", "ceil", "round", "mod", "where"], PIECES),
+KINK_REFUSAL = (
+    "its kink must be stated: write sqrt((...)**2), and give the radius where that vanishes among the corners"
+)
+PIECES_REFUSAL = "it has kinks or jumps; give the pieces as profiles of their own"
+REFUSED_FUNCTIONS = {
+    **dict.fromkeys(("abs", "fabs"), KINK_REFUSAL),
+    **dict.fromkeys(
+        ["max", "min", "maximum", "minimum", "sign", "floor", "ceil", "round", "mod", "where"], PIECES_REFUSAL
+    ),
     **dict.fromkeys(("asin", "acos", "atan"), "write arcsin, arccos or arctan"),
     **dict.fromkeys(("ln", "log10", "log2"), "write log, the natural logarithm"),
     "pow": "write powers with **",
 }
-HINTS = {
+SPELLING_HINTS = {
     **dict.fromkeys("^²³", "write powers with **, as r**2"),
     **dict.fromkeys("<>=!", "comparisons are not allowed; give the pieces as profiles of their own"),
     ".": "a point belongs inside a number; attributes are not allowed",
@@ -71,13 +75,17 @@ def _tokens(text: str) -> list[str]:
         kind = str(match.lastgroup)
         word = match[kind]
         if kind == "other":
-            raise Refused(HINTS.get(word, f"the character {word!r} is not allowed; operators are + - * / **"))
+            raise RefusedFormula(
+                SPELLING_HINTS.get(word, f"the character {word!r} is not allowed; operators are + - * / **")
+            )
         if keyword.iskeyword(word):
-            raise Refused(f"'{word}' is a reserved word; conditions are not allowed, and constants need other names")
+            raise RefusedFormula(
+                f"'{word}' is a reserved word; conditions are not allowed, and constants need other names"
+            )
         if before in ("number", "name", ")") and (kind != "mark" or (word == "(" and before != "name")):
-            raise Refused(f"an operator is missing between '{last}' and '{word}'")
+            raise RefusedFormula(f"an operator is missing between '{last}' and '{word}'")
         if kind == "number" and not math.isfinite(float(word)):
-            raise Refused(f"{word} is too large a number")
+            raise RefusedFormula(f"{word} is too large a number")
         words.append(repr(float(word)) if kind == "number" else word)
         before, last = word if word == ")" else kind, word
     return words
@@ -87,23 +95,23 @@ def _tokens(text: str) -> list[str]:
 def _tree(text: str) -> ast.expr:
     words = _tokens(text)
     if not words:
-        raise Refused("it is empty; write it in terms of the variable, as r**2/(2*R)")
+        raise RefusedFormula("it is empty; write it in terms of the variable, as r**2/(2*R)")
     try:
         return ast.parse(" ".join(words), mode="eval").body
     except (SyntaxError, RecursionError, MemoryError):
-        raise Refused("its operators, brackets and numbers do not fit together") from None
+        raise RefusedFormula("its operators, brackets and numbers do not fit together") from None
 
 
-class _Walk(NamedTuple):
+class _TreeEvaluator(NamedTuple):
     """Evaluates a syntax tree at the places x of the variable."""
 
     variable: str
     numbers: dict[str, float]
     x: Array
 
-    def node(self, tree: ast.expr, depth: int = 0) -> Series:
-        if depth > DEEPEST:
-            raise Refused(f"it is nested more than {DEEPEST} deep; write it more simply")
+    def node(self, tree: ast.expr, depth: int = 0) -> TaylorSeries:
+        if depth > MOST_LEVELS:
+            raise RefusedFormula(f"it is nested more than {MOST_LEVELS} deep; write it more simply")
         match tree:
             case ast.Constant(value=float() as number):
                 return constant(self.x, number)
@@ -117,8 +125,8 @@ class _Walk(NamedTuple):
             case ast.Call(func=ast.Name(id=name), args=arguments):
                 if len(arguments) == 1 and name in FUNCTIONS and not isinstance(arguments[0], ast.Starred):
                     return called(name, self.node(arguments[0], depth + 1))
-                raise Refused(self.misused(name))
-        raise Refused(
+                raise RefusedFormula(self.misused(name))
+        raise RefusedFormula(
             "a comma or a bracket is out of place; write decimals with a point, as 2.5, thousands without, as 2500"
         )
 
@@ -132,15 +140,15 @@ class _Walk(NamedTuple):
                 return self.magnitude(left) / np.abs(self.node(right).jet.value)
         return np.abs(self.node(tree).jet.value)
 
-    def named(self, name: str) -> Series:
+    def named(self, name: str) -> TaylorSeries:
         if name == self.variable:
-            return Series(self.x, ((1.0, 1.0),))
+            return TaylorSeries(self.x, ((1.0, 1.0),))
         if name in self.numbers:
             return constant(self.x, self.numbers[name])
         if name in FUNCTIONS:
-            raise Refused(self.misused(name))
-        known = [self.variable, *self.numbers]
-        raise Refused(f"the name '{name}' is unknown{suggest(name, known)}; known are {', '.join(known)}")
+            raise RefusedFormula(self.misused(name))
+        names = [self.variable, *self.numbers]
+        raise RefusedFormula(f"the name '{name}' is unknown{suggest(name, names)}; known are {', '.join(names)}")
 
     def misused(self, name: str) -> str:
         if name in FUNCTIONS:
@@ -148,7 +156,7 @@ class _Walk(NamedTuple):
         if name == self.variable or name in self.numbers:
             return f"'{name}' is not a function; write {name}*(...)"
         unknown = f"the function is unknown{suggest(name, FUNCTIONS)}; known are {', '.join(FUNCTIONS)}"
-        return f"{name}(...) is not allowed: {REFUSED.get(name, unknown)}"
+        return f"{name}(...) is not allowed: {REFUSED_FUNCTIONS.get(name, unknown)}"
 
 
 @value
@@ -182,14 +190,16 @@ class Expression:
     constants: tuple[tuple[str, float], ...] = ()
 
     def __post_init__(self) -> None:
-        if len(self.text) > LONGEST:
-            raise InvalidInput(f"a formula of {len(self.text)} characters is too long; at most {LONGEST} are allowed.")
+        if len(self.text) > MOST_CHARACTERS:
+            raise InvalidInput(
+                f"a formula of {len(self.text)} characters is too long; at most {MOST_CHARACTERS} are allowed."
+            )
         for name, number in self.constants:
             self._check(name, number)
         self._at(np.zeros(0))
-        met = {node.id for node in ast.walk(_tree(self.text)) if isinstance(node, ast.Name)}
-        for name in [name for name, _ in self.constants if name not in met]:
-            near = suggest(name, met - FUNCTIONS.keys())
+        named = {node.id for node in ast.walk(_tree(self.text)) if isinstance(node, ast.Name)}
+        for name in [name for name, _ in self.constants if name not in named]:
+            near = suggest(name, named - FUNCTIONS.keys())
             raise InvalidInput(f"the formula {self.text[:60]!r}: the constant '{name}' does not occur in it{near}.")
 
     def _check(self, name: str, number: object) -> None:
@@ -202,17 +212,17 @@ class Expression:
         if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
             raise InvalidInput(f"the constant '{name}' of a formula is {number!r}; give a finite number.")
 
-    def _walk(self, x: Array) -> _Walk:
-        return _Walk(self.variable, CONSTANTS | {name: float(number) for name, number in self.constants}, x)
+    def _evaluator(self, x: Array) -> _TreeEvaluator:
+        return _TreeEvaluator(self.variable, CONSTANTS | {name: float(number) for name, number in self.constants}, x)
 
-    def _at(self, x: Array) -> Series:
+    def _at(self, x: Array) -> TaylorSeries:
         if np.any(x < 0.0):
             place = f"{self.variable} = {np.min(x):g}"
-            raise InvalidInput(f"the formula {self.text[:60]!r} is asked at {place}, below zero.")
+            raise InvalidInput(f"the formula {self.text[:60]!r} is evaluated at {place}, below zero.")
         try:
             with np.errstate(all="ignore"):
-                return self._walk(x).node(_tree(self.text))
-        except Refused as reason:
+                return self._evaluator(x).node(_tree(self.text))
+        except RefusedFormula as reason:
             raise InvalidInput(f"the formula {self.text[:60]!r}: {reason}.") from None
 
     def taylor(self, at: ArrayLike) -> Derivatives:
@@ -223,7 +233,7 @@ class Expression:
     def magnitude(self, at: ArrayLike) -> Array:
         """Return the value with all differences taken as sums: against it the value's rounding is small."""
         with np.errstate(all="ignore"):
-            return self._walk(np.asarray(at, dtype=float)).magnitude(_tree(self.text))
+            return self._evaluator(np.asarray(at, dtype=float)).magnitude(_tree(self.text))
 
     @property
     def powers(self) -> Terms:

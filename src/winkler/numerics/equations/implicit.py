@@ -23,12 +23,12 @@ from winkler.numerics.types import Array
 __all__ = ["ImplicitStep", "StiffSystem", "implicit_step"]
 
 GAMMA = 1.0 - math.sqrt(0.5)
-TRIALS = 20
-MET = 1e-6
+MOST_TRIALS = 20
+STAGE_TOLERANCE = 1e-6
 """Part of the greatest rate to which a stage is met; the rates themselves are returned, so that nothing is lost."""
-SHARES = (1.0, 0.5, 0.25, 0.1, 0.03)
+STEP_SHARES = (1.0, 0.5, 0.25, 0.1, 0.03)
 """Of a Newton step, tried in turn."""
-BETTER = 0.3
+SUFFICIENT_REDUCTION = 0.3
 """A share that brings the squared misfit down to this part is taken at once."""
 
 
@@ -88,31 +88,31 @@ def implicit_step(system: StiffSystem, start: Array, first: Array, length: float
     return ImplicitStep(end, two, error)
 
 
-def _solved(changing: Array, rows: Array, inner: float, right: Array, known: Array) -> Array:
+def _solved(changing: Array, rows: Array, inner: float, right: Array, rates_known: Array) -> Array:
     """Return what (1 - gamma h f') takes to `right`, where rates change; elsewhere it is known."""
     matrix = np.eye(len(rows)) - inner * rows[:, changing]
     others = ~changing
-    return np.asarray(np.linalg.solve(matrix, right + inner * (rows[:, others] @ known[others])))
+    return np.asarray(np.linalg.solve(matrix, right + inner * (rows[:, others] @ rates_known[others])))
 
 
 def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> Array:
-    """Return the rates that meet themselves: k = f(base + gamma h k)."""
+    """Return the rates of an implicit stage: k = f(base + gamma h k)."""
 
     def met(rates: Array) -> tuple[float, Array, Array]:
         there = system.rates(base + inner * rates)
         return float(system.weights @ (there - rates) ** 2), rates, there
 
     misfit, rates, there = min((met(guess) for guess in (near, system.guess(base, near, inner))), key=lambda m: m[0])
-    for _ in range(TRIALS):
-        if float(np.max(np.abs(there - rates))) <= MET * float(np.max(there)):
+    for _ in range(MOST_TRIALS):
+        if float(np.max(np.abs(there - rates))) <= STAGE_TOLERANCE * float(np.max(there)):
             return there
         changing, rows = system.slopes(base + inner * rates)
         change = -rates
         change[changing] = _solved(changing, rows, inner, (there - rates)[changing], change)
         tried = []
-        for share in SHARES:
+        for share in STEP_SHARES:
             tried.append(met(np.maximum(rates + share * change, 0.0)))
-            if tried[-1][0] <= BETTER * misfit:
+            if tried[-1][0] <= SUFFICIENT_REDUCTION * misfit:
                 break
         misfit, rates, there = min(tried, key=lambda m: m[0])
     raise NotConverged(f"An implicit step of length {inner / GAMMA:.3g} is not met; take a shorter one.")

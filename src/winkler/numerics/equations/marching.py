@@ -15,24 +15,24 @@ import numpy as np
 from winkler.errors import NotConverged
 from winkler.numerics.types import Array
 
-__all__ = ["Condition", "Marched", "Stop", "march"]
+__all__ = ["Condition", "IntegratedStates", "StopCondition", "integrate_to_stop"]
 
 MOST_RATES = 200_000
-TINY = 1e-300
+ZERO_SUBSTITUTE = 1e-300
 """Given for zero: to start from a condition is not to pass it."""
 
 Condition = Callable[[float, Array], float]
 """A function of time and state that is zero where something happens."""
 
 
-class Stop(NamedTuple):
+class StopCondition(NamedTuple):
     """A condition that ends a march when it passes zero, rising (1) or falling (-1); touching is not passing."""
 
     condition: Condition
     direction: int
 
 
-class Marched(NamedTuple):
+class IntegratedStates(NamedTuple):
     """A stretch of time that was marched through.
 
     Parameters
@@ -65,7 +65,7 @@ class Marched(NamedTuple):
         return np.asarray(self.dense(np.asarray(time) / self.unit))
 
 
-def march(
+def integrate_to_stop(
     rates: Callable[[float, Array], Sequence[float]],
     span: tuple[float, float],
     start: Array,
@@ -73,8 +73,8 @@ def march(
     unit: float,
     precision: float,
     scales: Array,
-    stops: Sequence[Stop] = (),
-) -> Marched:
+    stops: Sequence[StopCondition] = (),
+) -> IntegratedStates:
     """March from a state until the span is over, or the first condition passes zero.
 
     Parameters
@@ -99,17 +99,17 @@ def march(
     """
     from scipy.integrate import solve_ivp
 
-    asked = itertools.count()
+    calls = itertools.count()
 
     def scaled(time: float, state: Array) -> list[float]:
-        if next(asked) > MOST_RATES:
+        if next(calls) > MOST_RATES:
             raise NotConverged(
                 f"The march has come to {time * unit:.6g} s and hardly moves on: stiffness, velocities or friction "
                 "differ by too many orders of magnitude; leave out what hardly counts."
             )
         return [unit * rate for rate in rates(time * unit, state)]
 
-    found = solve_ivp(
+    solution = solve_ivp(
         scaled,
         (span[0] / unit, span[1] / unit),
         start,
@@ -119,21 +119,21 @@ def march(
         dense_output=True,
         events=[_event(stop, unit) for stop in stops],
     )
-    if found.status < 0:
-        raise NotConverged(f"At {found.t[-1] * unit:.6g} s the march came to a halt: {found.message}")
-    stopped = tuple(bool(times.size) for times in found.t_events) if stops else ()
-    times = found.t * unit
+    if solution.status < 0:
+        raise NotConverged(f"At {solution.t[-1] * unit:.6g} s the march came to a halt: {solution.message}")
+    stopped = tuple(bool(times.size) for times in solution.t_events) if stops else ()
+    times = solution.t * unit
     times[0] = span[0]
-    if found.status == 0:
+    if solution.status == 0:
         times[-1] = span[1]
-    return Marched(times, found.y[:, -1], stopped, unit, found.sol)
+    return IntegratedStates(times, solution.y[:, -1], stopped, unit, solution.sol)
 
 
-def _event(stop: Stop, unit: float) -> Condition:
+def _event(stop: StopCondition, unit: float) -> Condition:
     condition, direction = stop
 
     def passed(time: float, state: Array) -> float:
-        return condition(time * unit, state) or -direction * TINY
+        return condition(time * unit, state) or -direction * ZERO_SUBSTITUTE
 
     passed.terminal = True  # type: ignore[attr-defined]
     passed.direction = direction  # type: ignore[attr-defined]

@@ -1,6 +1,6 @@
 """Moments of harmonic oscillations: evenly spaced, and at every turning point.
 
-Time is told in turns: one turn is one cycle.
+Time is counted in turns: one turn is one cycle.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from winkler.errors import InvalidInput
 from winkler.limits import PATH_POINTS
 from winkler.numerics.types import Array
 
-__all__ = ["sine", "swings"]
+__all__ = ["oscillation_moments", "sine"]
 
-NEAR = 1e-9
-"""Moments closer than that are one: at a turning point the sine does not tell them apart."""
+MOMENT_TOLERANCE = 1e-9
+"""Moments closer than that are one: at a turning point the sine does not resolve them."""
 
 
 def sine(turns: Array) -> Array:
@@ -46,7 +46,7 @@ def sine(turns: Array) -> Array:
     return np.asarray(np.where(np.mod(whole, 2.0) == 0.0, even, odd) + 0.0)
 
 
-def swings(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = ((1.0, 0.0),)) -> Array:
+def oscillation_moments(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = ((1.0, 0.0),)) -> Array:
     """Return moments from 0 to `cycles` at which waves sin(2 pi (rate t + lead)) are to be known.
 
     Parameters
@@ -87,6 +87,6 @@ def swings(cycles: float, count: int, waves: tuple[tuple[float, float], ...] = (
         first, last = math.ceil(2.0 * lead - 0.5), math.floor(2.0 * (rate * cycles + lead) - 0.5)
         parts.append((np.arange(first, last + 1) / 2.0 + 0.25 - lead) / rate)
     moments = np.sort(np.clip(np.concatenate(parts), 0.0, cycles))
-    kept: Array = moments[np.append(True, np.diff(moments) > NEAR)]
-    kept[-1] = cycles
-    return kept
+    distinct: Array = moments[np.append(True, np.diff(moments) > MOMENT_TOLERANCE)]
+    distinct[-1] = cycles
+    return distinct

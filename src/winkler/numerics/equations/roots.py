@@ -12,17 +12,17 @@ from winkler.numerics.types import Array
 
 __all__ = ["between", "bracketed", "invert", "rough_root"]
 
-ITERATIONS = 200
-CLOSE = 3e-9
+MOST_ITERATIONS = 200
+STEP_TOLERANCE = 3e-9
 """A step of this part of the distance from the nearer end is the last."""
-STRIDE = 20.0
+MOST_OCTAVES_PER_STEP = 20.0
 """Octaves of one step of a search, at most."""
-SLOW = 0.25
-"""Least power of x that is believed: waves come back to where they were."""
-FARTHEST = 100.0
+LEAST_POWER = 0.25
+"""Least power of x that is extrapolated: waves return to where they were."""
+MOST_OCTAVES = 100.0
 """Octaves from one: as far as any length is."""
-TRIES = 50
-ROUNDING = 1e-9
+MOST_TRIALS = 50
+ROUNDING_RATIO = 1e-9
 """Of the scale of a function: an end of a bracket where it is not larger is the root, whatever its sign is there."""
 
 
@@ -31,7 +31,7 @@ def invert(
 ) -> Array:
     """Return x with function(x) = target, for a function that rises from 0 at `lower`.
 
-    Newton's method in logarithms, log(function) against log(x - lower), which meets a power law in one step;
+    Newton's method in logarithms, log(function) against log(x - lower), which solves a power law in one step;
     every step is kept inside a bracket that only shrinks.
 
     Parameters
@@ -57,7 +57,7 @@ def invert(
     low = np.full(target.shape, lower)
     high = np.full(target.shape, upper)
     x = np.full(target.shape, guess)
-    for _ in range(ITERATIONS):
+    for _ in range(MOST_ITERATIONS):
         value, slope = function(x)
         step = _newton_step(x - lower, value, slope, target)
         below = value < target
@@ -66,7 +66,7 @@ def invert(
         new = x + step
         # Newton's method doubles the digits: a step so small, against the distance from where the function may be
         # singular, leaves nothing to do after it
-        settled = np.abs(step) <= np.maximum(CLOSE * np.minimum(x - lower, upper - x), 4e-16 * x)
+        settled = np.abs(step) <= np.maximum(STEP_TOLERANCE * np.minimum(x - lower, upper - x), 4e-16 * x)
         inside = (new > low) & (new < high)
         new = np.where(settled & ~inside, x, new)
         if settled.all():
@@ -82,7 +82,7 @@ def invert(
     worst = float(np.max(np.abs(function(x)[0] / target - 1.0)))
     if worst < 1e-12:
         return x
-    raise NotConverged(f"No contact radius meets the load: after {ITERATIONS} steps the misfit is {worst:.1e}.")
+    raise NotConverged(f"No contact radius bears the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
 
 
 def _newton_step(distance: Array, value: Array, slope: Array, target: Array) -> Array:
@@ -127,7 +127,7 @@ def bracketed(function: Callable[[Array, Array], Array], low: Array, high: Array
     a, b, c = (np.array(x, dtype=float) for x in (high, low, high))
     fa, fb = function(a, open_), function(b, open_)
     fc, share = fa.copy(), np.full(a.shape, 0.5)
-    for _ in range(ITERATIONS if open_.size else 0):
+    for _ in range(MOST_ITERATIONS if open_.size else 0):
         x = a + share * (b - a)
         value = function(x, open_)
         same = np.sign(value) == np.sign(fa)
@@ -180,33 +180,33 @@ def between(
     except (RuntimeError, ValueError) as error:
         left, right = function(low), function(high)
         least, most = sorted((abs(left), abs(right)))
-        if least <= ROUNDING * most or high - low <= ROUNDING * max(abs(low), abs(high)):
+        if least <= ROUNDING_RATIO * most or high - low <= ROUNDING_RATIO * max(abs(low), abs(high)):
             return low if abs(left) == least else high
         raise NotConverged(f"No root lies between {low:.9g} and {high:.9g} ({error}).") from error
 
 
-def rough_root(value: Callable[[Array], Array], asked: float) -> float:
+def rough_root(value: Callable[[Array], Array], target: float) -> float:
     """Return where a power of x reaches a value, whatever the unit of x; only of that order where it is no power.
 
     Parameters
     ----------
     value
         Takes places ``(m,)``, rises from zero.
-    asked
+    target
         Positive.
     """
     octaves = 0.0
-    for _ in range(TRIES):
+    for _ in range(MOST_TRIALS):
         place = math.exp2(octaves)
         with np.errstate(all="ignore"):
             near, far = value(np.array([place, 2.0 * place])).tolist()
         if near == far == 0.0:
-            step = STRIDE
+            step = MOST_OCTAVES_PER_STEP
         elif 0.0 < near < far < math.inf:
-            step = (math.log2(asked) - math.log2(near)) / max(math.log2(far) - math.log2(near), SLOW)
+            step = (math.log2(target) - math.log2(near)) / max(math.log2(far) - math.log2(near), LEAST_POWER)
         else:
-            step = -0.5 * STRIDE  # towards zero, where it rises
-        octaves += min(max(step, -STRIDE), STRIDE)
-        if abs(step) <= 1.0 or abs(octaves) >= FARTHEST:
+            step = -0.5 * MOST_OCTAVES_PER_STEP  # towards zero, where it rises
+        octaves += min(max(step, -MOST_OCTAVES_PER_STEP), MOST_OCTAVES_PER_STEP)
+        if abs(step) <= 1.0 or abs(octaves) >= MOST_OCTAVES:
             break
-    return math.exp2(min(max(octaves, -FARTHEST), FARTHEST))
+    return math.exp2(min(max(octaves, -MOST_OCTAVES), MOST_OCTAVES))

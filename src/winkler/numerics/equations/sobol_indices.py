@@ -1,4 +1,4 @@
-r"""Indices of Sobol: how much of the variance of a function each of its independent arguments makes.
+r"""Indices of Sobol: the part of the variance of a function that each of its independent arguments causes.
 
 The function is known at points A, at as many other points B, and at :math:`A_B^i`, which is A with its argument *i*
 taken from B:
@@ -25,15 +25,15 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Estimate", "sobol_indices"]
+__all__ = ["SobolEstimate", "sobol_indices"]
 
-RESAMPLED = 1000
+RESAMPLINGS = 1000
 """How often pairs are drawn again."""
-LEVEL = 0.95
+CONFIDENCE_LEVEL = 0.95
 """Probability of the intervals."""
 
 
-class Estimate(NamedTuple):
+class SobolEstimate(NamedTuple):
     """Indices with their intervals; each array ``(arguments,)``."""
 
     first_order: Array
@@ -44,7 +44,7 @@ class Estimate(NamedTuple):
     total_order_high: Array
 
 
-def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> Estimate:
+def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> SobolEstimate:
     """Return the indices of first and total order of a function, with intervals of 95 %.
 
     Parameters
@@ -60,12 +60,12 @@ def sobol_indices(first: Array, second: Array, mixed: Array, seed: int = 0) -> E
     f_a, f_b, f_ab = first - middle, second - middle, mixed - middle
     best = _indices(f_a, f_b, f_ab)
     generator, pairs = np.random.default_rng(seed), len(first)
-    drawn = np.empty((RESAMPLED, 2, len(mixed)))
+    drawn = np.empty((RESAMPLINGS, 2, len(mixed)))
     for again in drawn:
         chosen = generator.integers(pairs, size=pairs)
         again[:] = _indices(f_a[chosen], f_b[chosen], f_ab[:, chosen])
-    low, high = np.quantile(drawn, [(1.0 - LEVEL) / 2.0, (1.0 + LEVEL) / 2.0], axis=0)
-    return Estimate(best[0], low[0], high[0], best[1], low[1], high[1])
+    low, high = np.quantile(drawn, [(1.0 - CONFIDENCE_LEVEL) / 2.0, (1.0 + CONFIDENCE_LEVEL) / 2.0], axis=0)
+    return SobolEstimate(best[0], low[0], high[0], best[1], low[1], high[1])
 
 
 def _indices(f_a: Array, f_b: Array, f_ab: Array) -> Array:

@@ -25,13 +25,13 @@ MOST_STAGES = 100
 DAMPING = 2.0 / 13.0
 
 
-class _Rule(NamedTuple):
+class _StageRule(NamedTuple):
     first: float
     rows: tuple[tuple[float, float, float, float], ...]
 
 
 @functools.lru_cache(maxsize=MOST_STAGES)
-def _rule(stages: int) -> _Rule:
+def _rule(stages: int) -> _StageRule:
     w0 = 1.0 + DAMPING / stages**2
     t, dt, ddt = [1.0, w0], [0.0, 1.0], [0.0, 0.0]
     for _ in range(2, stages + 1):
@@ -47,7 +47,7 @@ def _rule(stages: int) -> _Rule:
         nu = -b[j] / b[j - 2]
         to_rate = 2.0 * b[j] * w1 / b[j - 1]
         rows.append((mu, nu, to_rate, -(1.0 - b[j - 1] * t[j - 1]) * to_rate))
-    return _Rule(b[1] * w1, tuple(rows))
+    return _StageRule(b[1] * w1, tuple(rows))
 
 
 def longest(stages: int, fastest: float) -> float:

@@ -1,7 +1,7 @@
 """A routine that calls a function, turned into a stream that is read.
 
 Minimisers call what they minimise, and return at the end.  Here the routine runs in a thread of its own that rests
-whenever it has handed something over, until the reader asks for the next; only one of the two is at work at a time.
+whenever it has emitted an item, until the reader requests the next; only one of the two is at work at a time.
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ __all__ = ["streamed"]
 T = TypeVar("T")
 R = TypeVar("R")
 
-PATIENCE = 2.0
-"""How long a routine whose reader has left may go on until it next hands something over [s]."""
+GRACE_SECONDS = 2.0
+"""How long a routine whose reader has left may go on until it next emits an item [s]."""
 
 
-class _Left(BaseException):
+class _ReaderGone(BaseException):
     """The reader has left; nothing in the routine is to take this for an error of its own."""
 
 
 def streamed(routine: Callable[[Callable[[T], None]], R]) -> Iterator[T | R]:
-    """Yield what a routine hands over, one after the other, and last what it returns.
+    """Yield what a routine emits, one after the other, and last what it returns.
 
     Parameters
     ----------
     routine : callable
-        Takes the function by which it hands over.
+        Takes the function by which it emits.
 
     Raises
     ------
@@ -40,9 +40,9 @@ def streamed(routine: Callable[[Callable[[T], None]], R]) -> Iterator[T | R]:
 
     Examples
     --------
-    >>> def counting(hand_over):
+    >>> def counting(emit):
     ...     for number in range(2):
-    ...         hand_over(number)
+    ...         emit(number)
     ...     return "done"
     >>> list(streamed(counting))
     [0, 1, 'done']
@@ -51,15 +51,15 @@ def streamed(routine: Callable[[Callable[[T], None]], R]) -> Iterator[T | R]:
     turn, left = threading.Semaphore(0), threading.Event()
     ended: list[BaseException | None] = []
 
-    def hand_over(item: T) -> None:
+    def emit(item: T) -> None:
         items.put(item)
         turn.acquire()
         if left.is_set():
-            raise _Left
+            raise _ReaderGone
 
     def run() -> None:
         try:
-            result = routine(hand_over)
+            result = routine(emit)
             ended.append(None)
             items.put(result)
         except BaseException as error:
@@ -80,4 +80,4 @@ def streamed(routine: Callable[[Callable[[T], None]], R]) -> Iterator[T | R]:
     finally:
         left.set()
         turn.release()
-        thread.join(PATIENCE)
+        thread.join(GRACE_SECONDS)

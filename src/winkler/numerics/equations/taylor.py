@@ -19,8 +19,8 @@ __all__ = [
     "OPERATORS",
     "Derivatives",
     "Jet",
-    "Refused",
-    "Series",
+    "RefusedFormula",
+    "TaylorSeries",
     "Terms",
     "called",
     "constant",
@@ -28,7 +28,7 @@ __all__ = [
     "times",
 ]
 
-STEEPEST = 100.0  # exponent
+LARGEST_EXPONENT = 100.0  # exponent
 
 Terms = tuple[tuple[float, float], ...]  # (c, p) of each power c x^p in a sum
 Derivatives = tuple[Array, Array, Array]
@@ -48,10 +48,10 @@ FUNCTIONS: dict[str, Callable[[Array], Derivatives]] = {
     "tanh": lambda u: (t := np.tanh(u), s := np.cosh(u) ** -2.0, -2.0 * t * s),
 }
 """Name -> the function and its two derivatives."""
-SINGULAR = frozenset({"log", "arcsin", "arccos"})
+SINGULAR_FUNCTIONS = frozenset({"log", "arcsin", "arccos"})
 
 
-class Refused(Exception):
+class RefusedFormula(Exception):
     """Why a formula cannot be read; `Expression` adds which formula."""
 
 
@@ -64,7 +64,7 @@ class Jet(NamedTuple):
     singular: bool  # a root, a logarithm or a broken power is inside, from which infinities at zero may come
 
 
-class Series(NamedTuple):
+class TaylorSeries(NamedTuple):
     """A part of the formula at the places x: the sum of c x^p over `terms`, plus whatever else is in `rest`."""
 
     x: Array
@@ -127,30 +127,30 @@ def _chain(outer: Derivatives, inner: Jet, singular: bool) -> Jet:
     return Jet(outer[0], outer[1] * inner.first, bend, singular or inner.singular)
 
 
-def _series(x: Array, terms: Terms, rest: Jet | None = None) -> Series:
+def _series(x: Array, terms: Terms, rest: Jet | None = None) -> TaylorSeries:
     sums: dict[float, float] = {}
     for c, p in terms:
         sums[p] = sums.get(p, 0.0) + c
         if not math.isfinite(sums[p]):
-            raise Refused("a constant part is too large to be computed")
-    return Series(x, tuple((c, p) for p, c in sorted(sums.items()) if c != 0.0), rest)
+            raise RefusedFormula("a constant part is too large to be computed")
+    return TaylorSeries(x, tuple((c, p) for p, c in sorted(sums.items()) if c != 0.0), rest)
 
 
-def constant(x: Array, number: float) -> Series:
+def constant(x: Array, number: float) -> TaylorSeries:
     """Return a number as a series."""
     return _series(x, ((number, 0.0),))
 
 
-def _plus(a: Series, b: Series) -> Series:
+def _plus(a: TaylorSeries, b: TaylorSeries) -> TaylorSeries:
     rest = _sum(a.rest, b.rest) if a.rest and b.rest else a.rest or b.rest
     return _series(a.x, a.terms + b.terms, rest)
 
 
-def times(a: Series, b: Series) -> Series:
+def times(a: TaylorSeries, b: TaylorSeries) -> TaylorSeries:
     """Return the product of two series."""
     one, other = (a, b) if a.single is not None else (b, a)
     if one.single is None:
-        return Series(a.x, (), _product(a.jet, b.jet))
+        return TaylorSeries(a.x, (), _product(a.jet, b.jet))
     c, p = one.single
     rest = other.rest if c != 0.0 else None
     if rest and p == 0.0:
@@ -160,12 +160,12 @@ def times(a: Series, b: Series) -> Series:
     return _series(a.x, tuple((c * d, p + q) for d, q in other.terms), rest)
 
 
-def _raised(base: Series, exponent: Series) -> Series:
+def _raised(base: TaylorSeries, exponent: TaylorSeries) -> TaylorSeries:
     n = exponent.constant
     if n is None:
         return called("exp", times(exponent, called("log", base)))
-    if abs(n) > STEEPEST:
-        raise Refused(f"the exponent {n:g} is too large; at most {STEEPEST:g} is allowed")
+    if abs(n) > LARGEST_EXPONENT:
+        raise RefusedFormula(f"the exponent {n:g} is too large; at most {LARGEST_EXPONENT:g} is allowed")
     if n == 0.0 or n == 1.0:
         return base if n == 1.0 else constant(base.x, 1.0)
     if base.single is None:
@@ -173,33 +173,33 @@ def _raised(base: Series, exponent: Series) -> Series:
         if n == 0.5:  # written so that sqrt((r - b)**2) has slopes of exactly 1 and -1
             root = np.sqrt(inner.value)
             first = inner.first / (2.0 * root)
-            return Series(base.x, (), Jet(root, first, (inner.second - 2.0 * first**2) / (2.0 * root), True))
+            return TaylorSeries(base.x, (), Jet(root, first, (inner.second - 2.0 * first**2) / (2.0 * root), True))
         u = np.where(inner.value == 0.0, np.nan, inner.value) if n < 0.0 else inner.value
         outer = (u**n, n * u ** (n - 1.0), n * (n - 1.0) * u ** (n - 2.0))
-        return Series(base.x, (), _chain(outer, inner, n != int(n)))
+        return TaylorSeries(base.x, (), _chain(outer, inner, n != int(n)))
     c, p = base.single
     if (c < 0.0 and n != int(n)) or (c == 0.0 and n < 0.0):
-        raise Refused(f"({c:g})**{n:g} is not a real number" if c else "it divides by zero")
+        raise RefusedFormula(f"({c:g})**{n:g} is not a real number" if c else "it divides by zero")
     try:
         return _series(base.x, ((math.sqrt(c) if n == 0.5 else c**n, p * n),))
     except OverflowError:
-        raise Refused("a constant part is too large to be computed") from None
+        raise RefusedFormula("a constant part is too large to be computed") from None
 
 
-def called(name: str, inner: Series) -> Series:
+def called(name: str, inner: TaylorSeries) -> TaylorSeries:
     """Return a function of a series, by its name."""
     if name == "sqrt":
         return _raised(inner, constant(inner.x, 0.5))
     if inner.constant is None:
         jet = inner.jet
-        return Series(inner.x, (), _chain(FUNCTIONS[name](jet.value), jet, name in SINGULAR))
-    known = float(FUNCTIONS[name](np.array(inner.constant))[0])
-    if not math.isfinite(known):
-        raise Refused(f"{name}({inner.constant:g}) is not a finite, real number")
-    return constant(inner.x, known)
+        return TaylorSeries(inner.x, (), _chain(FUNCTIONS[name](jet.value), jet, name in SINGULAR_FUNCTIONS))
+    constant_value = float(FUNCTIONS[name](np.array(inner.constant))[0])
+    if not math.isfinite(constant_value):
+        raise RefusedFormula(f"{name}({inner.constant:g}) is not a finite, real number")
+    return constant(inner.x, constant_value)
 
 
-OPERATORS: dict[type[ast.operator], Callable[[Series, Series], Series]] = {
+OPERATORS: dict[type[ast.operator], Callable[[TaylorSeries, TaylorSeries], TaylorSeries]] = {
     ast.Add: _plus,
     ast.Sub: lambda a, b: _plus(a, times(constant(a.x, -1.0), b)),
     ast.Mult: times,

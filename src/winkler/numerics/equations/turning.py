@@ -1,8 +1,8 @@
-r"""How a point climbs along a curve of rises and falls while a level rises, and comes down while it falls.
+r"""The path of a point along a curve of rises and falls while a level rises and falls.
 
 A level that rises from below carries the point from :math:`x_0` to
 :math:`\inf\{x : \max_{[x_0,x]} y > \text{level}\}`: up every rising piece, and from each summit in one leap to the next
-place that is higher.  Where the point stands follows from the highest and lowest levels alone, however finely the way
+place that is higher.  Where the point stands follows from the highest and lowest levels alone, however finely the path
 there is divided.
 """
 
@@ -19,7 +19,7 @@ __all__ = ["Leap", "Slopes"]
 
 
 class Leap(NamedTuple):
-    """One leap: at `level` from `start` to `end`, on the way to the level of the number `aim`."""
+    """One leap: at `level` from `start` to `end`, on the path to the level of the number `aim`."""
 
     level: float
     start: float
@@ -27,7 +27,7 @@ class Leap(NamedTuple):
     aim: int
 
 
-class _Piece(NamedTuple):
+class _RisingPiece(NamedTuple):
     """A rising piece from `low` to `high` over the levels from `bottom` to `top`."""
 
     bottom: float
@@ -69,7 +69,7 @@ class Slopes(NamedTuple):
             Beyond the last place there is a wall.
         """
         first = float(self.curve(np.array([x]))[0])
-        pieces, leaps, last = self._way(x, first, levels)
+        pieces, leaps, last = self._route(x, first, levels)
         standing = np.full(levels.shape, x)
         moved = levels >= first
         standing[moved] = last
@@ -86,15 +86,15 @@ class Slopes(NamedTuple):
         standing, leaps = mirrored.rise(-x, -levels)
         return 0.0 - standing, [Leap(-level, 0.0 - start, 0.0 - end, aim) for level, start, end, aim in leaps]
 
-    def _way(self, x: float, here: float, levels: Array) -> tuple[list[_Piece], list[Leap], float]:
-        """Return the pieces that are climbed, the leaps between them, and the last place that can be stood on."""
-        pieces: list[_Piece] = []
+    def _route(self, x: float, here: float, levels: Array) -> tuple[list[_RisingPiece], list[Leap], float]:
+        """Return the pieces that are passed, the leaps between them, and the last stable place."""
+        pieces: list[_RisingPiece] = []
         leaps: list[Leap] = []
         index = int(np.searchsorted(self.places, x, side="right")) - 1
         while here <= levels[-1] and index < len(self.places) - 1:
             next_place, top = float(self.places[index + 1]), float(self.levels[index + 1])
             if top > here:
-                pieces.append(_Piece(here, top, x, next_place))
+                pieces.append(_RisingPiece(here, top, x, next_place))
                 x, here, index = next_place, top, index + 1
                 continue
             at = int(np.searchsorted(levels, here, side="left"))
@@ -112,5 +112,5 @@ class Slopes(NamedTuple):
     def _roots(self, levels: Array, low: Array, high: Array) -> Array:
         """Return where rising pieces pass levels; an end where rounding has put the root beyond it."""
         short = self.curve(high) <= levels
-        found = between(lambda x, index: self.curve(x) - levels[index], low, high)
-        return np.where(short, high, found)
+        crossings = between(lambda x, index: self.curve(x) - levels[index], low, high)
+        return np.where(short, high, crossings)

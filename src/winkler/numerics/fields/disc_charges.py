@@ -1,4 +1,4 @@
-r"""Discs of one voltage in a plane: how they share a current, and what stands in its way.
+r"""Discs of one voltage in a plane: how they share a current, and their resistance to it.
 
 On a disc of radius a the fluxes
 
@@ -90,9 +90,9 @@ def currents(x: Array, y: Array, radii: Array, degree: int) -> tuple[Array, Arra
             matrix[i, :, j, :], matrix[j, :, i, :] = block, block.T
     # unknowns are charges: a flux psi on a disc of radius a carries a^2, which is taken into them
     whole = fluxes.sum(axis=1)
-    found = []
-    for kept in (degrees <= degree, degrees <= degree - 2):
-        size = count * int(kept.sum())
-        part = matrix[:, kept][:, :, :, kept].reshape(size, size)
-        found.append(np.linalg.solve(part, np.tile(whole[kept], count)).reshape(count, -1) @ whole[kept])
-    return found[0], found[1]
+    solutions = []
+    for used in (degrees <= degree, degrees <= degree - 2):
+        size = count * int(used.sum())
+        part = matrix[:, used][:, :, :, used].reshape(size, size)
+        solutions.append(np.linalg.solve(part, np.tile(whole[used], count)).reshape(count, -1) @ whole[used])
+    return solutions[0], solutions[1]

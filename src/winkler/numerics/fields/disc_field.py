@@ -26,7 +26,7 @@ def disc_potential(r: Array, z: Array, radius: float) -> Array:
     """
     if radius == 0.0:
         return np.zeros(np.shape(r))
-    # theta = 2/pi arccot(zeta), zeta the oblate coordinate; both ways to it, so that no digits are lost
+    # theta = 2/pi arccot(zeta), zeta the oblate coordinate; both formulas of it, so that no digits are lost
     beyond = (r - radius) * (r + radius) + z**2
     root = np.hypot(beyond, 2.0 * radius * z)
     outside = beyond > 0.0

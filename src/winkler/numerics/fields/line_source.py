@@ -1,7 +1,7 @@
 r"""The temperature of a surface under a round source of heat: at rest, moving, or just switched on.
 
-A source is told by its line load q(x), the projection of its flux along any line in the surface (T5).  What the body
-does to the flux of a plane wave, it does to every line load; the temperature is the mean over all directions (T3):
+A source is described by its line load q(x), the projection of its flux along any line in the surface (T5).  What the
+body does to the flux of a plane wave, it does to every line load; the temperature is the mean over all directions (T3):
 
 ==================  ============================================================================================
 at rest             q itself
@@ -20,35 +20,35 @@ from itertools import pairwise
 import numpy as np
 
 from winkler.numerics.fields.moving_source import disc_mean, spread_loads, surface_points
-from winkler.numerics.fields.source_tables import lag_table, powers, spread_table, turned_rule
+from winkler.numerics.fields.source_tables import cosine_rule, lag_table, powers, spread_table
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
-from winkler.numerics.panels.cosine_pieces import place_on, turned_on
+from winkler.numerics.panels.cosine_pieces import cosine_places, place_on
 from winkler.numerics.types import Array, Curve
 from winkler.values import value
 
-__all__ = ["TOLERANCE", "LineSource", "Peak"]
+__all__ = ["TOLERANCE", "LineSource", "PeakTemperature"]
 
 TOLERANCE = 1e-11
 """Of the line load, relative to its greatest value."""
 MEAN_NODES = 10
 """Nodes on every piece, in every one of the three integrals of a mean."""
 TIME_NODES = 20
-ROUGH = 1e-6
+ROUGH_TOLERANCE = 1e-6
 """Of the greatest line load, to which circles are compared before the warmest are computed in full."""
-FIRST = 9
-"""Places along the centre line where the greatest temperature is looked for first."""
-ROUNDS = 3
-PARTS = np.array([1.0, 2.0]) / 3.0
+FIRST_POINTS = 9
+"""Places along the centre line where the greatest temperature is searched for first."""
+REFINEMENT_ROUNDS = 3
+CUT_PARTS = np.array([1.0, 2.0]) / 3.0
 """Where the stretches on both sides of the warmest place are cut."""
-SAMPLES = 65
-AROUND = (0.3, 0.6, 0.8, 0.95, 1.0)
-"""Circles on which a greater one beside the centre line is looked for, in contact radii."""
-SMALL = 1e-8
+CIRCLE_SAMPLES = 65
+CIRCLE_RADII = (0.3, 0.6, 0.8, 0.95, 1.0)
+"""Circles on which a greater one beside the centre line is searched for, in contact radii."""
+LEAST_TEMPERATURE_GAIN = 1e-8
 """Part by which a place beside the centre line must be warmer to count."""
 
 
 @value
-class Peak:
+class PeakTemperature:
     """The greatest temperature of a surface, and its place.
 
     Parameters
@@ -88,7 +88,7 @@ class LineSource:
     def load(self, x: Array) -> Array:
         """q(x) [W/m], zero outside."""
         part = np.abs(np.asarray(x, dtype=float)) / self.radius
-        return np.where(part <= 1.0, self.scale * self.curve(turned_on(part, self.joints)), 0.0)
+        return np.where(part <= 1.0, self.scale * self.curve(cosine_places(part, self.joints)), 0.0)
 
     @functools.cached_property
     def _table(self) -> tuple[Array, Array, Array]:
@@ -97,7 +97,7 @@ class LineSource:
     @property
     def heat(self) -> float:
         """The heat per time [W], the integral of the line load."""
-        node, weight = turned_rule(64)
+        node, weight = cosine_rule(64)
         low, width = self.joints[:-1, None], np.diff(self.joints)[:, None]
         return 2.0 * float(np.sum(self.load(self.radius * (low + width * node)) * width * weight)) * self.radius
 
@@ -106,13 +106,13 @@ class LineSource:
         """Whether the flux is known to fall from the axis on.
 
         With w = -q'/x the flux is the integral of w over the half chord beyond r: it falls if w does, or grows by less
-        than w(a) (r/a)^2.  That is told by q as a function of x^2.  The warmest place is then on the centre line, since
-        what the kernel is folded with falls to both sides of it.
+        than w(a) (r/a)^2.  That follows from q as a function of x^2.  The warmest place is then on the centre line,
+        since what the kernel is folded with falls to both sides of it.
         """
-        load = self.load(self.radius * np.sqrt(np.linspace(0.0, 1.0, SAMPLES))) / self.scale
-        last = (load[-2] - load[-1]) * (SAMPLES - 1)
-        bend = np.max(-np.diff(load, 2)) * (SAMPLES - 1) ** 2
-        return bool(load[-1] <= SMALL and 2.0 * bend <= last)
+        load = self.load(self.radius * np.sqrt(np.linspace(0.0, 1.0, CIRCLE_SAMPLES))) / self.scale
+        last = (load[-2] - load[-1]) * (CIRCLE_SAMPLES - 1)
+        bend = np.max(-np.diff(load, 2)) * (CIRCLE_SAMPLES - 1) ** 2
+        return bool(load[-1] <= LEAST_TEMPERATURE_GAIN and 2.0 * bend <= last)
 
     def surface(self, wave: float, x: Array, y: Array) -> Array:
         """Return lambda T [W/m] on a body that moves along x past the source.
@@ -127,52 +127,56 @@ class LineSource:
         forth = math.copysign(1.0, wave)
         flat, across = (np.ascontiguousarray(np.ravel(place) / self.radius) for place in (forth * x, y))
         result = np.empty(flat.size)
-        surface_points(flat, across, abs(wave) * self.radius, (*self._table, *lag_table(), *turned_rule()), result)
+        surface_points(flat, across, abs(wave) * self.radius, (*self._table, *lag_table(), *cosine_rule()), result)
         return np.asarray(self.scale * result.reshape(np.shape(x)))
 
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the disc [W/m], on a body that moves."""
-        return self.scale * disc_mean(abs(wave) * self.radius, (*self._table, *lag_table(), *turned_rule(MEAN_NODES)))
+        return self.scale * disc_mean(abs(wave) * self.radius, (*self._table, *lag_table(), *cosine_rule(MEAN_NODES)))
 
-    def peak(self, wave: float) -> Peak:
+    def peak(self, wave: float) -> PeakTemperature:
         """Return the greatest lambda T on a body that moves, and its place.
 
         First along the centre line, by ever smaller steps about the greatest so far; then beside it, where a source
         that is stronger at its rim may heat more.
         """
         if wave == 0.0 and self.fading:
-            return Peak(0.5 * float(self.load(np.zeros(1))[0]), 0.0, 0.0)
+            return PeakTemperature(0.5 * float(self.load(np.zeros(1))[0]), 0.0, 0.0)
         on_line = self._along_centre(wave)
         if wave == 0.0 or self.fading:
             return on_line
         turn = np.linspace(0.0, np.pi, 9)[1:-1]
-        x, y = (np.outer(AROUND, each(turn)).ravel() * self.radius for each in (np.cos, np.sin))
+        x, y = (np.outer(CIRCLE_RADII, each(turn)).ravel() * self.radius for each in (np.cos, np.sin))
         beside = self.surface(wave, x, y)
         best = int(np.argmax(beside))
-        if beside[best] > on_line.height * (1.0 + SMALL):
-            return self._beside(wave, Peak(float(beside[best]), float(x[best]), float(y[best])))
+        if beside[best] > on_line.height * (1.0 + LEAST_TEMPERATURE_GAIN):
+            return self._beside(wave, PeakTemperature(float(beside[best]), float(x[best]), float(y[best])))
         return on_line
 
-    def _along_centre(self, wave: float) -> Peak:
-        places = -self.radius * np.cos(np.linspace(0.0, np.pi, FIRST))
-        heights = self.surface(wave, places, np.zeros(FIRST))
-        for _ in range(ROUNDS):
+    def _along_centre(self, wave: float) -> PeakTemperature:
+        places = -self.radius * np.cos(np.linspace(0.0, np.pi, FIRST_POINTS))
+        heights = self.surface(wave, places, np.zeros(FIRST_POINTS))
+        for _ in range(REFINEMENT_ROUNDS):
             best = int(np.argmax(heights))
             near = places[max(best - 1, 0) : best + 2]
-            between = np.concatenate([low + (high - low) * PARTS for low, high in pairwise(near)])
-            kept = np.isin(places, near)
-            order = np.argsort(np.concatenate([places[kept], between]))
-            found = np.concatenate([heights[kept], self.surface(wave, between, np.zeros(between.size))])
-            places, heights = np.concatenate([places[kept], between])[order], found[order]
+            between = np.concatenate([low + (high - low) * CUT_PARTS for low, high in pairwise(near)])
+            neighbours = np.isin(places, near)
+            order = np.argsort(np.concatenate([places[neighbours], between]))
+            temperatures = np.concatenate([heights[neighbours], self.surface(wave, between, np.zeros(between.size))])
+            places, heights = np.concatenate([places[neighbours], between])[order], temperatures[order]
         best = int(np.argmax(heights))
         where = _summit(places, heights, best)
         height = float(self.surface(wave, np.array([where]), np.zeros(1))[0])
-        return max(Peak(float(heights[best]), float(places[best]), 0.0), Peak(height, where, 0.0), key=_height)
+        return max(
+            PeakTemperature(float(heights[best]), float(places[best]), 0.0),
+            PeakTemperature(height, where, 0.0),
+            key=_height,
+        )
 
-    def _beside(self, wave: float, start: Peak) -> Peak:
+    def _beside(self, wave: float, start: PeakTemperature) -> PeakTemperature:
         x, y, step, best = start.x, start.y, 0.2 * self.radius, start.height
         corners = np.array([(i, j) for i in (-1.0, 0.0, 1.0) for j in (-1.0, 0.0, 1.0) if i or j])
-        while step > SMALL**0.5 * self.radius:
+        while step > LEAST_TEMPERATURE_GAIN**0.5 * self.radius:
             near_x, near_y = x + step * corners[:, 0], np.abs(y + step * corners[:, 1])
             off = np.maximum(np.hypot(near_x, near_y) / self.radius, 1.0)  # what lies outside is put onto the rim
             near_x, near_y = near_x / off, near_y / off
@@ -182,7 +186,7 @@ class LineSource:
                 x, y, best = float(near_x[which]), float(near_y[which]), float(heights[which])
             else:
                 step *= 0.5
-        return Peak(best, x, y)
+        return PeakTemperature(best, x, y)
 
     def risen(self, length: float, r: Array) -> Array:
         """Return lambda T [W/m] at distances r [m] on a body at rest whose source has been on for a time.
@@ -199,23 +203,23 @@ class LineSource:
     def warmest(self, length: float, r: Array) -> float:
         """Return the greatest lambda T [W/m] on circles r [m] within the contact; `length` as in `risen`.
 
-        A table of q_t of a few digits says which circles come near to it; only those are computed in full.
+        A table of q_t of a few digits shows which circles come near to it; only those are computed in full.
         """
 
         def spread(place: Array) -> Array:
             places = place_on(place, self.joints)
             return self._spread(length / self.radius, np.ravel(places)).reshape(places.shape) / self.scale
 
-        table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH)
-        heights = self._around(r, lambda places: self.scale * table(turned_on(places, self.joints)))
-        close = heights >= np.max(heights) - 10.0 * ROUGH * self.scale
+        table = fit_panels(spread, np.arange(self.joints.size, dtype=float), ROUGH_TOLERANCE)
+        heights = self._around(r, lambda places: self.scale * table(cosine_places(places, self.joints)))
+        close = heights >= np.max(heights) - 10.0 * ROUGH_TOLERANCE * self.scale
         return float(np.max(self.risen(length, np.ravel(r)[close])))
 
     def _around(self, r: Array, spread: Curve) -> Array:
-        """Return the mean of q_t, told by `spread` at places in contact radii, over the circles r [m]."""
+        """Return the mean of q_t, given by `spread` at places in contact radii, over the circles r [m]."""
         r = np.asarray(r, dtype=float)
         part = np.ravel(r)[:, None] / self.radius
-        node, weight = turned_rule(TIME_NODES)
+        node, weight = cosine_rule(TIME_NODES)
         ends = np.concatenate([self.joints[1:], [0.0]])  # the last is put at r itself
         with np.errstate(divide="ignore", invalid="ignore"):
             cuts = np.where(part > ends, np.arcsin(np.minimum(ends / np.maximum(part, ends), 1.0)), 0.5 * np.pi)
@@ -230,7 +234,7 @@ class LineSource:
 
     def risen_mean(self, length: float) -> float:
         """Return the mean of lambda T over the disc [W/m], at rest, on for the time t; `length` is sqrt(kappa t)."""
-        node, weight = turned_rule(TIME_NODES)
+        node, weight = cosine_rule(TIME_NODES)
         low, width = self.joints[:-1, None], np.diff(self.joints)[:, None]
         places, shares = (low + width * node).ravel(), (width * weight).ravel()
         loads = self._spread(length / self.radius, places)
@@ -239,11 +243,11 @@ class LineSource:
     def _spread(self, length: float, s: Array) -> Array:
         """Return q_t [W/m] at places s >= 0, in contact radii, (n,)."""
         result = np.empty(s.size)
-        spread_loads(s, length, (*self._table, *spread_table(), *turned_rule(TIME_NODES)), result)
+        spread_loads(s, length, (*self._table, *spread_table(), *cosine_rule(TIME_NODES)), result)
         return self.scale * result
 
 
-def _height(peak: Peak) -> float:
+def _height(peak: PeakTemperature) -> float:
     return peak.height
 
 

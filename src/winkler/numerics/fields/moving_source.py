@@ -24,7 +24,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["disc_mean", "spread_loads", "surface_points"]
 
-SPREAD = 4.0
+LENGTH_RATIO = 4.0
 """Ratio of the lengths of consecutive pieces that leave a boundary layer."""
 MOST_CUTS = 400
 """Places where one integral may be cut."""
@@ -104,7 +104,7 @@ def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
         if s + step > start:
             cuts[count] = s + step
             count += 1
-        step *= SPREAD
+        step *= LENGTH_RATIO
     ordered = np.sort(cuts[:count])
     total = 0.0
     for j in range(count - 1):
@@ -140,7 +140,7 @@ def spread_loads(s: Array, length: float, source: Source, result: Array) -> None
                 if -1.0 < place < 1.0:
                     cuts[count] = place
                     count += 1
-            step = SPREAD * step if step > 0.0 else 2.0 * length
+            step = LENGTH_RATIO * step if step > 0.0 else 2.0 * length
         ordered = np.sort(cuts[:count])
         total = 0.0
         for j in range(count - 1):
@@ -198,7 +198,7 @@ def surface_points(x: Array, y: Array, wave: float, source: Source, result: Arra
         while layer < 1.0 and wave > 0.0:
             count = _angle(0.5 * math.pi - layer, turns, count, low)
             count = _angle(layer - 0.5 * math.pi, turns, count, low)
-            layer *= SPREAD
+            layer *= LENGTH_RATIO
         for joint in joints:
             if joint <= rho and rho > 0.0:
                 first = math.acos(joint / rho)
@@ -210,7 +210,7 @@ def surface_points(x: Array, y: Array, wave: float, source: Source, result: Arra
                 while 1e-6 < off < 1.0:
                     for turn in (off, -off, math.pi - off, off - math.pi):
                         count = _angle(phi + turn, turns, count, low)
-                    off *= SPREAD
+                    off *= LENGTH_RATIO
         count = _angle(phi, turns, count, low)
         count = _angle(phi + math.pi, turns, count, low)
         ordered = np.sort(turns[:count])
@@ -242,7 +242,7 @@ def disc_mean(wave: float, source: Source) -> float:
     layer = 1.0 / max(wave, 1e-9)
     while layer < 1.0:
         count = _angle(0.5 * math.pi - layer, turns, count, 0.0)
-        layer *= SPREAD
+        layer *= LENGTH_RATIO
     ordered = np.sort(turns[:count])
     total = 0.0
     for j in range(count - 1):
@@ -261,7 +261,7 @@ def disc_mean(wave: float, source: Source) -> float:
                 places[held] = 1.0 - layer
                 places[held + 1] = layer - 1.0
                 held += 2
-                layer *= SPREAD
+                layer *= LENGTH_RATIO
             along = np.sort(places[:held])
             value = 0.0
             for m in range(held - 1):

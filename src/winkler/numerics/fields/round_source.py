@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from winkler.numerics.fields.line_source import TOLERANCE, LineSource
-from winkler.numerics.fields.source_tables import turned_rule
+from winkler.numerics.fields.source_tables import cosine_rule
 from winkler.numerics.panels.chebyshev import fit_panels
-from winkler.numerics.panels.cosine_pieces import pieces_of, place_on, turned_on
+from winkler.numerics.panels.cosine_pieces import cosine_places, pieces_of, place_on
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["line_source", "projected"]
@@ -38,11 +38,11 @@ def line_source(load: Curve, joints: Sequence[float], radius: float) -> LineSour
     """
     ends = pieces_of(joints, radius)
 
-    def turned(place: Array) -> Array:
+    def cosine_part(place: Array) -> Array:
         return load(radius * place_on(place, ends))
 
-    scale = float(np.max(np.abs(turned(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)))))
-    curve = fit_panels(lambda place: turned(place) / scale, np.arange(ends.size, dtype=float), TOLERANCE)
+    scale = float(np.max(np.abs(cosine_part(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)))))
+    curve = fit_panels(lambda place: cosine_part(place) / scale, np.arange(ends.size, dtype=float), TOLERANCE)
     return LineSource(radius, scale, ends, curve)
 
 
@@ -61,7 +61,7 @@ def projected(flux: Curve, joints: Sequence[float], radius: float) -> LineSource
 
     scale = float(np.max(np.abs(lowered(np.linspace(0.0, ends.size - 1.0, 64 * ends.size)[1:-1]))))
     table = fit_panels(lambda place: lowered(place) / scale, np.arange(ends.size, dtype=float), FLUX_TOLERANCE)
-    node, weight = turned_rule(FLUX_NODES)
+    node, weight = cosine_rule(FLUX_NODES)
 
     def load(x: Array) -> Array:
         part = np.ravel(x)[:, None] / radius
@@ -70,7 +70,7 @@ def projected(flux: Curve, joints: Sequence[float], radius: float) -> LineSource
         cuts = np.concatenate([np.zeros(part.shape), turns, np.full(part.shape, 0.5 * np.pi)], axis=1)
         width = np.diff(cuts)[..., None]
         r = np.hypot(part[..., None], chord[..., None] * np.sin(cuts[:, :-1, None] + width * node))
-        values = table(turned_on(np.minimum(r, 1.0), ends))
+        values = table(cosine_places(np.minimum(r, 1.0), ends))
         return np.asarray(2.0 * scale * radius * np.sum(values * width * weight, axis=(1, 2)).reshape(np.shape(x)))
 
     return line_source(load, joints, radius)

@@ -23,12 +23,12 @@ TOLERANCE = 2e-13
 """Relative change, against the integral of the modulus, below which a result counts as settled."""
 LAST_TOLERANCE = 1e-9
 """The same for the finest rule; beyond it the integral is refused."""
-CHUNK = 2_000_000
+POINTS_PER_CHUNK = 2_000_000
 """Largest number of points of one evaluation, to bound memory."""
 
 Integrand = Callable[[Array, Array], Array]
 
-LADDER: tuple[tuple[str, int], ...] = (
+RULE_LADDER: tuple[tuple[str, int], ...] = (
     ("gauss", 12),
     ("gauss", 24),
     ("gauss", 48),
@@ -40,20 +40,20 @@ LADDER: tuple[tuple[str, int], ...] = (
     ("gauss", 768),
     ("gauss", 3072),
 )
-PANEL = 48
+POINTS_PER_PANEL = 48
 """Points on each panel of a Gauss-Legendre rule of more than twice as many."""
 
 
 def _rule(name: str, count: int) -> tuple[Array, Array]:
     if name == "gauss":
-        return gauss_legendre(count) if count <= 2 * PANEL else _panelled(count // PANEL)
+        return gauss_legendre(count) if count <= 2 * POINTS_PER_PANEL else _panelled(count // POINTS_PER_PANEL)
     nodes, _, weights = tanh_sinh(count)
     return nodes, weights
 
 
 @functools.lru_cache(maxsize=8)
 def _panelled(panels: int) -> tuple[Array, Array]:
-    nodes, weights = gauss_legendre(PANEL)
+    nodes, weights = gauss_legendre(POINTS_PER_PANEL)
     start = np.arange(panels)[:, None]
     return ((start + nodes) / panels).ravel(), np.tile(weights / panels, panels)
 
@@ -90,11 +90,11 @@ def settled(
     least = np.broadcast_to(against, (count,))
     result = np.zeros(count)
     moved = np.full(count, np.inf)
-    last = {name: np.full(count, np.nan) for name, _ in LADDER}
+    last = {name: np.full(count, np.nan) for name, _ in RULE_LADDER}
     waiting = np.arange(count)
-    for name, points in LADDER:
+    for name, points in RULE_LADDER:
         nodes, weights = _rule(name, points)
-        step = max(1, CHUNK // points)
+        step = max(1, POINTS_PER_CHUNK // points)
         for start in range(0, waiting.size, step):
             part = waiting[start : start + step]
             values = integrand(nodes, part)
@@ -110,8 +110,9 @@ def settled(
             return result
     if np.any(moved[waiting] > np.maximum(LAST_TOLERANCE, floor[waiting])):
         raise NotConverged(
-            f"The integral for the {what} still moves by {np.max(moved[waiting]):.1e} of its size at {LADDER[-1][1]} "
-            "points; the shape is not smooth between its stated kinks: state them, or give the shape as measured "
+            f"The integral for the {what} still moves by {np.max(moved[waiting]):.1e} of its size at "
+            f"{RULE_LADDER[-1][1]} points; the shape is not "
+            "smooth between its stated kinks: state them, or give the shape as measured "
             "points."
         )
     return result

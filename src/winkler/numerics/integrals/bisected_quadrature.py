@@ -1,12 +1,12 @@
 """Integrals of functions that are smooth but for kinks at unknown places: panels halved where they matter.
 
 Springs that begin to slide leave a kink in whatever is summed over them, and where it lies is only known once the sum
-is half done.  A panel is halved until its two halves add up to what it said itself; all integrals and panels that are
+is half done.  A panel is halved until its two halves add up to its own value; all integrals and panels that are
 still open are evaluated together.
 
 A kink may hide where the rule happens to be right before and after halving: the halves must agree on the first and
 second moments too, which costs nothing more.  And it may hide beside the end of a panel: the rule is Lobatto's, which
-looks at the ends.
+evaluates the ends.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from winkler.numerics.types import Array
 
 __all__ = ["along_springs", "refined", "towards"]
 
-COUNT = 13
+NODES_PER_PANEL = 13
 """Nodes on each panel."""
-BESIDE = 1e-9
-"""How far from zero a panel is looked at that begins there, in its width: at zero a function may not be known."""
-POWER = 4
+AXIS_OFFSET = 1e-9
+"""Offset from zero of a panel that begins there, over its width: at zero a function may not be defined."""
+VARIABLE_POWER = 4
 """Springs are counted by the fourth root of their place: their stiffness may diverge towards the axis."""
-LEVELS = 60
+MOST_HALVINGS = 60
 """How often a panel is halved at most."""
-MOST = 200_000
+MOST_PANELS = 200_000
 """Largest number of open panels."""
-NARROW = 32.0 * np.finfo(float).eps
-"""Width of a panel, in terms of its place, within which rounding leaves nothing to be seen."""
+LEAST_WIDTH_RATIO = 32.0 * np.finfo(float).eps
+"""Width of a panel, in terms of its place, within which rounding dominates."""
 Integrand = Callable[[Array, Array], Array]
 
 
@@ -72,7 +72,7 @@ def refined(function: Integrand, edges: Array, tolerance: Array, what: str) -> A
     which = np.repeat(np.arange(number), edges.size - 1)
     sums, modulus = _panels(function, low, high, which)
     total, size = np.zeros(number), np.zeros(number)
-    for _ in range(LEVELS):
+    for _ in range(MOST_HALVINGS):
         middle = 0.5 * (low + high)
         halves, moduli = _panels(
             function, np.concatenate([low, middle]), np.concatenate([middle, high]), np.concatenate([which, which])
@@ -83,7 +83,7 @@ def refined(function: Integrand, edges: Array, tolerance: Array, what: str) -> A
         second = 0.25 * (left[2] + right[2]) + 0.5 * (right[1] - left[1]) + 0.25 * better
         moved = np.max(np.abs(np.stack([better, first, second], axis=1) - sums), axis=1)
         scale = size + np.bincount(which, modulus, number)
-        closed = (moved <= (tolerance * scale)[which]) | (high - low <= NARROW * np.abs(high))
+        closed = (moved <= (tolerance * scale)[which]) | (high - low <= LEAST_WIDTH_RATIO * np.abs(high))
         total += np.bincount(which[closed], better[closed], number)
         size += np.bincount(which[closed], modulus[closed], number)
         again = ~closed
@@ -93,7 +93,7 @@ def refined(function: Integrand, edges: Array, tolerance: Array, what: str) -> A
         which = np.concatenate([which[again], which[again]])
         sums = halves.reshape(2, -1, 3)[:, again].reshape(-1, 3)
         modulus = moduli.reshape(2, -1)[:, again].ravel()
-        if low.size > MOST:
+        if low.size > MOST_PANELS:
             break
     raise NotConverged(f"The {what} does not settle: {low.size} panels stay open after halving them.")
 
@@ -101,9 +101,9 @@ def refined(function: Integrand, edges: Array, tolerance: Array, what: str) -> A
 @functools.cache
 def _lobatto() -> tuple[Array, Array]:
     """Return nodes of Lobatto's rule on [-1, 1], and what integral and first two moments weigh them with ``(n, 3)``."""
-    legendre = np.polynomial.legendre.Legendre.basis(COUNT - 1)
+    legendre = np.polynomial.legendre.Legendre.basis(NODES_PER_PANEL - 1)
     place = np.concatenate([[-1.0], np.sort(legendre.deriv().roots().real), [1.0]])
-    weights = 1.0 / (COUNT * (COUNT - 1) * legendre(place) ** 2)
+    weights = 1.0 / (NODES_PER_PANEL * (NODES_PER_PANEL - 1) * legendre(place) ** 2)
     return place, np.stack([weights, weights * place, weights * place**2], axis=1)
 
 
@@ -112,8 +112,8 @@ def _panels(function: Integrand, low: Array, high: Array, which: Array) -> tuple
     place, weights = _lobatto()
     width = high - low
     x = np.minimum(low[:, None] + width[:, None] * (0.5 * (1.0 + place)), high[:, None])
-    x[:, 0] = np.where(low > 0.0, low, BESIDE * width)
-    values = width[:, None] * function(x.ravel(), np.repeat(which, COUNT)).reshape(x.shape)
+    x[:, 0] = np.where(low > 0.0, low, AXIS_OFFSET * width)
+    values = width[:, None] * function(x.ravel(), np.repeat(which, NODES_PER_PANEL)).reshape(x.shape)
     return values @ weights, np.abs(values) @ weights[:, 0]
 
 
@@ -128,10 +128,10 @@ def along_springs(function: Integrand, edges: Array, tolerance: Array, what: str
     end = edges[-1]
 
     def counted(t: Array, index: Array) -> Array:
-        x = np.clip(end * t**POWER, edges[0], end)
-        return np.asarray(function(x, index) * (POWER * end * t ** (POWER - 1)))
+        x = np.clip(end * t**VARIABLE_POWER, edges[0], end)
+        return np.asarray(function(x, index) * (VARIABLE_POWER * end * t ** (VARIABLE_POWER - 1)))
 
-    return refined(counted, (edges / end) ** (1.0 / POWER), tolerance, what)
+    return refined(counted, (edges / end) ** (1.0 / VARIABLE_POWER), tolerance, what)
 
 
 def towards(end: float, edges: Sequence[float], halvings: int) -> Array:

@@ -1,4 +1,4 @@
-r"""Integrals over a step of what fades away, for any ratio :math:`x=h/\tau` of the step to a relaxation time.
+r"""Integrals of decaying exponentials over a step, for any ratio :math:`x=h/\tau` of the step to a relaxation time.
 
 All that a Maxwell element does in a step of steady motion is a sum of
 
@@ -20,9 +20,9 @@ from winkler.numerics.jit import compiled
 
 __all__ = ["fading", "first", "losses", "second"]
 
-TERMS = 30
+MOST_TERMS = 30
 """Of a series, at most."""
-NOTHING = 1e-19
+NEGLIGIBLE_TERM = 1e-19
 """Terms of a series below this do not change a sum of about one."""
 
 
@@ -38,10 +38,10 @@ def second(x):  # type: ignore[no-untyped-def]
     if x >= 1.0:
         return (1.0 - first(x)) / x
     term, total = 0.5, 0.0
-    for k in range(TERMS):
+    for k in range(MOST_TERMS):
         total += term
         term *= -x / (k + 3.0)
-        if abs(term) < NOTHING:
+        if abs(term) < NEGLIGIBLE_TERM:
             break
     return total
 
@@ -51,10 +51,10 @@ def fading(x, out):  # type: ignore[no-untyped-def]
     """Write phi_1 .. phi_4 of x >= 0 into `out` (4,)."""
     if x < 1.0:
         term, total = 1.0 / 24.0, 0.0
-        for j in range(TERMS):
+        for j in range(MOST_TERMS):
             total += term
             term *= -x / (j + 5.0)
-            if abs(term) < NOTHING:
+            if abs(term) < NEGLIGIBLE_TERM:
                 break
         out[3] = total
         out[2] = 1.0 / 6.0 - x * out[3]
@@ -74,11 +74,11 @@ def losses(x, phi):  # type: ignore[no-untyped-def]
     if x < 1.0:
         # c/x is the sum of (2^(k+2) - 2) (-x)^k / (k+3)!
         term, power, total = 1.0 / 6.0, 4.0, 0.0
-        for k in range(TERMS):
+        for k in range(MOST_TERMS):
             total += (power - 2.0) * term
             term *= -x / (k + 4.0)
             power *= 2.0
-            if power * abs(term) < NOTHING:
+            if power * abs(term) < NEGLIGIBLE_TERM:
                 break
         return -0.5 * np.expm1(-2.0 * x), x * one * one, x * total
     return -0.5 * np.expm1(-2.0 * x), one * -np.expm1(-x), phi[1] - 0.5 * one * one

@@ -17,9 +17,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["gauss_jacobi", "settled_power"]
 
-RULES = (10, 20, 40, 80)
-STEEPEST = 40.0
-"""The largest 1 / (1 + power) with which s still sees where the integrand changes."""
+RULE_NODES = (10, 20, 40, 80)
+LARGEST_INVERSE_POWER = 40.0
+"""The largest 1 / (1 + power) with which s still resolves where the integrand changes."""
 
 
 @functools.lru_cache(maxsize=256)
@@ -77,7 +77,7 @@ def settled_power(
     result = np.zeros(count)
     last = np.full(count, np.nan)
     waiting = np.arange(count)
-    for points in RULES:
+    for points in RULE_NODES:
         if not waiting.size:
             return result
         nodes, weights = gauss_jacobi(points, power)
@@ -90,7 +90,7 @@ def settled_power(
     if waiting.size:
         left = waiting
         share = 1.0 / (1.0 + power)
-        if share > STEEPEST:
+        if share > LARGEST_INVERSE_POWER:
             raise NotConverged(
                 f"The integral for the {what} does not settle with a power of {power:.6g}; give an exponent of the "
                 "grading that is not so near to 1 or -1."

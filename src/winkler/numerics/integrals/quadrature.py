@@ -7,7 +7,7 @@ integrands.  `tanh_sinh` is the trapezoidal rule in `s` after
 
 whose nodes crowd double exponentially towards both ends: it integrates algebraic and logarithmic end-point
 singularities, up to the inverse square root, without knowing them.  Both ends can only be resolved if the distance
-of a node to the *far* end is not formed as ``1 - x``; the rule therefore hands out the complements as well.
+of a node to the *far* end is not formed as ``1 - x``; the rule therefore returns the complements as well.
 
 References
 ----------
@@ -26,7 +26,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["gauss_legendre", "tanh_sinh"]
 
-_SPAN = 4.0
+_EXPONENTIAL_SPAN = 4.0
 """Largest s of the tanh-sinh rule: nodes down to exp(-pi sinh 4) = 6e-38, whose square root is below rounding."""
 
 
@@ -85,12 +85,12 @@ def tanh_sinh(count: int) -> tuple[Array, Array, Array]:
     """
     if count < 2:
         raise InvalidInput(f"tanh_sinh: count is {count}; give at least 2.")
-    half = np.linspace(-_SPAN, _SPAN, count)
+    half = np.linspace(-_EXPONENTIAL_SPAN, _EXPONENTIAL_SPAN, count)
     half = 0.5 * (half - half[::-1])  # symmetric to the last digit
     exponential = np.exp(-np.pi * np.abs(np.sinh(half)))
     near, far = exponential / (1.0 + exponential), 1.0 / (1.0 + exponential)
     nodes = np.where(half < 0.0, near, far)
     complements = np.where(half < 0.0, far, near)
-    step = 2.0 * _SPAN / (count - 1)
+    step = 2.0 * _EXPONENTIAL_SPAN / (count - 1)
     weights = step * np.pi * np.cosh(half) * near * far
     return _shared(nodes), _shared(complements), _shared(weights)

@@ -87,7 +87,7 @@ def _matrix(degree: int) -> tuple[Array, Array]:
 
 
 def fit_nodes(edges: Array) -> Array:
-    """Return the places ``(panels, n)`` at which `panels_from` wants to know a function."""
+    """Return the places ``(panels, n)`` at which `panels_from` evaluates a function."""
     nodes, _ = _matrix(DEGREE)
     return np.asarray(0.5 * (edges[:-1] + edges[1:])[:, None] + 0.5 * np.diff(edges)[:, None] * nodes)
 

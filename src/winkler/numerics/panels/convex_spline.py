@@ -23,24 +23,24 @@ from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["ConvexCurve", "fit_convex", "hollow", "local_scatter"]
+__all__ = ["ConvexCurve", "first_concave_part", "fit_convex", "local_scatter"]
 
-BETAS = (0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0)
+EXPONENTS = (0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0)
 LEAST_RISE = 1e-7
 """Smallest share of the greatest slope by which k rises over the whole curve: it never stands still."""
-POINTS = 12
+FEWEST_POINTS_PER_PIECE = 12
 MOST_PIECES = 32
 NORMAL_MEDIAN = 0.6744897501960817
 """Of the modulus of a normal variable with unit deviation."""
-KEPT = 3
+MOST_EXPONENTS = 3
 """How many exponents are tried with many pieces."""
 CUBIC, QUINTIC = 3, 5
-SMOOTH = 4
-"""From so many pieces on the splines are quintic: data that ask for them are clean."""
-GROUPS = 500
-FLAT_MUST = 2.0
+QUINTIC_PIECES = 4
+"""From so many pieces on the splines are quintic: data that need them are clean."""
+MOST_GROUPS = 500
+FLAT_GAIN_RATIO = 2.0
 """By how much a flat end must lower the score: it must earn its keep."""
-SEEN = 0.2
+LEAST_FLAT_SHARE = 0.2
 """Least part that a flat end must have in the force at the first points."""
 
 
@@ -67,7 +67,7 @@ class ConvexCurve:
 
     @property
     def joints(self) -> Array:
-        """Where in s one polynomial visibly meets the next; quintic ones do so too smoothly to be seen."""
+        """Where in s one polynomial visibly joins the next; quintic ones do so too smoothly to be visible."""
         return self.panels.edges[1:-1] if self.panels.coefficients.shape[1] == CUBIC + 1 else np.zeros(0)
 
     def stiffness(self, s: Array) -> Array:
@@ -102,7 +102,7 @@ class ConvexCurve:
         return np.asarray(s)
 
 
-def hollow(depth: Array, force: Array, tolerance: float) -> tuple[float, float] | None:
+def first_concave_part(depth: Array, force: Array, tolerance: float) -> tuple[float, float] | None:
     """Return the first two depths between which a curve through 0 and the points is not convex; None if it is.
 
     Depths strictly ascending and positive; slopes may fall by `tolerance` of the greatest one.
@@ -141,7 +141,7 @@ def fit_convex(depth: Array, force: Array) -> ConvexCurve:
         [N], with or without scatter.
     """
     most = max(1, min(MOST_PIECES, len(depth) // 3))
-    betas = [_apparent(depth, force), *BETAS]
+    betas = [_apparent(depth, force), *EXPONENTS]
     floor = (1e-12 * float(np.max(np.abs(force)))) ** 2
     best: tuple[float, ConvexCurve] | None = None
     for pieces in (1, 2, 4, 8, 16, 32):
@@ -154,8 +154,8 @@ def fit_convex(depth: Array, force: Array) -> ConvexCurve:
             best = score, curve
         if score <= floor:
             break
-        if pieces >= SMOOTH:
-            betas = [beta for _, _, beta in tried[:KEPT]]
+        if pieces >= QUINTIC_PIECES:
+            betas = [beta for _, _, beta in tried[:MOST_EXPONENTS]]
     assert best is not None
     return best[1]
 
@@ -192,8 +192,8 @@ def _integrals(knots: Array, series: Array, s: Array, beta: float, depth: float)
     """Return the integral of every I-spline over the depth from 0 to d(s), ``(len(s), splines)``, for ascending s."""
     n, degree = 1.0 / beta, series.shape[1] - 1
     piece = np.clip(np.searchsorted(knots, s, side="left") - 1, 0, len(knots) - 2)
-    nodes, weights = gauss_legendre(POINTS)
-    first, first_weights = gauss_jacobi(POINTS, n - 1.0)
+    nodes, weights = gauss_legendre(FEWEST_POINTS_PER_PIECE)
+    first, first_weights = gauss_jacobi(FEWEST_POINTS_PER_PIECE, n - 1.0)
 
     def moments(index: Array, end: Array) -> Array:
         low, width = knots[index][:, None], (knots[index + 1] - knots[index])[:, None]
@@ -218,7 +218,7 @@ def _integrals(knots: Array, series: Array, s: Array, beta: float, depth: float)
 
 def _grouped(rows: Array) -> Array:
     """Return averages of neighbouring rows, at most 500: they hold as much of a curve, in less time."""
-    size = -(-len(rows) // GROUPS)
+    size = -(-len(rows) // MOST_GROUPS)
     if size == 1:
         return rows
     starts = np.arange(0, len(rows), size)
@@ -232,7 +232,7 @@ def _fitted(depth: Array, force: Array, beta: float, pieces: int) -> tuple[float
     from scipy.optimize import nnls
 
     end = float(depth[-1])
-    degree = CUBIC if pieces < SMOOTH else QUINTIC
+    degree = CUBIC if pieces < QUINTIC_PIECES else QUINTIC
     s = (depth / end) ** beta
     knots = np.concatenate([[0.0], np.quantile(s, np.linspace(0.0, 1.0, pieces + 1)[1:-1]), [1.0]])
     splines = _series(knots, degree)
@@ -243,18 +243,18 @@ def _fitted(depth: Array, force: Array, beta: float, pieces: int) -> tuple[float
     rows, aim = _grouped(whole), _grouped(target)
     size = np.linalg.norm(rows, axis=0)
     head = slice(0, max(1, len(depth) // 50))
-    score, found = np.inf, np.zeros(whole.shape[1])
+    score, best_fit = np.inf, np.zeros(whole.shape[1])
     for columns in (whole.shape[1] - 1, whole.shape[1]):
         flat = columns == whole.shape[1]
         some, misfit = nnls(rows[:, :columns] / size[:columns], aim, maxiter=200 * columns)
         coefficients = np.append(some / size[:columns], np.zeros(whole.shape[1] - columns))
-        if flat and coefficients[-1] * np.mean(depth[head]) < SEEN * np.mean(force[head]):
+        if flat and coefficients[-1] * np.mean(depth[head]) < LEAST_FLAT_SHARE * np.mean(force[head]):
             continue
         share = min((int(np.count_nonzero(some)) + 1) / len(rows), 0.95)
-        own = float(misfit**2 / len(rows) / (1.0 - share) ** 2) * (FLAT_MUST if flat else 1.0)
+        own = float(misfit**2 / len(rows) / (1.0 - share) ** 2) * (FLAT_GAIN_RATIO if flat else 1.0)
         if own < score:
-            score, found = own, coefficients
-    misfit = float(np.sqrt(np.mean((whole @ found - target) ** 2)))
-    series = splines @ (found[:-1] + least)
-    series[:, 0] += found[-1]
+            score, best_fit = own, coefficients
+    misfit = float(np.sqrt(np.mean((whole @ best_fit - target) ** 2)))
+    series = splines @ (best_fit[:-1] + least)
+    series[:, 0] += best_fit[-1]
     return score, ConvexCurve(end, beta, Panels(knots, series), misfit)

@@ -14,7 +14,7 @@ from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["RoundFlux", "pieces_of", "place_on", "round_flux", "turned_on"]
+__all__ = ["RoundFlux", "cosine_places", "pieces_of", "place_on", "round_flux"]
 
 
 @value
@@ -38,7 +38,7 @@ class RoundFlux:
     def at(self, r: Array) -> Array:
         """Return the flux [W/m^2] at distances r [m]; zero outside."""
         part = np.asarray(r, dtype=float) / self.radius
-        return np.where(part <= 1.0, self.curve(turned_on(np.minimum(part, 1.0), self.ends)), 0.0)
+        return np.where(part <= 1.0, self.curve(cosine_places(np.minimum(part, 1.0), self.ends)), 0.0)
 
     def scaled(self, factor: float) -> RoundFlux:
         """Return a flux so many times as strong."""
@@ -65,7 +65,7 @@ def place_on(place: Array, ends: Array) -> Array:
     return np.asarray(low + 0.5 * (high - low) * (1.0 - np.cos(np.pi * (place - piece))))
 
 
-def turned_on(part: Array, ends: Array) -> Array:
+def cosine_places(part: Array, ends: Array) -> Array:
     """Return j + u of places in contact radii."""
     piece = np.clip(np.searchsorted(ends, part, side="right") - 1, 0, ends.size - 2)
     low, high = ends[piece], ends[piece + 1]

@@ -18,27 +18,27 @@ from numpy.typing import NDArray
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["COUNT", "Sample", "Stretches", "stretches"]
+__all__ = ["NODES_PER_PANEL", "Sample", "Stretches", "stretches"]
 
-COUNT = 16
+NODES_PER_PANEL = 16
 """Nodes of each panel."""
 HALVINGS = 24
 """How often the panels halve towards x = 0."""
-DEEPEST = 10
+MOST_HALVINGS = 10
 """How often a panel on which the given function is not smooth is halved."""
-RESOLVED = 1e-11
+RESOLUTION_TOLERANCE = 1e-11
 """Part of the largest value that the last coefficients of a panel may have."""
 
 Indices = NDArray[np.intp]
-LOCAL = 2.0 * gauss_legendre(COUNT)[0] - 1.0
-WEIGHTS = gauss_legendre(COUNT)[1]
-TO_COEFFICIENTS: Array = np.linalg.inv(np.polynomial.legendre.legvander(LOCAL, COUNT - 1))
-DERIVATIVE: Array = np.pad(np.polynomial.legendre.legder(np.eye(COUNT)).T, ((0, 0), (0, 1)))
+LOCAL_NODES = 2.0 * gauss_legendre(NODES_PER_PANEL)[0] - 1.0
+WEIGHTS = gauss_legendre(NODES_PER_PANEL)[1]
+TO_COEFFICIENTS: Array = np.linalg.inv(np.polynomial.legendre.legvander(LOCAL_NODES, NODES_PER_PANEL - 1))
+DERIVATIVE: Array = np.pad(np.polynomial.legendre.legder(np.eye(NODES_PER_PANEL)).T, ((0, 0), (0, 1)))
 """Coefficients of the derivative, from the left."""
 
 
 class Stretches:
-    """Panels with `COUNT` nodes each.
+    """Panels with `NODES_PER_PANEL` nodes each.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class Stretches:
     def __init__(self, base: Array, low: Array, high: Array) -> None:
         self.base, self.low, self.high = base, low, high
         self.half = 0.5 * (high - low)
-        y = 0.5 * (low + high)[:, None] + self.half[:, None] * LOCAL
+        y = 0.5 * (low + high)[:, None] + self.half[:, None] * LOCAL_NODES
         self.nodes: Array = np.hypot(base[:, None], y)
         self.stretch: Array = y / self.nodes
         """dx/dy at the nodes."""
@@ -68,7 +68,9 @@ class Stretches:
 
     def reading(self, x: Array, panel: Indices) -> Array:
         """Return weights ``(..., COUNT)`` that read a function at x in these panels from its values at the nodes."""
-        return np.asarray(np.polynomial.legendre.legvander(self._local(x, panel), COUNT - 1) @ TO_COEFFICIENTS)
+        return np.asarray(
+            np.polynomial.legendre.legvander(self._local(x, panel), NODES_PER_PANEL - 1) @ TO_COEFFICIENTS
+        )
 
     def value(self, values: Array, x: Array) -> Array:
         """Return, at places x, a function given at the nodes ``(panels, COUNT)``."""
@@ -86,7 +88,7 @@ class Stretches:
             s = float(self.base[k])
             at = (math.sqrt(max((x - s) * (x + s), 0.0)) - float(self.low[k])) / float(self.half[k]) - 1.0
             at, after, total = min(max(at, -1.0), 1.0), 0.0, 0.0
-            for n in range(COUNT - 1, 0, -1):  # Clenshaw's recurrence
+            for n in range(NODES_PER_PANEL - 1, 0, -1):  # Clenshaw's recurrence
                 total, after = fits[k][n] + (2 * n + 1) / (n + 1) * at * total - (n + 1) / (n + 2) * after, total
             return fits[k][0] + at * total - 0.5 * after
 
@@ -98,18 +100,18 @@ class Stretches:
         panel = self.panel(x)
         fits = (values @ TO_COEFFICIENTS.T)[panel]
         steep = np.einsum("...k,kj->...j", fits, DERIVATIVE)
-        rise = np.sum(np.polynomial.legendre.legvander(self._local(x, panel), COUNT - 1) * steep, axis=-1)
+        rise = np.sum(np.polynomial.legendre.legvander(self._local(x, panel), NODES_PER_PANEL - 1) * steep, axis=-1)
         y = np.sqrt(np.maximum((x - self.base[panel]) * (x + self.base[panel]), 0.0))
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(rise / self.half[panel] * (x / y))
 
     def part(self, x: Array, panel: Indices) -> Array:
         """Return weights ``(..., COUNT)`` of the integral over y from the lower end of the panel to x."""
-        vander = np.polynomial.legendre.legvander(self._local(x, panel), COUNT)
-        order = np.arange(1, COUNT)
-        rises = np.empty((*vander.shape[:-1], COUNT))
+        vander = np.polynomial.legendre.legvander(self._local(x, panel), NODES_PER_PANEL)
+        order = np.arange(1, NODES_PER_PANEL)
+        rises = np.empty((*vander.shape[:-1], NODES_PER_PANEL))
         rises[..., 0] = vander[..., 1] + 1.0
-        rises[..., 1:] = (vander[..., 2:] - vander[..., : COUNT - 1]) / (2 * order + 1)
+        rises[..., 1:] = (vander[..., 2:] - vander[..., : NODES_PER_PANEL - 1]) / (2 * order + 1)
         return np.asarray(rises @ TO_COEFFICIENTS * self.half[panel][..., None])
 
     def integral(self, values: Array, ends: Array) -> Array:
@@ -120,7 +122,7 @@ class Stretches:
         return np.asarray(whole[panel] + part)
 
     def sample(self, low: float, high: float) -> Sample:
-        """Return places between `low` and `high`, `COUNT` in every panel that lies there or partly there."""
+        """Return places between `low` and `high`, `NODES_PER_PANEL` in every panel that lies there or partly there."""
         ends = np.array([low, high])
         first, last = self.panel(ends).tolist()
         if last > first and high <= self.edges[last]:
@@ -133,10 +135,10 @@ class Stretches:
             if left > self.edges[row] or right < self.edges[row + 1]:
                 s = float(self.base[row])
                 start, end = (math.sqrt(max((place - s) * (place + s), 0.0)) for place in (left, right))
-                y = 0.5 * (start + end) + 0.5 * (end - start) * LOCAL
+                y = 0.5 * (start + end) + 0.5 * (end - start) * LOCAL_NODES
                 x[row - first] = np.hypot(s, y)
                 weights[row - first] = (end - start) * WEIGHTS * y / x[row - first]
-                readings.append((row - first, self.reading(x[row - first], np.full(COUNT, row))))
+                readings.append((row - first, self.reading(x[row - first], np.full(NODES_PER_PANEL, row))))
         return Sample(x, weights, first, tuple(readings))
 
 
@@ -173,14 +175,14 @@ def stretches(function: Curve, kinks: Sequence[float], end: float) -> Stretches:
         (s, low, high) for s, top in zip(starts, [*starts[1:], end], strict=True) for low, high in _graded(s, top)
     ]
     done: list[tuple[float, float, float]] = []
-    for _ in range(DEEPEST):
+    for _ in range(MOST_HALVINGS):
         if not panels:
             break
         tried = Stretches(*np.array(panels).T)
         values = function(tried.nodes) * tried.stretch
         tails = np.abs(values @ TO_COEFFICIENTS[-2:].T).max(axis=1)
         scale = float(np.max(np.abs(values)))
-        good = (tails <= RESOLVED * scale) | (tried.low + tried.base == 0.0)
+        good = (tails <= RESOLUTION_TOLERANCE * scale) | (tried.low + tried.base == 0.0)
         done += [panel for panel, fine in zip(panels, good, strict=True) if fine]
         middles = 0.5 * (tried.low + tried.high)
         panels = [

@@ -1,7 +1,7 @@
-r"""Positive functions of a positive variable that are nearly powers of it, tabulated where they are asked for.
+r"""Positive functions of a positive variable that are nearly powers of it, tabulated where they are evaluated.
 
 Over :math:`\ln x` the logarithm of such a function is nearly straight: blocks of a few octaves of x are fitted by
-`fit_panels` when one of their places is asked for first, and serve from then on.
+`fit_panels` when one of their places is evaluated first, and serve from then on.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from winkler.numerics.types import Array, Curve
 
 __all__ = ["Octaves"]
 
-OCTAVES = 2
+OCTAVES_PER_BLOCK = 2
 """Octaves of a block."""
-CLOSE = 2e-14
+RELATIVE_TOLERANCE = 2e-14
 """Relative error wanted."""
-MOST = 64
+MOST_PANELS = 64
 """Panels of a block; a function that needs more is evaluated itself."""
 
 
@@ -53,8 +53,8 @@ class Octaves:
     def __call__(self, x: Array) -> Array:
         """Return the function at places ``(m,)``."""
         if x.size == 1:
-            return self._inside(math.floor(math.log2(float(x[0]) / self.unit) / OCTAVES), x)
-        numbers = np.floor(np.log2(x / self.unit) / OCTAVES).astype(int)
+            return self._inside(math.floor(math.log2(float(x[0]) / self.unit) / OCTAVES_PER_BLOCK), x)
+        numbers = np.floor(np.log2(x / self.unit) / OCTAVES_PER_BLOCK).astype(int)
         result = np.empty(x.shape)
         for number in np.unique(numbers).tolist():
             here = numbers == number
@@ -71,19 +71,19 @@ class Octaves:
 
     def _block(self, number: int) -> _Block:
         """Return the table of a block."""
-        start = self.unit * 2.0 ** (OCTAVES * number)
-        middle = start * 2.0 ** (OCTAVES / 2)
-        if not (self.low <= start and start * 2.0**OCTAVES <= self.high):
+        start = self.unit * 2.0 ** (OCTAVES_PER_BLOCK * number)
+        middle = start * 2.0 ** (OCTAVES_PER_BLOCK / 2)
+        if not (self.low <= start and start * 2.0**OCTAVES_PER_BLOCK <= self.high):
             return _Block(middle, 1.0, None)
-        edges = (np.arange(OCTAVES + 1) - OCTAVES / 2) * math.log(2.0)
+        edges = (np.arange(OCTAVES_PER_BLOCK + 1) - OCTAVES_PER_BLOCK / 2) * math.log(2.0)
         try:
             with np.errstate(all="ignore"):
                 scale = float(self.function(np.array([middle]))[0])
                 panels = fit_panels(
                     lambda u: np.log(self.function(middle * np.exp(u.ravel())) / scale).reshape(u.shape),
                     edges,
-                    CLOSE,
-                    MOST,
+                    RELATIVE_TOLERANCE,
+                    MOST_PANELS,
                 )
         except NotConverged:
             return _Block(middle, 1.0, None)

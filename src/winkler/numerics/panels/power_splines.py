@@ -17,7 +17,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["PowerSplines"]
 
-POINTS = 16
+RULE_NODES = 16
 
 
 class PowerSplines:
@@ -32,7 +32,7 @@ class PowerSplines:
         self.w = np.log(radii[stiff])
         self.log_stiffness = _rising_spline(self.w, np.log(stiffnesses[stiff]))
         self.edges = np.exp(self.v)
-        nodes, weights = gauss_legendre(POINTS)
+        nodes, weights = gauss_legendre(RULE_NODES)
         self.nodes, self.weights = nodes, weights
         self.first = float(self._start(self.edges[:1])[0])
         self.whole = self.first + np.concatenate([[0.0], np.cumsum(self._between(self.v[:-1], self.v[1:]))])
@@ -75,7 +75,7 @@ class PowerSplines:
         n = float(_read(self.log_gap, self.v, self.v[:1] - 1.0)[1][0])
         m = float(_read(self.log_stiffness, self.w, self.w[:1] - 1.0)[1][0])
         power = n if self.flat > 0.0 else n + m - 1.0
-        nodes, weights = gauss_jacobi(POINTS, power)
+        nodes, weights = gauss_jacobi(RULE_NODES, power)
         places = y[:, None] * nodes
         product = self.gap(self.flat + places)[0] * self.stiffness(self.flat + places)[1]
         return np.asarray(((product / nodes**power) @ weights) * y)

@@ -19,10 +19,10 @@ from winkler.values import value
 __all__ = ["RootPanels", "doubled", "fit", "nodes", "root"]
 
 DEGREE = 17
-DEEPEST = 44
+MOST_HALVINGS = 44
 """How often a panel may be halved; one that narrow, at a singular end, is accepted as it is."""
 MOST_PANELS = 4000
-NOISE = 1e4
+NOISE_RATIO = 1e4
 """A series that does not get shorter on halving, and ends this near to its tolerance, ends in rounding noise."""
 
 
@@ -96,7 +96,7 @@ class RootPanels:
     edges : ndarray, (panels + 1,)
         Ascending.
     base : ndarray, (panels,)
-        The kink whose root is felt.
+        The kink whose root matters.
     coefficients : ndarray, (functions, panels, degree + 1)
     """
 
@@ -149,21 +149,21 @@ def fit(
     matrix = np.cos(np.outer(np.arange(DEGREE + 1), angle)) * (2.0 / (DEGREE + 1))
     matrix[0] *= 0.5
     low, high = edges[:-1], edges[1:]
-    wanted: Array | None = None
+    targets: Array | None = None
     done: list[tuple[float, float, Array]] = []
     before = np.full((1, low.size), np.inf)
-    for depth in range(DEEPEST + 1):
+    for depth in range(MOST_HALVINGS + 1):
         base = _base(kinks, low)
         start, stop = root(low, base), root(high, base)
         x = np.clip(
             np.hypot(base[:, None], start[:, None] + (stop - start)[:, None] * points), low[:, None], high[:, None]
         )
         values = function(x.ravel())
-        wanted = tolerances(values) if wanted is None else np.maximum(wanted, tolerances(values))
+        targets = tolerances(values) if targets is None else np.maximum(targets, tolerances(values))
         series = values.reshape(len(values), *x.shape) @ matrix.T
         tail = np.sum(np.abs(series[..., -3:]), axis=-1)
-        noise = (tail > 0.3 * before) & (tail <= NOISE * wanted[:, None])
-        good = np.all((tail <= wanted[:, None]) | noise, axis=0) | (depth == DEEPEST)
+        noise = (tail > 0.3 * before) & (tail <= NOISE_RATIO * targets[:, None])
+        good = np.all((tail <= targets[:, None]) | noise, axis=0) | (depth == MOST_HALVINGS)
         done += [(low[i], base[i], series[:, i]) for i in np.flatnonzero(good)]
         if good.all():
             break

@@ -31,9 +31,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["struve"]
 
-FAR = 40.0
+ASYMPTOTIC_LIMIT = 40.0
 """From here on the asymptotic series is used: its smallest term is exp(-40)."""
-TERMS = 16
+ASYMPTOTIC_TERMS = 16
 
 
 def struve(order: int, t: Array) -> Array:
@@ -53,7 +53,7 @@ def struve(order: int, t: Array) -> Array:
     """
     t = np.asarray(t, dtype=float)
     result = np.empty(t.shape)
-    near = t < FAR
+    near = t < ASYMPTOTIC_LIMIT
     inner = t[near]
     result[near] = _table(order)(inner) * inner ** (order + 1)
     outer = t[~near]
@@ -73,18 +73,18 @@ def _table(order: int) -> Panels:
     def ratio(t: Array) -> Array:
         return np.asarray((np.sin(t[..., None] * cosine) / t[..., None]) @ weights)
 
-    return fit_panels(ratio, np.linspace(0.0, FAR, 21), 1e-16)
+    return fit_panels(ratio, np.linspace(0.0, ASYMPTOTIC_LIMIT, 21), 1e-16)
 
 
 def _difference(order: int, t: Array) -> Array:
     """Return H - Y, nested from the last term inwards."""
     square = (2.0 / t) ** 2
     total = np.zeros_like(t)
-    for k in range(TERMS - 1, -1, -1):
+    for k in range(ASYMPTOTIC_TERMS - 1, -1, -1):
         total = _coefficient(order, k) + square * total
     return np.asarray(total * (0.5 * t) ** (order - 1) / math.pi)
 
 
-@functools.lru_cache(maxsize=2 * TERMS)
+@functools.lru_cache(maxsize=2 * ASYMPTOTIC_TERMS)
 def _coefficient(order: int, k: int) -> float:
     return math.gamma(k + 0.5) / math.gamma(order + 0.5 - k)

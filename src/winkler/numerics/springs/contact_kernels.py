@@ -2,8 +2,8 @@ r"""Kernels: many small contacts, each with its own row of springs that stick an
 
 A contact of balls under the depth d touches with its springs :math:`x_j<\sqrt{Rd}`, and each of them bears at most
 :math:`\beta(d-x_j^2/R)`.  Over a step, depth and motion change in proportion to each other.  A spring sticks until it
-meets its bound, exactly there; then it is returned to the bound at the end of the step, towards where it would be.  In
-one direction that is exact, in the plane it is the vector rule, of first order in the step.  A slipping spring loses
+reaches its bound, exactly there; then it is returned to the bound at the end of the step, towards where it would be.
+In one direction that is exact, in the plane it is the vector rule, of first order in the step.  A slipping spring loses
 
 .. math:: \tfrac12(b_1 + \mathbf u_h\cdot\hat{\mathbf t})\,(|\mathbf t|-b_1) \ge 0
 
@@ -23,9 +23,9 @@ from winkler.numerics.types import Array
 
 __all__ = ["impact_balls", "move_balls", "turn_balls"]
 
-CLOSE = 1e-14
+BOUND_TOLERANCE = 1e-14
 """Part of the squared bound by which a spring that stands on it may seem to be within."""
-LEAST = 1e-300
+ZERO_SUBSTITUTE = 1e-300
 """Instead of nothing, below a fraction bar."""
 
 
@@ -42,10 +42,10 @@ def _slip(ux: float, uy: float, bound: float, last: float, mx: float, my: float)
     slope = ux * mx + uy * my - bound * fall
     inside = ux * ux + uy * uy - bound * bound
     part = 0.0
-    if slope < 0.0 or inside < -CLOSE * bound * bound:
-        # one that stands on its bound may turn back, and meet it on the other side
+    if slope < 0.0 or inside < -BOUND_TOLERANCE * bound * bound:
+        # one that is on its bound may turn back, and reach it on the other side
         root = math.sqrt(max(slope * slope - square * inside, 0.0))
-        part = -inside / (slope + root) if slope > 0.0 else (root - slope) / max(square, LEAST)
+        part = -inside / (slope + root) if slope > 0.0 else (root - slope) / max(square, ZERO_SUBSTITUTE)
         part = min(max(part, 0.0), 1.0)
     size = math.sqrt(size)
     inverse = 1.0 / size
@@ -110,7 +110,7 @@ def move_balls(
     stored: Array,
     lost: Array,
 ) -> None:
-    """Move many contacts along their ways, step by step; u (contacts, n, 2) is changed in place.
+    """Move many contacts along their paths, step by step; u (contacts, n, 2) is changed in place.
 
     `radius` R, `spacing` of the springs, `stiffness` of one of them and `slope` beta are of every contact; depth
     (contacts, steps + 1), motion (contacts, steps, 2) by which the bodies move along the surface in each step.  The
@@ -180,7 +180,7 @@ def impact_balls(
     peak: Array,
     time: Array,
 ) -> None:
-    """Let many balls strike, by the steps of Verlet; u (n, 2) is room to work in.
+    """Let many balls strike, by the steps of Verlet; u (n, 2) is work space.
 
     `normal` and `shear` are E* and G*; velocity (contacts,) of approach and sliding (contacts, 2) are changed in
     place, what is lost, the greatest shear force and the end of contact (contacts,) are filled.

@@ -1,11 +1,11 @@
-r"""Relaxation and creep as sums of exponentials, and the way from one to the other.
+r"""Relaxation and creep as sums of exponentials, and the conversion of one into the other.
 
 .. math:: M(t) = M_\infty + \eta\,\delta(t) + \sum_i M_i\,e^{-t/\tau_i} , \qquad
           C(t) = C_0 + \varphi\,t + \sum_k C_k\,(1-e^{-t/\lambda_k}) .
 
 Both describe the same solid when :math:`\tilde M(s)\tilde C(s)=1` with :math:`\tilde M(s)=s\int M e^{-st}\mathrm dt`.
 The zeros of one are the poles of the other; they lie on the negative axis and alternate, so each is found in its own
-interval, and the way there and back is exact to rounding.
+interval, and the conversion there and back is exact to rounding.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ __all__ = ["CreepSeries", "RelaxationSeries", "merged", "of_creep", "of_relaxati
 
 @value
 class RelaxationSeries:
-    """M(t), the answer to a step of strain.
+    """M(t), the response to a step of strain.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class RelaxationSeries:
 
     @property
     def glassy(self) -> float:
-        """What answers at once [Pa]; infinite with a dashpot alongside."""
+        """The immediate modulus [Pa]; infinite with a dashpot alongside."""
         return float(np.inf) if self.viscosity > 0.0 else float(self.relaxed + np.sum(self.moduli))
 
     def at(self, time: Array) -> Array:
@@ -67,12 +67,12 @@ class RelaxationSeries:
 
 @value
 class CreepSeries:
-    """C(t), the answer to a step of stress.
+    """C(t), the response to a step of stress.
 
     Parameters
     ----------
     glassy : float
-        What answers at once [1/Pa].
+        The immediate compliance [1/Pa].
     fluidity : float
         How fast it flows for ever [1/(Pa s)].
     compliances : ndarray, (n,)
@@ -107,9 +107,9 @@ class CreepSeries:
 
 def merged(strengths: Array, times: Array) -> tuple[Array, Array]:
     """Return strengths and ascending times; those of equal times added, those of no strength left out."""
-    kept = np.asarray(strengths, dtype=float) > 0.0
-    unique, index = np.unique(np.asarray(times, dtype=float)[kept], return_inverse=True)
-    return np.bincount(index, weights=np.asarray(strengths, dtype=float)[kept], minlength=unique.size), unique
+    positive = np.asarray(strengths, dtype=float) > 0.0
+    unique, index = np.unique(np.asarray(times, dtype=float)[positive], return_inverse=True)
+    return np.bincount(index, weights=np.asarray(strengths, dtype=float)[positive], minlength=unique.size), unique
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
@@ -134,7 +134,7 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
             return float(min(max(np.exp(y), left), right))
 
         ends = np.log(left), np.log(right)
-        if not function(within(ends[0])) > 0.0 > function(within(ends[1])):  # nearer to a pole than logarithms tell
+        if not function(within(ends[0])) > 0.0 > function(within(ends[1])):  # nearer to a pole than logarithms resolve
             return float(brentq(function, left, right, xtol=1e-300, rtol=8.9e-16, maxiter=5000))
         guess = within(brentq(lambda y: function(within(y)), *ends, xtol=1e-15, rtol=8.9e-16))
         near = max(left, guess * (1.0 - 1e-12)), min(right, guess * (1.0 + 1e-12))
@@ -177,9 +177,9 @@ def zeros(series: RelaxationSeries) -> tuple[Array, Array]:
         while falling(bound) >= 0.0:
             bound *= 2.0
         rates.append(_root(falling, last, bound))
-    found = np.array(rates)
-    slopes = series.viscosity + np.sum(moduli * poles / (found[:, None] - poles) ** 2, axis=1)
-    return found, 1.0 / slopes
+    roots = np.array(rates)
+    slopes = series.viscosity + np.sum(moduli * poles / (roots[:, None] - poles) ** 2, axis=1)
+    return roots, 1.0 / slopes
 
 
 def of_relaxation(series: RelaxationSeries) -> CreepSeries:
@@ -226,10 +226,10 @@ def of_creep(series: CreepSeries) -> RelaxationSeries:
         while falling(bound) >= 0.0:
             bound *= 2.0
         rates.append(_root(falling, last, bound))
-    found = np.array(rates)
-    slopes = np.sum(strengths / (poles - found[:, None]) ** 2, axis=1) if found.size else found
-    slopes = slopes + (series.fluidity / found**2 if series.fluidity > 0.0 else 0.0)
+    roots = np.array(rates)
+    slopes = np.sum(strengths / (poles - roots[:, None]) ** 2, axis=1) if roots.size else roots
+    slopes = slopes + (series.fluidity / roots**2 if series.fluidity > 0.0 else 0.0)
     whole = series.glassy + float(np.sum(series.compliances))
     relaxed = 0.0 if series.fluidity > 0.0 else 1.0 / whole
     viscosity = 1.0 / (series.fluidity + float(np.sum(strengths))) if series.glassy == 0.0 else 0.0
-    return RelaxationSeries(relaxed, viscosity, (1.0 / (found * slopes))[::-1], (1.0 / found)[::-1])
+    return RelaxationSeries(relaxed, viscosity, (1.0 / (roots * slopes))[::-1], (1.0 / roots)[::-1])

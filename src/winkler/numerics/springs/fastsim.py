@@ -29,13 +29,13 @@ HALVINGS = 48
 
 
 @compiled
-def turn(ex: float, ey: float, vx: float, vy: float, way: float) -> tuple[float, float]:
-    """Return the direction of p after it has turned towards v; `way` is the integral of dt / g, infinity allowed."""
+def turn(ex: float, ey: float, vx: float, vy: float, distance: float) -> tuple[float, float]:
+    """Return the direction of p after it has turned towards v; `distance` is the integral of dt / g, or infinite."""
     speed = math.sqrt(vx * vx + vy * vy)
     if speed == 0.0:
         return ex, ey
     nx, ny = vx / speed, vy / speed
-    left = math.exp(-speed * way)
+    left = math.exp(-speed * distance)
     cos, sin = ex * nx + ey * ny, ey * nx - ex * ny
     squared = (1.0 - cos) * left * left
     whole = (1.0 + cos) + squared
@@ -66,9 +66,9 @@ def passages(count: int) -> Array:
 def crossing(
     px: float, py: float, vx: float, vy: float, turning: float, start: float, end: float, whole: float
 ) -> float:
-    """Return how far p grows within a step until it meets its bound."""
+    """Return how far p grows within a step until it reaches its bound."""
     if turning == 0.0:
-        # p = v t meets t (whole - t)
+        # p = v t equals t (whole - t)
         return min(max(whole - math.sqrt(vx * vx + vy * vy), start), end)
     low, high = start, end
     for _ in range(HALVINGS):

@@ -1,4 +1,4 @@
-r"""How the memories of a pressed spring become those of a free one, and back.
+r"""Conversion of the memories of a pressed spring into those of a free one, and back.
 
 A spring bears :math:`q=M_\infty u+\eta\dot u+\sum_i S_i`, :math:`\dot S_i=-S_i/\tau_i+M_i\dot u`, while it is pressed.
 Left alone it recovers, :math:`u=\sum_k w_k e^{-r_k t}`, with the rates of
@@ -20,7 +20,7 @@ Law = tuple[float, float, Array, Array, Array, Array, Array, Array, Array]
 
 @value
 class Recovery:
-    """How memories of a pressed spring become those of a free one, and back.
+    """The conversion of the memories of a pressed spring into those of a free one, and back.
 
     Parameters
     ----------
@@ -50,13 +50,13 @@ class Recovery:
         return cls(rates, displaced, -residues[:, None] * weights, back)
 
     def law(self, series: RelaxationSeries) -> Law:
-        """Return what the kernels of `winkler.numerics.springs.relaxing_springs` ask for.
+        """Return what the kernels of `winkler.numerics.springs.relaxing_springs` need.
 
         The last of it is what the modes of free recovery store, each by the square of its w_k: modes of different
         rates share no energy.
         """
         own = self.to_memory**2 / series.moduli[:, None]
-        kept = 0.5 * (series.relaxed + np.sum(own, axis=0))
-        recovering = (self.rates, self.from_displacement, self.from_memory, self.to_memory, kept)
+        stored = 0.5 * (series.relaxed + np.sum(own, axis=0))
+        recovering = (self.rates, self.from_displacement, self.from_memory, self.to_memory, stored)
         arrays = (np.array(part, dtype=float, order="C") for part in (series.moduli, series.times, *recovering))
         return series.relaxed, series.viscosity, *arrays  # type: ignore[return-value]

@@ -1,4 +1,4 @@
-r"""A contact that has memory, told by its elastic answer: forces of a motion, and motions of a force.
+r"""A contact with memory, from its elastic response: forces of a motion, and motions of a force.
 
 With :math:`\Phi(d)` the force of the bed at :math:`E^*=1`, a contact that does not shrink (Lee and Radok), and one that
 shrinks after it has grown (Ting), bear
@@ -6,7 +6,7 @@ shrinks after it has grown (Ting), bear
 .. math:: F(t) = \int_0^{t_1} E^*(t-s)\,\mathrm d\Phi(d(s)) , \qquad \int_{t_1}^{t} E^*(t-s)\,\mathrm dd(s) = 0 ,
 
 where :math:`t_1=t` while it grows.  Sums of exponentials carry both integrals along, so that n moments with m
-terms cost n m; :math:`\Phi` and d change evenly between two moments.  A machine that gives way, :math:`d=D-cF`, is met
+terms cost n m; :math:`\Phi` and d change evenly between two moments.  A compliant machine, :math:`d=D-cF`, is solved
 in every step.
 """
 
@@ -20,11 +20,11 @@ from winkler.numerics.integrals.exponential_integrals import first, second
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["borne", "sunk"]
+__all__ = ["forces_of_motion", "motion_of_forces"]
 
-MOST = 60
-CLOSE = 1e-13
-ALIKE = 1e-10
+MOST_TERMS = 60
+ROOT_TOLERANCE = 1e-13
+STEP_TOLERANCE = 1e-10
 """Steps that differ by less share what is computed for one of them."""
 
 
@@ -64,21 +64,21 @@ def _past(
     The force that it bears, what it adds to the second integral, and the depth then.
     """
     dt = time[at + 1] - time[at]
-    rise, climb = depth[at + 1] - depth[at], phi[at + 1] - phi[at]
+    rise, rise_phi = depth[at + 1] - depth[at], phi[at + 1] - phi[at]
     elapsed = time[now] - time[at] - part * dt
-    d1, phi1 = depth[at] + part * rise, phi[at] + part * climb
+    d1, phi1 = depth[at] + part * rise, phi[at] + part * rise_phi
     force, moved = relaxed * phi1, relaxed * d1
     for i in range(times.size):
         fade = math.exp(-part * dt / times[i])
         fresh = part * first(part * dt / times[i])
         left = moduli[i] * math.exp(-elapsed / times[i])
-        force += left * (load[at, i] * fade + climb * fresh)
+        force += left * (load[at, i] * fade + rise_phi * fresh)
         moved += left * (drift[at, i] * fade + rise * fresh)
     return force, moved, d1
 
 
 @compiled
-def borne(
+def forces_of_motion(
     time: Array, place: Array, turn: int, compliance: float, relaxed: float, viscosity: float, moduli: Array,
     times: Array, deepest: float, table: Array, slopes: Array, force: Array, depth: Array, edge: Array, drift: Array,
     load: Array, phi: Array,
@@ -100,9 +100,9 @@ def borne(
     force, depth, edge : ndarray, (n,)
         F [N], d and the depth at which an elastic contact is as wide [m]; written.
     drift, load : ndarray, (n, m)
-        What the terms remember of d and of Phi; room.
+        The memories of the terms of d and of Phi; work space.
     phi : ndarray, (n,)
-        Room.
+        Work space.
     """
     count, terms = time.size, times.size
     fade, fresh = np.empty(terms), np.empty(terms)
@@ -112,7 +112,7 @@ def borne(
         d0 = depth[n - 1] if n > 0 else min(place[0], 0.0)
         phi0 = phi[n - 1] if n > 0 else 0.0
         stiff, rest = relaxed, 0.0
-        if not abs(dt - last) <= ALIKE * dt:
+        if not abs(dt - last) <= STEP_TOLERANCE * dt:
             last = dt
             for i in range(terms):
                 fade[i] = math.exp(-dt / times[i])
@@ -125,14 +125,14 @@ def borne(
         if not shrinking:
             d, low, high = place[n], -1e300, place[n]
             f, p = 0.0, 0.0
-            for _ in range(MOST):
+            for _ in range(MOST_TERMS):
                 p, s = _shape(d, deepest, table, slopes)
                 f = stiff * p + rest + damp * s * (d - d0)
                 steep = (stiff + damp) * s
                 if f < 0.0:
                     f, steep = 0.0, 0.0
                 excess = d - place[n] + compliance * f
-                if compliance == 0.0 or abs(excess) <= CLOSE * deepest:
+                if compliance == 0.0 or abs(excess) <= ROOT_TOLERANCE * deepest:
                     break
                 if excess > 0.0:
                     high = min(high, d)
@@ -153,18 +153,18 @@ def borne(
                 continue
             shrinking, at, part = True, top - 1, 1.0
         # Ting: until which moment t1 does the past bear the load
-        known = relaxed + damp
+        coefficient = relaxed + damp
         carried = -damp * d0
         for i in range(terms):
-            known += moduli[i] * fresh[i]
+            coefficient += moduli[i] * fresh[i]
             carried += moduli[i] * (fade[i] * drift[n - 1, i] - fresh[i] * d0)
-        found = False
+        bracketed = False
         f, d1 = 0.0, 0.0
         if top > 0:
             here = -1.0
             while at >= 0:
                 f, moved, d1 = _past(at, 0.0, n, time, depth, phi, times, moduli, relaxed, drift, load)
-                here = known * (place[n] - compliance * f) + carried - moved
+                here = coefficient * (place[n] - compliance * f) + carried - moved
                 if here >= 0.0 or (d1 <= 0.0 and phi[at] == 0.0):
                     break
                 at -= 1
@@ -172,7 +172,7 @@ def borne(
                 next_ = -1.0
                 while True:
                     f, moved, d1 = _past(at, 1.0, n, time, depth, phi, times, moduli, relaxed, drift, load)
-                    next_ = known * (place[n] - compliance * f) + carried - moved
+                    next_ = coefficient * (place[n] - compliance * f) + carried - moved
                     if next_ < 0.0 or at + 1 >= top:
                         break
                     at, here = at + 1, next_
@@ -180,11 +180,11 @@ def borne(
                 part = 1.0
                 if next_ < 0.0:
                     side = 0
-                    for _ in range(MOST):
+                    for _ in range(MOST_TERMS):
                         part = (low * g_high - high * g_low) / (g_high - g_low)
                         f, moved, d1 = _past(at, part, n, time, depth, phi, times, moduli, relaxed, drift, load)
-                        g = known * (place[n] - compliance * f) + carried - moved
-                        if abs(g) <= CLOSE * known * deepest or high - low < 1e-14:
+                        g = coefficient * (place[n] - compliance * f) + carried - moved
+                        if abs(g) <= ROOT_TOLERANCE * coefficient * deepest or high - low < 1e-14:
                             break
                         if g < 0.0:
                             high, g_high = part, g
@@ -196,8 +196,8 @@ def borne(
                             if side == 1:
                                 g_high *= 0.5
                             side = 1
-                found = True
-        if not found or f <= 0.0:
+                bracketed = True
+        if not bracketed or f <= 0.0:
             f, d1 = 0.0, 0.0
         at = max(at, 0)
         d = place[n] - compliance * f
@@ -208,7 +208,7 @@ def borne(
 
 
 @compiled
-def sunk(
+def motion_of_forces(
     time: Array, force: Array, glassy: float, fluidity: float, compliances: Array, times: Array, deepest: float,
     table: Array, slopes: Array, depth: Array,
 ) -> None:  # fmt: skip
@@ -221,7 +221,7 @@ def sunk(
     glassy, fluidity, compliances, times
         The creep C(t).
     deepest, table, slopes
-        As for `borne`.
+        As for `forces_of_motion`.
     depth : ndarray, (n,)
         Written.
     """
@@ -233,7 +233,7 @@ def sunk(
         dt = time[n] - time[n - 1] if n > 0 else 0.0
         flowed += 0.5 * dt * (force[n] + before)
         phi = glassy * force[n] + fluidity * flowed
-        if not abs(dt - last) <= ALIKE * dt:
+        if not abs(dt - last) <= STEP_TOLERANCE * dt:
             last = dt
             for k in range(terms):
                 x = dt / times[k]
@@ -251,7 +251,7 @@ def sunk(
         j = min(max(np.searchsorted(table, phi) - 1, 0), pieces - 1)
         low, high = j / pieces, (j + 1) / pieces
         root = low + (high - low) * (phi - table[j]) / (table[j + 1] - table[j])
-        for _ in range(MOST):
+        for _ in range(MOST_TERMS):
             p, s = _shape(root * root * deepest, deepest, table, slopes)
             if p > phi:
                 high = root

@@ -15,11 +15,11 @@ import numpy as np
 
 from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
-from winkler.numerics.springs.relaxing_spring import turned
+from winkler.numerics.springs.relaxing_spring import rotated
 
 __all__ = ["drag"]
 
-FULL = 1e-9
+BOUND_TOLERANCE = 1e-9
 """A spring that bears its bound but for this part is on it."""
 
 
@@ -34,7 +34,7 @@ def _factors(dt, times, factors, phi):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def _go(law, dt, factors, u, memory, trial, bound):  # type: ignore[no-untyped-def]
+def _advance_spring(law, dt, factors, u, memory, trial, bound):  # type: ignore[no-untyped-def]
     """Drag one spring; return its travel, its load, what it would have borne, the work done on it, and its loss."""
     relaxed, viscosity, moduli = law[0], law[1], law[2]
     rest, stiff = relaxed * u, relaxed
@@ -44,7 +44,7 @@ def _go(law, dt, factors, u, memory, trial, bound):  # type: ignore[no-untyped-d
     if viscosity > 0.0:
         stiff = stiff + viscosity / dt if dt > 0.0 else np.inf
     travel, load = trial, rest + (stiff * trial if trial != 0.0 else 0.0)
-    wanted = load
+    target = load
     if abs(load) > bound:
         load = bound if load > 0.0 else -bound
         travel = (load - rest) / stiff
@@ -55,7 +55,7 @@ def _go(law, dt, factors, u, memory, trial, bound):  # type: ignore[no-untyped-d
         mean += s * factors[1, i] + rise * factors[2, i]
         lost += (s * (factors[3, i] * s + factors[4, i] * rise) + factors[5, i] * rise * rise) / moduli[i]
         memory[i] = s * factors[0, i] + rise * factors[1, i]
-    return travel, load, wanted, mean * travel, lost
+    return travel, load, target, mean * travel, lost
 
 
 @compiled
@@ -94,25 +94,25 @@ def drag(law, weights, before, after, share, dt, moved, u, memory, free, loads, 
         touches = first > 0.0 or after[j] > 0.0
         if not touches or (share[j] < 1.0 and after[j] > 0.0):
             if not free[j]:
-                turned(law[5], law[6], u[j], mine, spare)
+                rotated(law[5], law[6], u[j], mine, spare)
                 free[j] = True
             u[j], own = _recover(law, (1.0 - share[j]) * dt if touches else dt, mine)
             bulk += weights[j] * own
         if touches:
             if free[j]:
-                turned(law[5], law[7], 0.0, mine, spare)
+                rotated(law[5], law[7], 0.0, mine, spare)
                 free[j] = False
             if share[j] < 1.0 and after[j] > 0.0:
                 first, factors, span, trial = 0.0, part, share[j] * dt, share[j] * moved
                 _factors(span, times, part, phi)
-            travel, load, wanted, own, gone = _go(law, span, factors, u[j], mine, trial, after[j])
+            travel, load, target, own, gone = _advance_spring(law, span, factors, u[j], mine, trial, after[j])
             u[j] += travel
             loads[j] = load
-            stuck[j] = abs(load) < (1.0 - FULL) * after[j]
+            stuck[j] = abs(load) < (1.0 - BOUND_TOLERANCE) * after[j]
             work += weights[j] * own
             bulk += weights[j] * gone
             force += weights[j] * load
-            lost += weights[j] * abs(trial - travel) * 0.5 * (min(first, abs(wanted)) + abs(load))
+            lost += weights[j] * abs(trial - travel) * 0.5 * (min(first, abs(target)) + abs(load))
             if after[j] > 0.0 and travel == trial:
                 steep += weights[j] * share[j] * growth
         else:

@@ -1,6 +1,6 @@
 r"""One relaxing spring under a rigid body, carried from event to event: exact within a step, however long.
 
-What it takes and what it is, `winkler.numerics.springs.relaxing_springs` tells, which carries rows of them.
+Its arguments are those of `winkler.numerics.springs.relaxing_springs`, which carries rows of them.
 """
 
 from __future__ import annotations
@@ -10,19 +10,19 @@ import numpy as np
 from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 
-__all__ = ["carry", "jump", "turned"]
+__all__ = ["carry", "jump", "rotated"]
 
-EVENTS = 64
+MOST_EVENTS = 64
 """More within one step are rounding: a line and m exponentials vanish together m + 1 times at most."""
-TRIALS = 200
-CLOSE = 1e-15
+MOST_TRIALS = 200
+TIME_TOLERANCE = 1e-15
 """Part of its time, or of the shortest relaxation time, to which an event is found."""
-FEW = 1e-3
+FIRST_TRIAL_RATIO = 1e-3
 """Part of a bracket that is tried next where nothing is known of its beginning."""
 
 
 @compiled
-def turned(offset, matrix, u, memory, spare):  # type: ignore[no-untyped-def]
+def rotated(offset, matrix, u, memory, spare):  # type: ignore[no-untyped-def]
     """Turn memories of a pressed spring into those of a free one, or back."""
     for k in range(memory.size):
         spare[k] = 0.0
@@ -45,7 +45,7 @@ def jump(law, gap, depth, change, u, memory, pressed, spare):  # type: ignore[no
             q += memory[i]
         part = change if q + glassy * change >= 0.0 else -q / glassy
     elif part > 0.0:
-        turned(law[5], law[7], 0.0, memory, spare)
+        rotated(law[5], law[7], 0.0, memory, spare)
     else:
         return u, False, 0.0, 0.0
     # a jump of linear springs: the mean of the forces at its ends does the work of the part that is pressed
@@ -53,7 +53,7 @@ def jump(law, gap, depth, change, u, memory, pressed, spare):  # type: ignore[no
     for i in range(moduli.size):
         memory[i] += moduli[i] * part
     if pressed and part != change:
-        turned(law[5], law[6], u + part, memory, spare)
+        rotated(law[5], law[6], u + part, memory, spare)
         return u + part, False, 0.0, work
     return u + part, True, q + glassy * part, work
 
@@ -80,21 +80,25 @@ def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ign
     left, place, impulse, lost, caught, quick = dt, depth, 0.0, 0.0, False, dt
     for i in range(times.size):
         quick = min(quick, times[i])
-    for events in range(EVENTS + 1):
+    for events in range(MOST_EVENTS + 1):
         begin = _allowance(law, gap, place, rate, u, mine, pressed, 0.0)
         # what has just been caught bears nothing yet; below zero is rounding
         begin = max(begin, 0.0) if caught else begin
         end = _allowance(law, gap, place, rate, u, mine, pressed, left)
-        turns = (end < 0.0 or (pressed and begin < 0.0)) and events < EVENTS
+        turns = (end < 0.0 or (pressed and begin < 0.0)) and events < MOST_EVENTS
         span = left
         if turns:
             low, high, f_low, f_high = 0.0, left if begin > 0.0 else 0.0, begin, end
-            for trial in range(TRIALS):
-                if high - low <= CLOSE * max(high, quick):
+            for trial in range(MOST_TRIALS):
+                if high - low <= TIME_TOLERANCE * max(high, quick):
                     break
                 middle = low + (high - low) * f_low / (f_low - f_high)
                 if trial % 3 == 2:  # what fades may be over in a tiny part of the step
-                    middle = FEW * high if low < FEW * FEW * high else np.sqrt(low * high)
+                    middle = (
+                        FIRST_TRIAL_RATIO * high
+                        if low < FIRST_TRIAL_RATIO * FIRST_TRIAL_RATIO * high
+                        else np.sqrt(low * high)
+                    )
                 if not low < middle < high:
                     middle = 0.5 * (low + high)
                 f = _allowance(law, gap, place, rate, u, mine, pressed, middle)
@@ -126,9 +130,9 @@ def carry(law, gap, depth, rate, dt, u, mine, pressed, spare, phi):  # type: ign
         left = max(left - span, 0.0)
         place += rate * span
         if pressed:
-            turned(law[5], law[6], u, mine, spare)
+            rotated(law[5], law[6], u, mine, spare)
         else:
             u = place - gap
-            turned(law[5], law[7], 0.0, mine, spare)
+            rotated(law[5], law[7], 0.0, mine, spare)
         pressed = caught = not pressed
     return u, pressed, end if pressed else 0.0, impulse, lost

@@ -19,19 +19,19 @@ from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_spring import carry, jump
 
-__all__ = ["NUMBERS", "march", "seek"]
+__all__ = ["STEP_NUMBERS", "advance_springs", "advance_to_force"]
 
-NUMBERS = 10
+STEP_NUMBERS = 10
 """Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring, loss.
 
 The loss is that of every dashpot, not what is missing from the work.
 """
-FACTORS = 7
+STEP_FACTORS = 7
 """Of a step: of every memory its decay, gain with the rate, and three of `losses`; of every mode its fade and loss."""
-TRIALS = 200
-MET = 1e-13
+MOST_TRIALS = 200
+FORCE_TOLERANCE = 1e-13
 """Part of the forces to which a prescribed one is met."""
-GONE = 1e-200
+NEGLIGIBLE_MEMORY = 1e-200
 """Memories below this are none: numbers that small are slow."""
 
 
@@ -40,7 +40,7 @@ def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def
     """Write what a step of this length does to all springs at any rate; return its growth with the rate.
 
     `spans` gets, of those pressed, the load now and at the end and the impulse, as if nothing moved; of those free, in
-    the second row, the place at the end.  `factors` are those of `FACTORS`.
+    the second row, the place at the end.  `factors` are those of `STEP_FACTORS`.
     """
     relaxed, _, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
     u, memory, _, counts = state
@@ -76,7 +76,7 @@ def _survey(law, state, dt, factors, spans, phi):  # type: ignore[no-untyped-def
 
 @compiled
 def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch, keep, sums):  # type: ignore[no-untyped-def]
-    """Carry the springs through a surveyed step, or only tell what it would do; return how many are pressed after it.
+    """Carry the springs through a surveyed step, or only compute its effect; return how many are pressed after it.
 
     `sums` gets force at the end, impulse, work, and by what force and impulse grow with the depth at the end.
     """
@@ -138,12 +138,12 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
     for c in range(odds):
         steady[odd[c]] = 0.0
     for k in range(0 if sudden else modes):
-        fade, kept = factors[2, k], 0.0
+        fade, stored = factors[2, k], 0.0
         for j in range(inside, outer):
-            kept += steady[j] * memory[k, j] * memory[k, j]
+            stored += steady[j] * memory[k, j] * memory[k, j]
             s = memory[k, j] * fade
-            memory[k, j] = s if abs(s) > GONE else 0.0
-        lost += factors[6, k] * kept
+            memory[k, j] = s if abs(s) > NEGLIGIBLE_MEMORY else 0.0
+        lost += factors[6, k] * stored
         if k < moduli.size:
             decay, gain, rise = factors[0, k], factors[1, k] * rate, moduli[k] * change
             zeroth, first, second = 0.0, 0.0, 0.0
@@ -153,7 +153,7 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
                 first += steady[j] * s
                 second += steady[j] * s * s
                 s = s * decay + gain
-                memory[k, j] = s if abs(s) > GONE else 0.0
+                memory[k, j] = s if abs(s) > NEGLIGIBLE_MEMORY else 0.0
             mixed = factors[4, k] * first + factors[5, k] * rise * zeroth
             lost += (factors[3, k] * second + rise * mixed) / moduli[k]
     sums[9] = lost
@@ -203,7 +203,7 @@ def _load(law, state, j, rate):  # type: ignore[no-untyped-def]
 def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def]
     """Return the contact radius, between the last spring that is pressed and the first that is free.
 
-    Where the contact widens, the gap under the free springs tells the edge; where it shrinks, the loads of the
+    Where the contact widens, the gap under the free springs gives the edge; where it shrinks, the loads of the
     pressed ones.
     """
     gaps, _, x = springs
@@ -225,10 +225,10 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
-def march(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
+def advance_springs(law, springs, state, motion, changes, times, numbers):  # type: ignore[no-untyped-def]
     """Carry the springs through steps of steady motion, in place, and write the numbers of each."""
     modes, count = state[1].shape
-    factors, spans = np.empty((FACTORS, modes)), np.empty((3, count))
+    factors, spans = np.empty((STEP_FACTORS, modes)), np.empty((3, count))
     scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
     for n in range(changes.size):
         change, dt, sums = changes[n], times[n], numbers[n]
@@ -243,30 +243,30 @@ def march(law, springs, state, motion, changes, times, numbers):  # type: ignore
 
 
 @compiled
-def _most(law, springs, wanted, dt):  # type: ignore[no-untyped-def]
-    """Return about how fast the sum of `seek` grows where all springs are pressed."""
+def _most(law, springs, target, dt):  # type: ignore[no-untyped-def]
+    """Return about how fast the sum of `advance_to_force` grows where all springs are pressed."""
     glassy = law[0] + np.sum(law[2]) + (law[1] / dt if dt > 0.0 else 0.0)
-    return (wanted[1] + wanted[2] * dt) * glassy * np.sum(springs[1]) + wanted[3]
+    return (target[1] + target[2] * dt) * glassy * np.sum(springs[1]) + target[3]
 
 
 @compiled
-def seek(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore[no-untyped-def]
+def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # type: ignore[no-untyped-def]
     """Return the change of depth of a step for which a sum is what is wanted, or not-a-number, and how many springs
     are pressed after it; they stay where they are.
 
-    The sum is that of force at the end, impulse and change, times the last three of `wanted`; it never falls with the
+    The sum is that of force at the end, impulse and change, times the last three of `target`; it never falls with the
     change.  `scale` is one that matters.
     """
     modes, count = state[1].shape
-    factors, spans, sums = np.empty((FACTORS, modes)), np.empty((3, count)), np.empty(NUMBERS)
+    factors, spans, sums = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), np.empty(STEP_NUMBERS)
     scratch = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count), np.empty(4)
     grown = _survey(law, state, dt, factors, spans, scratch[4]) if dt > 0.0 else (0.0, 0.0)
     change, low, high, stride = guess, -np.inf, np.inf, 0.0
-    for turn in range(TRIALS):
+    for turn in range(MOST_TRIALS):
         held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
-        excess = wanted[1] * sums[0] + wanted[2] * sums[1] + wanted[3] * change - wanted[0]
-        steepness = wanted[1] * sums[3] + wanted[2] * sums[4] + wanted[3]
-        if abs(excess) <= MET * scale:
+        excess = target[1] * sums[0] + target[2] * sums[1] + target[3] * change - target[0]
+        steepness = target[1] * sums[3] + target[2] * sums[4] + target[3]
+        if abs(excess) <= FORCE_TOLERANCE * scale:
             return change, held
         low, high = (low, min(high, change)) if excess > 0.0 else (max(low, change), high)
         newton = change - excess / steepness if steepness > 0.0 else np.inf
@@ -279,6 +279,6 @@ def seek(law, springs, state, motion, wanted, dt, guess, scale):  # type: ignore
                 return middle, held
             change = middle
         else:
-            stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, wanted, dt), 1e-6 * abs(change))
+            stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, target, dt), 1e-6 * abs(change))
             change += stride if excess < 0.0 else -stride
     return np.nan, 0

@@ -1,8 +1,8 @@
 r"""A line of springs that rolls to and fro, step by step: each step carries every spring on by one place.
 
-Seen from the contact the springs come in at one end with no load and leave at the other, so that one array over the
-places of the contact is all that is remembered.  In a step a spring gains what the bodies shift, times its stiffness,
-and is cut back to its bound; one that has come in within the step gains only its part of it.
+In the frame of the contact the springs come in at one end with no load and leave at the other, so that one array over
+the places of the contact is the whole state.  In a step a spring gains what the bodies shift, times its stiffness, and
+is cut back to its bound; one that has come in within the step gains only its part of it.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from winkler.numerics.types import Array
 
 __all__ = ["push", "roll"]
 
-ITERATIONS = 200
-ROUNDING = 1e-15
+MOST_ITERATIONS = 200
+FORCE_TOLERANCE = 1e-15
 """Of the sliding force, within which a prescribed force is met."""
 
 
@@ -34,7 +34,7 @@ def moved(load: Array, bound: Array, part: float, direction: int, gain: float, r
     gain
         What a spring gains that sticks all along.
     result : ndarray, (n,)
-        Receives the answer.
+        Receives the result.
     """
     last = load.size - 1
     for k in range(load.size):
@@ -92,7 +92,7 @@ def push(
     for _ in range(count):
         low, high = -2.0 * most, 2.0 * most
         gain, best = 0.0, np.inf
-        for _ in range(ITERATIONS):
+        for _ in range(MOST_ITERATIONS):
             moved(load, bound, part, direction, gain, result)
             missing, slope = force, 0.0
             for k in range(load.size):
@@ -101,7 +101,7 @@ def push(
                     source = k + direction
                     slope += weight[k] * (part if source < 0 or source >= load.size else 1.0)
             best = min(best, abs(missing))
-            if abs(missing) <= ROUNDING * capacity:
+            if abs(missing) <= FORCE_TOLERANCE * capacity:
                 break
             if missing > 0.0:
                 low = gain
@@ -110,7 +110,7 @@ def push(
             following = gain + missing / slope if slope > 0.0 else low - 1.0
             if not low < following < high:
                 following = 0.5 * (low + high)
-            if following == gain or high - low <= ROUNDING * most:
+            if following == gain or high - low <= FORCE_TOLERANCE * most:
                 break
             gain = following
         if best > 1e-9 * capacity:

@@ -7,7 +7,7 @@ shift U change in proportion to each other it does the following, and this is fo
 - in contact all the time, it moves by the whole change of U, and is held back by the bound at the end of the step: a
   spring that reaches the bound stays on it, since both move at constant rates;
 - coming into contact, it moves by what is left of the step from then on;
-- leaving, its bound closes upon it; it ends at rest, and what it stored is lost, but for what it gives back on the way.
+- leaving, its bound closes upon it; it ends at rest, and what it stored is lost, but for what it gives back before.
 
 A spring that is held back by s loses :math:`s\,(b_1-\tfrac12\beta\,\Delta d\,s/\sigma)` per stiffness,
 :math:`\sigma=|\Delta U|-\beta\,\Delta d` being the rate at which motion and bound close upon each other.
@@ -23,15 +23,15 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["CLOSE", "MOST", "march_line"]
+__all__ = ["FORCE_TOLERANCE", "MOST_STEPS", "march_line"]
 
-CHUNK = 1024
+SPRINGS_PER_CHUNK = 1024
 """Springs that go through all steps of a block together: few enough to stay in the fastest memory."""
-LEAST = 1e-300
+ZERO_SUBSTITUTE = 1e-300
 """Instead of nothing, below a fraction bar."""
-CLOSE = 1e-14
+FORCE_TOLERANCE = 1e-14
 """Relative error of a prescribed force."""
-MOST = 200
+MOST_STEPS = 200
 """Steps of the search for the motion that gives it."""
 
 
@@ -97,7 +97,7 @@ def _press(
         held += part * v
         s = abs(trial - v)
         rate = (moved if trial > 0.0 else -moved) - closing
-        rate = rate if rate > s else s + LEAST
+        rate = rate if rate > s else s + ZERO_SUBSTITUTE
         loss += stiffness[i] * s * (bound - 0.5 * closing * (s / rate))
     return pull, held, loss
 
@@ -108,8 +108,8 @@ def _press_alike(
 ) -> tuple[float, float, float]:
     """Do what `_press` does for springs with bounds that rise alike: without a division for every spring."""
     closing = slope * sunk
-    up = 1.0 / max(moved - closing, LEAST)
-    down = 1.0 / max(-moved - closing, LEAST)
+    up = 1.0 / max(moved - closing, ZERO_SUBSTITUTE)
+    down = 1.0 / max(-moved - closing, ZERO_SUBSTITUTE)
     pull = 0.0
     held = 0.0
     loss = 0.0
@@ -130,7 +130,7 @@ def _press_alike(
 
 
 @compiled
-def _enter(
+def _press_in(
     u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float
 ) -> tuple[float, float, float]:
     """Move springs that come into contact: each by what is left of the step from then on."""
@@ -151,17 +151,17 @@ def _enter(
 
 
 @compiled
-def _leave(u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float) -> float:
+def _unload(u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float) -> float:
     """Move springs that lose contact, from a depth on, and set them at rest; return what they lose."""
     loss = 0.0
     for i in range(u.size):
         closing = slope[i] * (gap[i] - depth)
-        way = moved * ((gap[i] - depth) / sunk)
-        trial = u[i] + way
+        step = moved * ((gap[i] - depth) / sunk)
+        trial = u[i] + step
         u[i] = 0.0
         s = abs(trial)
-        rate = (way if trial > 0.0 else -way) - closing
-        rate = rate if rate > s else s + LEAST
+        rate = (step if trial > 0.0 else -step) - closing
+        rate = rate if rate > s else s + ZERO_SUBSTITUTE
         loss -= 0.5 * stiffness[i] * closing * s * (s / rate)
     return loss
 
@@ -187,8 +187,8 @@ def march_line(
         force[t] = 0.0
         stored[t] = 0.0
         lost[t] = 0.0
-    for start in range(0, gap.size, CHUNK):
-        end = min(start + CHUNK, gap.size)
+    for start in range(0, gap.size, SPRINGS_PER_CHUNK):
+        end = min(start + SPRINGS_PER_CHUNK, gap.size)
         v, g, k, b = u[start:end], gap[start:end], stiffness[start:end], slope[start:end]
         before = np.searchsorted(g, depth[0])
         alike = b.min() == b.max()
@@ -208,7 +208,7 @@ def march_line(
                 else:
                     pull, held, loss = _press(v[:stay], g[:stay], k[:stay], b[:stay], depth[t + 1], sunk, moved)
                 if after > before:
-                    more, further, waste = _enter(
+                    more, further, waste = _press_in(
                         v[before:after],
                         g[before:after],
                         k[before:after],
@@ -221,7 +221,7 @@ def march_line(
                     held += further
                     loss += waste
                 elif after < before:
-                    loss += _leave(
+                    loss += _unload(
                         v[after:before],
                         g[after:before],
                         k[after:before],

@@ -1,14 +1,14 @@
 r"""Kernels: springs that stick and slip while the bodies move in the plane, step by step along straight lines.
 
 The displacement u of a spring and the shift U are vectors.  A spring sticks as long as it stays within the circle of
-radius b that friction grants it, which changes in proportion to the way.  While it slips, u stays on the circle and
-turns towards the motion: with the angle :math:`\theta` between them
+radius b that friction grants it, which changes in proportion to the distance.  While it slips, u stays on the circle
+and turns towards the motion: with the angle :math:`\theta` between them
 
 .. math:: b\,\dot\theta = -|\dot U|\sin\theta , \qquad \tan\tfrac{\theta_1}2 = e^{-y}\tan\tfrac{\theta_0}2 , \qquad
           y = \int\frac{|\mathrm dU|}{b} ,
 
-so that straight ways of any length are followed exactly, without any further steps.  The loss is exact where b does not
-change; where it does, it deviates by some 1e-4 of itself where a step changes b by a tenth.
+so that straight paths of any length are followed exactly, without any further steps.  The loss is exact where b does
+not change; where it does, it deviates by some 1e-4 of itself where a step changes b by a tenth.
 
 What enters and leaves contact, the order of springs and the arrays of a block are those of
 `winkler.numerics.springs.slip_kernels`.
@@ -32,7 +32,7 @@ Three = tuple[Array, Array, Array]
 LOG1, LOG2, LOG3, LOG4 = -1.0 / 3.0, -4.0 / 45.0, -44.0 / 945.0, -428.0 / 14175.0
 LOG5, LOG6, LOG7 = -10196.0 / 467775.0, -10719068.0 / 638512875.0, -25865068.0 / 1915538625.0
 """Of w / artanh w in powers of w^2."""
-ROW = 128
+SPRINGS_PER_ROW = 128
 """Springs that are moved together, all of one kind where none of them slips."""
 
 
@@ -41,7 +41,7 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
     """Do what `travel` does for a whole row at once; return how many are odd.
 
     Those are the ones that slip and turn, or whose bound changes, by more in this step than the series here, for
-    exponential and logarithm, are made for; they are told by a negative `waste`.
+    exponential and logarithm, are made for; they are marked by a negative `waste`.
     """
     ux, uy = u
     nx, ny, waste = new
@@ -55,7 +55,7 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
         b0, b1 = first[i], last[i]
         tx, ty = x + mx, y + my
         slip = tx * tx + ty * ty > b1 * b1
-        # where on its way it meets the bound
+        # where on its path it reaches the bound
         fall = b1 - b0
         fast = square - fall * fall
         slope = x * mx + y * my - b0 * fall
@@ -68,17 +68,17 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
         part = part if part < 1.0 else 1.0
         hx, hy = x + part * mx, y + part * my
         bound = b0 + part * fall
-        way = length * (1.0 - part)
-        # the logarithmic mean of the bound over the rest of the way: w / artanh w
+        distance = length * (1.0 - part)
+        # the logarithmic mean of the bound over the rest of the path: w / artanh w
         mean = 0.5 * (bound + b1)
         w = 0.5 * (b1 - bound) / mean
         w *= w
         series = LOG6 + w * LOG7
         series = LOG4 + w * (LOG5 + w * series)
         middle = mean * (1.0 + w * (LOG1 + w * (LOG2 + w * (LOG3 + w * series))))
-        # exp(-way / middle): a Pade fraction, squared five times
+        # exp(-distance / middle): a Pade fraction, squared five times
         limit = 32.0 * middle
-        z = (way if way < limit else limit) * 0.03125
+        z = (distance if distance < limit else limit) * 0.03125
         zz = z * z
         mm = middle * middle
         even = mm * mm + zz * (mm * (3.0 / 28.0) + zz * (1.0 / 1680.0))
@@ -105,14 +105,14 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
         series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
         # what is not lost because the spring does not yet point ahead: the integral of b^2 times something that falls
         # nearly exponentially, and the integral of which is known
-        known = 2.0 * v * series
-        fades = (1.0 - turn) * (plus * way * rest - 4.0 * (b1 - bound) * bound * whole * series)
-        square_b = (bound * bound * whole - 2.0 * turn * bound * b1 * b1) * way * rest / fades
+        series_term = 2.0 * v * series
+        fades = (1.0 - turn) * (plus * distance * rest - 4.0 * (b1 - bound) * bound * whole * series)
+        square_b = (bound * bound * whole - 2.0 * turn * bound * b1 * b1) * distance * rest / fades
         low = bound * bound if bound < b1 else b1 * b1
         high = bound * bound if bound > b1 else b1 * b1
         square_b = square_b if square_b > low else low
         square_b = square_b if square_b < high else high
-        loss = mean * (way + bound - b1) - square_b * known
+        loss = mean * (distance + bound - b1) - square_b * series_term
         loss = loss if loss > 0.0 else 0.0
         plain = (w <= 0.0225) & (gone <= 0.6 * bound) & (bound > 0.0)
         nx[i] = (ahead * ex - across * ey) if slip else tx
@@ -138,17 +138,17 @@ def _circle_still(u: Pair, last: Array, mx: float, my: float, new: Three) -> int
         bound = last[i]
         tx, ty = x + mx, y + my
         slip = tx * tx + ty * ty > bound * bound
-        # where on its way it meets the bound
+        # where on its path it reaches the bound
         slope = x * mx + y * my
         below = slope * slope - square * (x * x + y * y - bound * bound)
         part = (math.sqrt(below if below > 0.0 else 0.0) - slope) * once
         part = part if part > 0.0 else 0.0
         part = part if part < 1.0 else 1.0
         hx, hy = x + part * mx, y + part * my
-        way = length * (1.0 - part)
-        # exp(-way / bound): a Pade fraction, squared five times
+        distance = length * (1.0 - part)
+        # exp(-distance / bound): a Pade fraction, squared five times
         limit = 32.0 * bound
-        z = (way if way < limit else limit) * 0.03125
+        z = (distance if distance < limit else limit) * 0.03125
         zz = z * z
         mm = bound * bound
         even = mm * mm + zz * (mm * (3.0 / 28.0) + zz * (1.0 / 1680.0))
@@ -173,7 +173,7 @@ def _circle_still(u: Pair, last: Array, mx: float, my: float, new: Three) -> int
         vv = v * v
         series = 1.0 / 9.0 + vv * (1.0 / 11.0 + vv * (1.0 / 13.0 + vv * (1.0 / 15.0)))
         series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
-        loss = bound * (way - 2.0 * bound * v * series)
+        loss = bound * (distance - 2.0 * bound * v * series)
         loss = loss if loss > 0.0 else 0.0
         plain = (gone <= 0.6 * bound) & (bound > 0.0)
         nx[i] = (ahead * ex - across * ey) if slip else tx
@@ -184,7 +184,7 @@ def _circle_still(u: Pair, last: Array, mx: float, my: float, new: Three) -> int
 
 
 @compiled
-def _beyond(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
+def _count_slipping(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
     """Return how many springs of a row would be beyond their bound if they stuck."""
     count = 0
     for i in range(ux.size):
@@ -194,7 +194,7 @@ def _beyond(ux: Array, uy: Array, last: Array, mx: float, my: float) -> int:
 
 
 @compiled
-def _follow(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tuple[float, float, float]:
+def _move_sticking(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tuple[float, float, float]:
     """Move springs that stick; return their force and twice what they store."""
     pull_x = pull_y = held = 0.0
     for i in range(ux.size):
@@ -207,7 +207,7 @@ def _follow(ux: Array, uy: Array, stiffness: Array, mx: float, my: float) -> tup
 
 
 @compiled
-def _settle(ux: Array, uy: Array, nx: Array, ny: Array, stiffness: Array, waste: Array) -> float:
+def _store_state(ux: Array, uy: Array, nx: Array, ny: Array, stiffness: Array, waste: Array) -> float:
     """Put springs where they are found to be; return what they lost."""
     loss = 0.0
     for i in range(ux.size):
@@ -222,8 +222,8 @@ def _row(
 ) -> tuple[float, float, float, float]:
     """Move a row of springs that stay in contact; return their force, twice what they store, and what they lose."""
     (ux, uy), (first, last), (nx, ny, waste) = u, ends, new
-    if hold == 1.0 and _beyond(ux, uy, last, mx, my) == 0:
-        pull_x, pull_y, held = _follow(ux, uy, stiffness, mx, my)
+    if hold == 1.0 and _count_slipping(ux, uy, last, mx, my) == 0:
+        pull_x, pull_y, held = _move_sticking(ux, uy, stiffness, mx, my)
         return pull_x, pull_y, held, 0.0
     odd = ux.size
     if hold == 1.0:
@@ -231,8 +231,8 @@ def _row(
     for i in range(ux.size if odd > 0 else 0):
         if hold > 1.0 or waste[i] < 0.0:
             nx[i], ny[i], waste[i], slips[i] = travel(ux[i], uy[i], first[i], last[i], mx, my, hold, slips[i])
-    loss = _settle(ux, uy, nx, ny, stiffness, waste)
-    pull_x, pull_y, held = _follow(ux, uy, stiffness, 0.0, 0.0)
+    loss = _store_state(ux, uy, nx, ny, stiffness, waste)
+    pull_x, pull_y, held = _move_sticking(ux, uy, stiffness, 0.0, 0.0)
     return pull_x, pull_y, held, loss
 
 
@@ -256,9 +256,9 @@ def march_plane(
     in between; one that does not slip holds on until `hold` times that.  shift (steps + 1, 2), force (steps, 2).
     """
     force[:, :], stored[:], lost[:] = 0.0, 0.0, 0.0
-    work = np.empty((3, ROW))
-    for start in range(0, gap.size, ROW):
-        size = min(ROW, gap.size - start)
+    work = np.empty((3, SPRINGS_PER_ROW))
+    for start in range(0, gap.size, SPRINGS_PER_ROW):
+        size = min(SPRINGS_PER_ROW, gap.size - start)
         cut = slice(start, start + size)
         g, k, s, pair = gap[cut], stiffness[cut], slips[cut], (u[0, cut], u[1, cut])
         new = (work[0, :size], work[1, :size], work[2, :size])
@@ -278,11 +278,11 @@ def march_plane(
             for i in range(before, after):
                 share, last = (d1 - g[i]) / (d1 - d0), ends[1][i]
                 x, y = share * mx, share * my
-                way = math.sqrt(x * x + y * y)
-                s[i] = way > hold * last
+                distance = math.sqrt(x * x + y * y)
+                s[i] = distance > hold * last
                 if s[i]:
-                    loss += 0.5 * k[i] * (way - last) * last
-                    x, y = x * (last / way), y * (last / way)
+                    loss += 0.5 * k[i] * (distance - last) * last
+                    x, y = x * (last / distance), y * (last / distance)
                 pair[0][i], pair[1][i] = x, y
                 fx += k[i] * x
                 fy += k[i] * y

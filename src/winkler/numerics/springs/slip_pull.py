@@ -1,4 +1,4 @@
-r"""Kernels: how far springs that stick and slip must be pulled along a line for a given force."""
+r"""Kernels: the displacement along a line at which springs that stick and slip bear a given force."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.numerics.jit import compiled
-from winkler.numerics.springs.slip_kernels import CLOSE, MOST, march_line
+from winkler.numerics.springs.slip_kernels import FORCE_TOLERANCE, MOST_STEPS, march_line
 from winkler.numerics.types import Array
 
 __all__ = ["pull_line"]
@@ -36,7 +36,7 @@ def _pull(
 
 
 @compiled
-def _wanted(
+def _target_motion(
     u: Array, gap: Array, stiffness: Array, slope: Array, first: float, depth: float, target: float, close: float
 ) -> float:
     """Return by how much the bodies move until the force is `target`; not a number if it never is."""
@@ -46,7 +46,7 @@ def _wanted(
     low = -most
     high = most
     moved = 0.0
-    for _ in range(MOST):
+    for _ in range(MOST_STEPS):
         pull, rise = _pull(u, gap, stiffness, slope, first, depth, moved)
         short = target - pull
         if abs(short) <= close:
@@ -61,7 +61,7 @@ def _wanted(
             if guess in (low, high):
                 break
         moved = guess
-    # the force is a rising line with corners: what is left is what the last digits of the way decide
+    # the force is a rising line with corners: what is left is what the last digits of the distance decide
     pull, rise = _pull(u, gap, stiffness, slope, first, depth, moved)
     return moved if abs(target - pull) <= 1e3 * close else math.nan
 
@@ -81,13 +81,13 @@ def pull_line(
 ) -> int:
     """Do what `march_line` does for prescribed forces `target` (steps,); shift (steps + 1,) is filled after its first.
 
-    Returns the number of steps that could be done; one less than asked for where the springs bear no such force.
+    Returns the number of steps that could be done; one less than requested where the springs bear no such force.
     """
     for t in range(target.size):
         scale = abs(target[t])
         for i in range(gap.size):
             scale += stiffness[i] * abs(u[i])
-        moved = _wanted(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], CLOSE * scale)
+        moved = _target_motion(u, gap, stiffness, slope, depth[t], depth[t + 1], target[t], FORCE_TOLERANCE * scale)
         if math.isnan(moved):
             return t
         shift[t + 1] = shift[t] + moved

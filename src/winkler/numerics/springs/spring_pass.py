@@ -1,6 +1,6 @@
 r"""A relaxing spring that a body passes over: its load from the leading edge on, for any speed.
 
-Told by the way y that the body has gone since it touched the spring, the spring bears
+As a function of the distance y that the body has gone since it touched the spring, the spring bears
 
 .. math:: q = M_\infty u + \eta v\,u' + \sum_i S_i, \qquad S_i' = -S_i/\ell_i + M_i u', \qquad \ell_i = v\tau_i ,
 
@@ -35,10 +35,10 @@ def _load(relaxed, drag, moduli, lengths, u, slope, turn, memory, y, phi):  # ty
 def pass_over(relaxed, drag, moduli, lengths, place, u, before, after, memory, loads, rule, sums):  # type: ignore[no-untyped-def]
     """Let a body pass over a spring.
 
-    `place` (n,) are ways y, `u` the recess there, `before` and `after` the slopes u' at both sides of the intervals
-    between them (n - 1,).  `memory` (m,) begins as zero and ends as the S_i; `loads` (n,) gets q; `sums` the integrals
-    of q and of q u' over y, and where the spring lets go.  `drag` is eta v; `rule`
-    are nodes and weights from 0 to 1, for what fades within an interval by no more than e.
+    `place` (n,) are distances y, `u` the recess there, `before` and `after` the slopes u' at both sides of the
+    intervals between them (n - 1,).  `memory` (m,) begins as zero and ends as the S_i; `loads` (n,) gets q; `sums` the
+    integrals of q and of q u' over y, and where the spring lets go.  `drag` is eta v; `rule` are nodes and weights from
+    0 to 1, for what fades within an interval by no more than e.
     """
     count, modes = place.size, moduli.size
     nodes, shares = rule

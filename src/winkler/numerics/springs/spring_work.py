@@ -21,11 +21,11 @@ from winkler.numerics.types import Array
 __all__ = ["work_on_springs"]
 
 NODES, WEIGHTS = gauss_legendre(12)
-WIDE = 2.0
+INTERVAL_WIDTH = 2.0
 """So much of y is integrated at once."""
-FADED = 20.0
+DECAY_SPAN = 20.0
 """By how much y grows until nothing is left to turn."""
-DROPS = 64
+MOST_DROPS = 64
 """How often a spring may drop from its static to its kinetic bound within one step."""
 
 
@@ -72,7 +72,7 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
     work, left = np.zeros(share.size), np.ones(share.size)
     at, now, sliding = u.copy(), first.copy(), slips & (hold > 1.0)
     rows = np.arange(share.size)
-    for _ in range(DROPS):
+    for _ in range(MOST_DROPS):
         if not rows.size:
             break
         travel, fall = share[rows, None] * move, last[rows] - first[rows]
@@ -82,16 +82,16 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
         stuck = ~sliding[rows]
         ends = stuck & (np.sum(aim**2, axis=1) <= (hold * last[rows]) ** 2)
         work[rows[ends]] += 0.5 * np.sum(rest * (at[rows] + aim), axis=1)[ends]
-        meets = stuck & ~ends
-        hit = rows[meets]
+        hits = stuck & ~ends
+        hit = rows[hits]
         if hit.size:
-            part = _met(at[hit], hold * now[hit], hold * last[hit], rest[meets])
-            reached = at[hit] + part[:, None] * rest[meets]
+            part = _slip_onset(at[hit], hold * now[hit], hold * last[hit], rest[hits])
+            reached = at[hit] + part[:, None] * rest[hits]
             work[hit] += 0.5 * np.sum((reached - at[hit]) * (at[hit] + reached), axis=1)
             left[hit] *= 1.0 - part
             at[hit] = reached / hold
             now[hit] = np.hypot(*at[hit].T)
-        again = meets & (hold > 1.0) & (np.sum(at[rows] * travel, axis=1) < fall * now[rows])
+        again = hits & (hold > 1.0) & (np.sum(at[rows] * travel, axis=1) < fall * now[rows])
         slide = ~ends & ~again
         goes = rows[slide]
         work[goes] += _slipped(at[goes], now[goes], last[goes], left[goes, None] * travel[slide])
@@ -99,8 +99,8 @@ def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, shar
     return work
 
 
-def _met(u: Array, bound: Array, last: Array, move: Array) -> Array:
-    """Return the part of the travel after which springs meet a circle whose radius goes from `bound` to `last`."""
+def _slip_onset(u: Array, bound: Array, last: Array, move: Array) -> Array:
+    """Return the part of the travel after which springs reach a circle whose radius goes from `bound` to `last`."""
     scale = np.maximum(np.maximum(bound, last), np.maximum(np.abs(u).max(axis=1), np.abs(move).max(axis=1)))
     scale = np.where(scale > 0.0, scale, 1.0)
     u, move, bound, fall = u / scale[:, None], move / scale[:, None], bound / scale, (last - bound) / scale
@@ -131,8 +131,8 @@ def _slipped(u: Array, bound: Array, last: Array, move: Array) -> Array:
     with np.errstate(divide="ignore"):
         slowed = np.where(growth != 0.0, np.log1p(growth) / np.where(growth != 0.0, growth, 1.0), 1.0)
     far = length / b * slowed
-    far = np.minimum(far, FADED + 0.5 * np.log1p(slope))
-    parts = int(np.ceil(far.max() / WIDE)) or 1
+    far = np.minimum(far, DECAY_SPAN + 0.5 * np.log1p(slope))
+    parts = int(np.ceil(far.max() / INTERVAL_WIDTH)) or 1
     nodes = ((np.arange(parts)[:, None] + NODES) / parts).ravel()
     weights = np.tile(WEIGHTS / parts, parts)
     y = far[:, None] * nodes

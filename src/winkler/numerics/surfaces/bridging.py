@@ -8,7 +8,7 @@ from winkler.numerics.types import Array
 
 __all__ = ["bridged", "spikes"]
 
-AROUND = 9
+WINDOW_PIXELS = 9
 """Along the side of the square that a spike must stand out of; it may fill a quarter of it."""
 
 
@@ -40,11 +40,11 @@ def bridged(numbers: Array, periodic: bool) -> Array:
         me, ni, nj = np.arange(count)[there], ni[there], nj[there]
         degree[me] += 1.0
         other = index[ni, nj]
-        known = other < 0
-        np.add.at(right, me[known], numbers[ni[known], nj[known]])
-        rows.append(me[~known])
-        columns.append(other[~known])
-        weights.append(np.full(np.count_nonzero(~known), -1.0))
+        fixed = other < 0
+        np.add.at(right, me[fixed], numbers[ni[fixed], nj[fixed]])
+        rows.append(me[~fixed])
+        columns.append(other[~fixed])
+        weights.append(np.full(np.count_nonzero(~fixed), -1.0))
     rows.append(np.arange(count))
     columns.append(np.arange(count))
     weights.append(degree)
@@ -72,8 +72,8 @@ def spikes(numbers: Array, times: float, periodic: bool) -> Array:
 
     holes = np.isnan(numbers)
     whole = bridged(numbers, periodic)
-    around = np.zeros((AROUND, AROUND), dtype=bool)
-    around[::2, ::2] = True  # every second one tells as much
+    around = np.zeros((WINDOW_PIXELS, WINDOW_PIXELS), dtype=bool)
+    around[::2, ::2] = True  # every second one is enough
     quarter, mode = int(np.count_nonzero(around)) // 4, "wrap" if periodic else "reflect"
     low, high = (rank_filter(whole, rank, footprint=around, mode=mode) for rank in (quarter, 3 * quarter))
     distance = np.maximum(high - low, np.median(high - low))

@@ -17,17 +17,17 @@ from winkler.numerics.types import Array
 
 __all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around", "overlap_and_work", "shared"]
 
-MOST = 2000
-"""Iterations after which a grid is given up; ten to forty are usual."""
-AROUND, NARROWEST = 16, 4
+MOST_ITERATIONS = 2000
+"""Iterations after which a grid has not converged; ten to forty are usual."""
+MARGIN_RATIO, LEAST_MARGIN = 16, 4
 """The box is wider than the contact by this part of it, and by this many pixels, on every side."""
-PATIENCE = 30
+STEPS_WITHOUT_GAIN = 30
 """Steps without any gain after which they are made half as long."""
-ALIKE = 1e-5
+SINGLE_DIGITS_RATIO = 1e-5
 """Steps that differ by no more than this part of them are the same in single digits."""
-SHARED = 200
+MOST_SHARING_STEPS = 200
 """Steps to share a load out among pixels that bear no more than the ceiling; five are usual."""
-RESTART = 0.02
+RESTART_RATIO = 0.02
 """When a larger part than this of the contact has been lost in one step, the directions of before are forgotten."""
 
 
@@ -51,7 +51,7 @@ def box_around(there: Array) -> tuple[slice, slice]:
     for axis, most in enumerate(there.shape):
         places = np.flatnonzero(there.any(axis=1 - axis))
         first, last = int(places[0]), int(places[-1]) + 1
-        margin = max(NARROWEST, (last - first) // AROUND)
+        margin = max(LEAST_MARGIN, (last - first) // MARGIN_RATIO)
         long = min(scipy.fft.next_fast_len(last - first + 2 * margin, True), most)
         begin = min(max((first + last - long) // 2, 0), most - long)
         sides.append(slice(begin, begin + long))
@@ -69,11 +69,11 @@ def overlap_and_work(p: Array, gap: Array, depth: float, ceiling: float) -> tupl
     return overlap / abs(depth), spent / abs(float(np.sum(p)) * depth)
 
 
-def shared(wanted: Array, ceiling: float, load: float) -> Array:
+def shared(target: Array, ceiling: float, load: float) -> Array:
     """Return pressures between zero and the ceiling that bear the load: those wanted, raised evenly."""
-    low, high = -float(np.max(wanted)), ceiling - float(np.min(wanted))
-    raised, p = 0.0, np.clip(wanted, 0.0, ceiling)
-    for _ in range(SHARED):
+    low, high = -float(np.max(target)), ceiling - float(np.min(target))
+    raised, p = 0.0, np.clip(target, 0.0, ceiling)
+    for _ in range(MOST_SHARING_STEPS):
         lacking = load - float(np.sum(p))
         if abs(lacking) <= 1e-14 * load:
             break
@@ -81,7 +81,7 @@ def shared(wanted: Array, ceiling: float, load: float) -> Array:
         between = int(np.count_nonzero((p > 0.0) & (p < ceiling)))
         raised += lacking / between if between else math.inf
         raised = raised if low < raised < high else 0.5 * (low + high)
-        p = np.clip(wanted + raised, 0.0, ceiling)
+        p = np.clip(target + raised, 0.0, ceiling)
     return p
 
 
@@ -110,7 +110,7 @@ class BoxContact:
         along = before = np.zeros(self.p.shape, dtype=np.float32)
         product, left, best, last, share = 0.0, (math.inf, math.inf), math.inf, 0, 1.0
         self._carry()
-        for count in range(MOST):
+        for count in range(MOST_ITERATIONS):
             gap = self.u + self.heights - self.depth
             inside = self._unsettled(gap)
             if not math.isnan(self.load) and np.any(inside):  # as deep as the mean of what may still change
@@ -123,7 +123,7 @@ class BoxContact:
                 return count
             if max(left) < best:
                 best, last = max(left), count
-            elif count - last > PATIENCE:  # going in circles
+            elif count - last > STEPS_WITHOUT_GAIN:  # going in circles
                 last, share = count, 0.5 * share
             wrong = np.where(inside, gap, 0.0).astype(np.float32)
             uphill = self._evened(np.where(inside, self.grid.roughly_pressing(wrong), np.float32(0.0)), inside)
@@ -136,8 +136,8 @@ class BoxContact:
         shape = f"{self.heights.shape[0]} x {self.heights.shape[1]}"
         raise NotConverged(
             f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
-            f"{left[1]:.3g} of the work on gaps, after {MOST} steps; allowed are {tolerance:.3g} of both. Ask for a "
-            "larger tolerance, or smooth the heights."
+            f"{left[1]:.3g} of the work on gaps, after {MOST_ITERATIONS} steps; allowed are {tolerance:.3g} of both. "
+            "Allow a larger tolerance, or smooth the heights."
         )
 
     def _unsettled(self, gap: Array) -> Array:
@@ -150,7 +150,7 @@ class BoxContact:
         if math.isnan(self.load) or not np.any(inside):
             return step
         even = step - np.where(inside, np.mean(step, where=inside), np.float32(0.0))
-        return even if float(np.max(np.abs(even))) > ALIKE * float(np.max(np.abs(step))) else step
+        return even if float(np.max(np.abs(even))) > SINGLE_DIGITS_RATIO * float(np.max(np.abs(step))) else step
 
     def _step(self, wrong: Array, along: Array, share: float, count: int) -> bool:
         """Go down along a direction by a share of what it is worth; return whether most of the contact was kept."""
@@ -165,7 +165,7 @@ class BoxContact:
             self.p = moved
             self.u = self.u - length * sunk
         self._carry()
-        return lost <= RESTART * count
+        return lost <= RESTART_RATIO * count
 
     def _change(self, pressure: Array) -> None:
         """Take other pressures."""
@@ -182,6 +182,6 @@ class BoxContact:
             self.p, self.u = scale * self.p, scale * self.u
         elif abs(scale - 1.0) > 1e-13:
             gap = self.u + self.heights - self.depth
-            # what is settled changes when the others have to be raised, or lowered, by more than its own gap asks for
-            wanted = np.where(self._unsettled(gap), self.p, self.p - gap)
-            self._change(shared(wanted, self.ceiling, self.load))
+            # what is settled changes when the others have to be raised, or lowered, by more than its own gap requires
+            target = np.where(self._unsettled(gap), self.p, self.p - gap)
+            self._change(shared(target, self.ceiling, self.load))

@@ -18,24 +18,24 @@ from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, b
 from winkler.numerics.surfaces.surface_grid import SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
-__all__ = ["ByDepth", "ByLoad", "Pressed", "press"]
+__all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
 
-COARSEST = 32
+COARSEST_PIXELS = 32
 """Grids of fewer pixels along a side are not halved any more."""
-BEGINNING = 1e-3
+COARSE_TOLERANCE = 1e-3
 """To what the coarser grids are solved."""
-CLOSING = 0.99
+LARGEST_DEPTH_RATIO = 0.99
 """Coarse periodic grids are not pressed deeper than this part of the depth that closes them."""
-FIRST = 0.01
+FIRST_CONTACT_RATIO = 0.01
 """Part of the pixels, the highest ones, under which a load begins."""
-ROUNDS = 20
-"""How often the whole surface is looked at before it is given up; two are usual."""
-INNER = 0.6
+MOST_ROUNDS = 20
+"""How often the whole surface is checked before it has not converged; two are usual."""
+INNER_RATIO = 0.6
 """Part of the tolerance to which the box around the contact is solved, and then to less."""
 
 
-class Pressed(NamedTuple):
-    """What was found.
+class PressedSurface(NamedTuple):
+    """The pressed surface.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def press(
     ceiling: float = math.inf,
     tolerance: float = 1e-6,
     start: Array | tuple[()] = (),
-) -> Pressed:
+) -> PressedSurface:
     """Solve the contact.
 
     Parameters
@@ -127,8 +127,8 @@ def press(
             scaled = ByLoad(load * pixel[0] / unit)
     strain = unit / pixel[0]
     begin = np.asarray(start) / strain
-    found = _pressed(heights / unit, (1.0, pixel[1] / pixel[0]), scaled, periodic, ceiling / strain, tolerance, begin)
-    return found._replace(pressure=strain * found.pressure, gap=unit * found.gap, depth=unit * found.depth)
+    pressed = _pressed(heights / unit, (1.0, pixel[1] / pixel[0]), scaled, periodic, ceiling / strain, tolerance, begin)
+    return pressed._replace(pressure=strain * pressed.pressure, gap=unit * pressed.gap, depth=unit * pressed.depth)
 
 
 def _pressed(
@@ -139,31 +139,31 @@ def _pressed(
     ceiling: float,
     tolerance: float,
     start: Array,
-) -> Pressed:
-    """Return the contact: solved where it may be, then looked at everywhere, until nothing is left to be done."""
+) -> PressedSurface:
+    """Return the contact: solved where it may be, then checked everywhere, until nothing changes."""
     shape = heights.shape[0], heights.shape[1]
     begun = start if len(start) else _from_coarser(heights, pixel, drive, periodic, ceiling)
     p = _first(heights, drive, pixel, ceiling, begun)
     whole, everywhere = SurfaceGrid.of(shape, pixel, periodic=periodic), (slice(None), slice(None))
-    depth, count, inner = drive.depth if isinstance(drive, ByDepth) else math.nan, 0, INNER * tolerance
-    for _ in range(ROUNDS):
+    depth, count, inner = drive.depth if isinstance(drive, ByDepth) else math.nan, 0, INNER_RATIO * tolerance
+    for _ in range(MOST_ROUNDS):
         u = whole.displaced(p)
         if math.isnan(depth):
             depth = float(np.mean((u + heights)[p > 0.0]))
         gap = u + heights - depth
         left = overlap_and_work(p, gap, depth, ceiling)
         if max(left) <= tolerance:
-            return Pressed(p, gap, depth, *left, count)
+            return PressedSurface(p, gap, depth, *left, count)
         box = box_around((p > 0.0) | (gap < 0.0)) if math.isinf(ceiling) and not periodic else everywhere
         part = heights[box].shape
         grid = SurfaceGrid.of((part[0], part[1]), pixel, periodic=periodic, digits=SINGLE)
         contact = BoxContact(grid, heights[box], drive, ceiling, p[box], u[box], depth)
         count += contact.solve(inner)
-        p[box], depth, inner = contact.p, contact.depth, max(inner * INNER, 1e-15)
+        p[box], depth, inner = contact.p, contact.depth, max(inner * INNER_RATIO, 1e-15)
     raise NotConverged(
         f"the contact of {shape[0]} x {shape[1]} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
-        f"{left[1]:.3g} of the work on gaps, after {ROUNDS} rounds; allowed are {tolerance:.3g} of both. Ask for a "
-        "larger tolerance, or smooth the heights."
+        f"{left[1]:.3g} of the work on gaps, after {MOST_ROUNDS} rounds; allowed are {tolerance:.3g} of both. "
+        "Allow a larger tolerance, or smooth the heights."
     )
 
 
@@ -172,7 +172,7 @@ def _first(heights: Array, drive: ByDepth | ByLoad, pixel: tuple[float, float], 
     if isinstance(drive, ByDepth):
         sunk = np.maximum(drive.depth - heights, 0.0) / (max(heights.shape) * max(pixel))
         return np.minimum(start if np.any(start) else sunk, ceiling)
-    p = start if np.any(start) else np.where(heights <= np.quantile(heights, FIRST), 1.0, 0.0)
+    p = start if np.any(start) else np.where(heights <= np.quantile(heights, FIRST_CONTACT_RATIO), 1.0, 0.0)
     p = p * (drive.load / float(np.sum(p)))
     return p if float(np.max(p)) <= ceiling else shared(np.minimum(p, ceiling) - heights, ceiling, drive.load)
 
@@ -182,19 +182,19 @@ def _from_coarser(
 ) -> Array:
     """Return the pressures of a grid of half as many pixels along a side, or zeros where there is none."""
     nothing = np.zeros(heights.shape)
-    if min(heights.shape) < 2 * COARSEST:
+    if min(heights.shape) < 2 * COARSEST_PIXELS:
         return nothing
     coarse = _halved(heights)
     lowest = float(np.min(coarse))
     easier = ByDepth(drive.depth - lowest) if isinstance(drive, ByDepth) else ByLoad(drive.load / 4.0)
-    if float(np.ptp(coarse)) == 0.0:  # a fine grating: its means do not know it
+    if float(np.ptp(coarse)) == 0.0:  # a fine grating: its means do not resolve it
         return nothing
     most = float(np.mean(coarse)) - lowest if periodic else math.inf
-    if isinstance(easier, ByDepth) and not 0.0 < easier.depth < CLOSING * most:
+    if isinstance(easier, ByDepth) and not 0.0 < easier.depth < LARGEST_DEPTH_RATIO * most:
         return nothing
     twice = 2.0 * pixel[0], 2.0 * pixel[1]
     try:
-        found = _pressed(coarse - lowest, twice, easier, periodic, ceiling, BEGINNING, np.empty(0))
-    except NotConverged:  # nobody asked for the coarse grid
+        pressed = _pressed(coarse - lowest, twice, easier, periodic, ceiling, COARSE_TOLERANCE, np.empty(0))
+    except NotConverged:  # the coarse grid is only a first guess
         return nothing
-    return _doubled(found.pressure, heights.shape)
+    return _doubled(pressed.pressure, heights.shape)

@@ -15,16 +15,16 @@ from winkler.numerics.types import Array
 
 __all__ = ["punch"]
 
-MOST = 2000
-"""Iterations after which a punch is given up; ten are usual."""
-ROUNDS = 20
-ROUGH = 1e-5
+MOST_ITERATIONS = 2000
+"""Iterations after which a punch has not converged; ten are usual."""
+MOST_ROUNDS = 20
+SINGLE_DIGITS_TOLERANCE = 1e-5
 """Tolerance above which single digits are enough for all."""
-STUCK = 100
+ITERATIONS_WITHOUT_GAIN = 100
 """Iterations without a gain after which digits are too few."""
-GAIN = 0.5
+LEAST_GAIN_RATIO = 0.5
 """A round that leaves more than this of what was wrong has not enough digits."""
-INNER = 0.5
+INNER_RATIO = 0.5
 """Part of the tolerance that is sought in single digits."""
 
 
@@ -60,11 +60,11 @@ def punch(
     there = touching[box]
     shape, aspect = (there.shape[0], there.shape[1]), (1.0, pixel[1] / pixel[0])
     single = SurfaceGrid.of(shape, aspect, periodic=periodic, digits=SINGLE)
-    exact = single if tolerance > ROUGH else SurfaceGrid.of(shape, aspect, periodic=periodic)
+    exact = single if tolerance > SINGLE_DIGITS_TOLERANCE else SurfaceGrid.of(shape, aspect, periodic=periodic)
     even = 1.0 / np.sqrt(np.count_nonzero(there) * aspect[1])
     p = np.where(there, np.asarray(start)[box] * pixel[0] if len(start) else even, 0.0)
     inner, before = single, np.inf
-    for _ in range(ROUNDS):
+    for _ in range(MOST_ROUNDS):
         wrong = np.where(there, exact.displaced(p.astype(exact.response.dtype)) - 1.0, 0.0)
         left = float(np.max(np.abs(wrong)))
         if left <= tolerance:
@@ -72,38 +72,38 @@ def punch(
             # p G p is stationary where G p = 1: the sum of p (2 - G p) errs by the square of what is wrong
             whole[box] = p * (1.0 - wrong) / pixel[0]
             return whole
-        if left > GAIN * before:  # digits are too few
+        if left > LEAST_GAIN_RATIO * before:  # digits are too few
             inner = exact = SurfaceGrid.of(shape, aspect, periodic=periodic)
         before = left
         try:
-            p -= _relieving(inner, there, wrong.astype(inner.response.dtype), INNER * tolerance)
+            p -= _correction(inner, there, wrong.astype(inner.response.dtype), INNER_RATIO * tolerance)
         except NotConverged:
             if inner.response.dtype == DOUBLE:
                 raise
             before = 0.0
-    raise _lost(touching)
+    raise _not_converged(touching)
 
 
-def _lost(touching: Array) -> NotConverged:
+def _not_converged(touching: Array) -> NotConverged:
     return NotConverged(
         f"the pressure under a flat punch of {int(np.sum(touching))} pixels was not found; smooth the heights, or give "
         "the map other pixels."
     )
 
 
-def _relieving(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) -> Array:
+def _correction(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) -> Array:
     """Return the pressures that displace the pixels under the punch by `wrong`, up to the tolerance."""
     number = wrong.dtype.type
     none = number(0.0)
     p = along = np.zeros_like(wrong)
     product, best, last = 0.0, np.inf, 0
-    for count in range(MOST):
+    for count in range(MOST_ITERATIONS):
         left = float(np.max(np.abs(wrong)))
         if left <= tolerance:
             return p
         if left < best:
             best, last = left, count
-        elif count - last > STUCK:
+        elif count - last > ITERATIONS_WITHOUT_GAIN:
             break
         uphill = np.where(there, grid.roughly_pressing(wrong), none)
         new = float(np.sum(wrong * uphill))
@@ -114,4 +114,4 @@ def _relieving(grid: SurfaceGrid, there: Array, wrong: Array, tolerance: float) 
             break
         length = number(new / bent)
         p, wrong, product = p + length * along, wrong - length * sunk, new
-    raise _lost(there)
+    raise _not_converged(there)

@@ -8,16 +8,16 @@ from winkler.numerics.types import Array
 
 __all__ = ["scars"]
 
-WIDEST = 3
+WIDEST_SCAR = 3
 """Pixels across a scar."""
-BLOCK = 32
+BLOCK_PIXELS = 32
 """Pixels along the side of the squares in which steps are compared."""
-STEEPER = 1.5
+STEP_RATIO = 1.5
 """So much higher than the steps beside are those of a scar: with 1, ridges and apices would be scars."""
-ALONG = np.array([[0, 0, 0], [1, 1, 1], [0, 0, 0]])
-ROUNDING = 1e-9
+LINE_NEIGHBOURS = np.array([[0, 0, 0], [1, 1, 1], [0, 0, 0]])
+LEAST_QUARTILE_RATIO = 1e-9
 """Smallest distance of the quartiles, over the range of all steps."""
-LONG = 8
+LONG_RUN_PIXELS = 8
 """A run of so many pixels counts from half the height on: by chance it has no reason to go on."""
 
 
@@ -43,45 +43,47 @@ def _across(numbers: Array, times: float, periodic: bool) -> Array:
     """Return the scars along the second direction."""
     from scipy.ndimage import binary_closing, label
 
-    n, beyond = numbers.shape[0], WIDEST + 2
+    n, beyond = numbers.shape[0], WIDEST_SCAR + 2
     around = [(beyond, beyond), (0, 0)]
     steps = np.diff(np.pad(numbers, [(0, 1), (0, 0)], mode="wrap") if periodic else numbers, axis=0)
     middle, scale = _spread(steps)
-    known = np.pad(steps, around, mode="wrap") if periodic else np.pad(steps, around, constant_values=np.nan)
+    framed = np.pad(steps, around, mode="wrap") if periodic else np.pad(steps, around, constant_values=np.nan)
     if not periodic:
-        known = np.concatenate((known, np.full((1, numbers.shape[1]), np.nan)))
+        framed = np.concatenate((framed, np.full((1, numbers.shape[1]), np.nan)))
         middle, scale = (np.concatenate((part, part[-1:])) for part in (middle, scale))
-    off = known - np.pad(middle, around, mode="edge")
+    off = framed - np.pad(middle, around, mode="edge")
     size, scale = np.abs(off), np.pad(scale, around, mode="edge")
-    found = np.zeros(numbers.shape, dtype=bool)
-    for wide in range(1, min(WIDEST, n - 2) + 1):
+    marked = np.zeros(numbers.shape, dtype=bool)
+    for wide in range(1, min(WIDEST_SCAR, n - 2) + 1):
         rows = np.arange(n if periodic else n - wide + 1) + beyond
         into, out = off[rows - 1], off[rows + wide - 1]
         beside = np.fmax.reduce([size[rows - 2], size[rows + wide], *(size[rows + k] for k in range(wide - 1))])
         for sign in (1.0, -1.0):
             height = (np.fmin if wide == 1 else np.minimum)(sign * into, -sign * out)
-            height = np.where(height > STEEPER * np.nan_to_num(beside), height / scale[rows], 0.0)
+            height = np.where(height > STEP_RATIO * np.nan_to_num(beside), height / scale[rows], 0.0)
             part = height > 0.5 + 0.5 * times
-            run, count = label(part | binary_closing(part, structure=np.ones((1, 3))), structure=ALONG)
+            run, count = label(part | binary_closing(part, structure=np.ones((1, 3))), structure=LINE_NEIGHBOURS)
             if not count:
                 continue
-            kept = np.bincount(run.ravel(), minlength=count + 1) >= LONG
+            long_enough = np.bincount(run.ravel(), minlength=count + 1) >= LONG_RUN_PIXELS
             high = (height > 0.5 + times) & np.isfinite(into) & np.isfinite(out)
-            kept[np.unique(run[high])] = True
-            kept[0] = False
-            first, along = np.nonzero(kept[run])
+            long_enough[np.unique(run[high])] = True
+            long_enough[0] = False
+            first, along = np.nonzero(long_enough[run])
             for k in range(wide):
-                found[(first + k) % n, along] = True
-    return found
+                marked[(first + k) % n, along] = True
+    return marked
 
 
 def _spread(steps: Array) -> tuple[Array, Array]:
     """Return the middle of the quartiles of the steps in the square around, and their distance, or the usual one."""
-    full = [-(-n // BLOCK) * BLOCK for n in steps.shape]
+    full = [-(-n // BLOCK_PIXELS) * BLOCK_PIXELS for n in steps.shape]
     padded = np.pad(steps, [(0, m - n) for m, n in zip(full, steps.shape, strict=True)], mode="symmetric")
-    squares = padded.reshape(full[0] // BLOCK, BLOCK, full[1] // BLOCK, BLOCK).transpose(0, 2, 1, 3)
+    squares = padded.reshape(full[0] // BLOCK_PIXELS, BLOCK_PIXELS, full[1] // BLOCK_PIXELS, BLOCK_PIXELS).transpose(
+        0, 2, 1, 3
+    )
     low, high = np.quantile(squares.reshape(*squares.shape[:2], -1), [0.25, 0.75], axis=-1)
-    distance = np.maximum(np.maximum(high - low, np.median(high - low)), ROUNDING * np.ptp(steps) or 1.0)
-    whole = (np.repeat(np.repeat(part, BLOCK, 0), BLOCK, 1) for part in (0.5 * (low + high), distance))
+    distance = np.maximum(np.maximum(high - low, np.median(high - low)), LEAST_QUARTILE_RATIO * np.ptp(steps) or 1.0)
+    whole = (np.repeat(np.repeat(part, BLOCK_PIXELS, 0), BLOCK_PIXELS, 1) for part in (0.5 * (low + high), distance))
     middle, scale = (part[: steps.shape[0], : steps.shape[1]] for part in whole)
     return middle, scale

@@ -20,13 +20,13 @@ from winkler.numerics.types import Array
 
 __all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
 
-COPIES = 5
+ARRAY_COPIES = 5
 """How many arrays of the size of the transform are alive at once."""
-MEAN = 0.5
-"""What the preconditioner takes for the wave number of the mean, over the smallest other one."""
-KEPT = 2**20
+MEAN_WAVE_RATIO = 0.5
+"""What the preconditioner uses as the wave number of the mean, over the smallest other one."""
+LARGEST_CACHED_PIXELS = 2**20
 """Pixels up to which grids are kept for the next contact; larger ones would hold too much memory."""
-ALONE = 2**14
+SINGLE_THREAD_PIXELS = 2**14
 """Pixels below which a second thread costs more than it brings."""
 DOUBLE = np.dtype(np.float64)
 SINGLE = np.dtype(np.float32)
@@ -35,7 +35,7 @@ SINGLE = np.dtype(np.float32)
 def bytes_needed(shape: tuple[int, int], periodic: bool) -> int:
     """Return the memory [byte] that a grid of this shape takes while it works."""
     points = shape[0] * shape[1]
-    return 8 * points * (12 + (2 if periodic else 4) * COPIES)
+    return 8 * points * (12 + (2 if periodic else 4) * ARRAY_COPIES)
 
 
 def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
@@ -47,7 +47,7 @@ def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
 
 
 class SurfaceGrid(NamedTuple):
-    """A grid, and how it answers to pressures.
+    """A grid, and its response to pressures.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ class SurfaceGrid(NamedTuple):
         digits
             Of all transforms: single ones are three times as fast, and good enough for small changes.
         """
-        return (_kept if shape[0] * shape[1] <= KEPT else _made)(shape, pixel, periodic, digits)
+        return (_cached_grid if shape[0] * shape[1] <= LARGEST_CACHED_PIXELS else _made)(shape, pixel, periodic, digits)
 
     def displaced(self, pressure: Array) -> Array:
         """Return u [m] under p, over E*."""
@@ -111,9 +111,9 @@ class SurfaceGrid(NamedTuple):
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
         import scipy.fft
 
-        seen = scipy.fft.rfft2(displacement, workers=self.workers)
-        seen *= self.wave_numbers
-        return np.asarray(scipy.fft.irfft2(seen, s=self.shape, workers=self.workers))
+        waves = scipy.fft.rfft2(displacement, workers=self.workers)
+        waves *= self.wave_numbers
+        return np.asarray(scipy.fft.irfft2(waves, s=self.shape, workers=self.workers))
 
 
 def _made(
@@ -123,7 +123,7 @@ def _made(
     import scipy.fft
 
     nx, ny = shape
-    workers = (os.cpu_count() or 1) if nx * ny > ALONE else 1
+    workers = (os.cpu_count() or 1) if nx * ny > SINGLE_THREAD_PIXELS else 1
     qx = 2.0 * np.pi * scipy.fft.fftfreq(nx, pixel[0])[:, None]
     qy = 2.0 * np.pi * scipy.fft.rfftfreq(ny, pixel[1])[None, :]
     wave = np.hypot(qx, qy)
@@ -139,8 +139,8 @@ def _made(
         kernel[padded[0] - nx + 1 :, :ny] = quarter[:0:-1]
         kernel[:, padded[1] - ny + 1 :] = kernel[:, ny - 1 : 0 : -1]
         response = np.ascontiguousarray(scipy.fft.rfft2(kernel, workers=workers).real)
-    wave[0, 0] = MEAN * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
+    wave[0, 0] = MEAN_WAVE_RATIO * 2.0 * np.pi / max(nx * pixel[0], ny * pixel[1])
     return SurfaceGrid(shape, pixel, padded, response.astype(digits), (0.5 * wave).astype(digits), workers)
 
 
-_kept = functools.lru_cache(maxsize=12)(_made)
+_cached_grid = functools.lru_cache(maxsize=12)(_made)

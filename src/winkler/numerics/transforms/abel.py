@@ -26,7 +26,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from winkler.numerics.integrals.adaptive_quadrature import settled
-from winkler.numerics.transforms.abel_intervals import Kinks, lifted, noise, pieces, root_difference
+from winkler.numerics.transforms.abel_intervals import Kinks, clear_of_underflow, noise, pieces, root_difference
 from winkler.numerics.transforms.spring_loads import line_load, pressure
 from winkler.numerics.types import Array, Curve
 
@@ -131,7 +131,7 @@ def surface(function: Curve, edges: Sequence[float], r: Array, end: float = math
     With g it gives the profile f(r) back; with the springs' displacement, zero beyond `end`, the displacement of
     the surface.  `edges` are the places where `function` starts a new square root, as g does above a kink.
     """
-    r = lifted(r)
+    r = clear_of_underflow(r)
     inner = r[r > 0.0]
     total = np.zeros_like(inner)
     for low, high in pieces(edges, min(end, float(np.max(inner, initial=0.0)))):
@@ -170,7 +170,7 @@ def _noise_below(function: Curve, low: float, top: float, r: Array) -> Array | N
 
 def integral(function: Curve, edges: Sequence[float], end: Array) -> Array:
     """Return the integral of `function` from 0 to every `end`; just above an edge it may start a square root."""
-    end = lifted(end)
+    end = clear_of_underflow(end)
     ends = end[end > 0.0]
     total = np.zeros_like(ends)
     for low, high in pieces(edges, float(np.max(ends, initial=0.0))):

@@ -1,4 +1,4 @@
-"""Where an Abel integral is cut, and what rounding does to it there."""
+"""The intervals of an Abel integral, and the effect of rounding at their ends."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Kinks", "lifted", "noise", "pieces", "root_difference"]
+__all__ = ["Kinks", "clear_of_underflow", "noise", "pieces", "root_difference"]
 
 Kinks = Sequence[tuple[float, float]]
 
@@ -20,7 +20,7 @@ def root_difference(x: Array, b: float | Array) -> Array:
     return np.sqrt(np.maximum(x - b, 0.0) * (x + b))
 
 
-def lifted(x: Array) -> Array:
+def clear_of_underflow(x: Array) -> Array:
     """Return places, those so close to the axis that their squares vanish put onto it."""
     x = np.asarray(x, dtype=float)
     return np.where(x > 1e-150, x, 0.0)

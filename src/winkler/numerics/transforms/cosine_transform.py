@@ -22,25 +22,25 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values import value
 
-__all__ = ["Response", "Stretched", "in_own_lengths", "stretched", "transform", "wave_numbers"]
+__all__ = ["ScaledResponse", "WaveResponse", "in_own_lengths", "scaled_response", "transform", "wave_numbers"]
 
-ANGLES = (math.pi / 12.0, math.pi / 17.0)
+PATH_ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
 NODES = 24
-DEEP = 21.0
+DECAY_SPAN = 21.0
 """Where exp(-2 xi length) has vanished, xi in units of 1 / length."""
-LOWEST = 1e-3
+FIRST_WAVE_NUMBER = 1e-3
 """First panel of wave numbers, in units of 1 / span: M is a power series there."""
-ROUNDING = 1e-14
+ROUNDING_RATIO = 1e-14
 """Rounding of M, what C may be wrong by, times x."""
-LEAST = 0.03
+LEAST_RESPONSE = 0.03
 """An M smaller than this need not be any more precise."""
-AGREE = 300.0
+AGREEMENT_RATIO = 300.0
 """How well both angles must agree, in units of the precision of M, relative to the largest M over x."""
 
 
-class Response(Protocol):
-    """What an integral equation asks of a medium: a value that can be a key of a cache.
+class WaveResponse(Protocol):
+    """What an integral equation needs of a medium: a value that can be a key of a cache.
 
     One that also has `own`, the same response in a unit of length of its own and that unit [m], shares all that is
     computed with those that differ from it by their unit alone.
@@ -72,22 +72,22 @@ class Response(Protocol):
 
 
 @value
-class Stretched:
+class ScaledResponse:
     """A response that has its own unit of length, in m: what of it depends on the unit, but not on the moduli.
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
         In its own unit.
     unit : float
         [m].
     """
 
-    response: Response
+    response: WaveResponse
     unit: float
 
     @property
-    def own(self) -> tuple[Response, float]:
+    def own(self) -> tuple[WaveResponse, float]:
         """Both."""
         return self.response, self.unit
 
@@ -117,19 +117,19 @@ class Stretched:
 
 
 @functools.lru_cache(maxsize=1024)
-def stretched(response: Hashable, unit: float) -> Stretched:
-    """Return the response of `Stretched`, the same object for the same content: caches find it sooner."""
-    return Stretched(cast(Response, response), unit)
+def scaled_response(response: Hashable, unit: float) -> ScaledResponse:
+    """Return the response of `ScaledResponse`, the same object for the same content: caches find it sooner."""
+    return ScaledResponse(cast(WaveResponse, response), unit)
 
 
-def in_own_lengths(response: Response) -> tuple[Response, float]:
+def in_own_lengths(response: WaveResponse) -> tuple[WaveResponse, float]:
     """Return a response in its own unit of length, and the unit [m]; itself and one if it has none."""
     return _in_own_lengths(cast(Hashable, response))
 
 
 @functools.lru_cache(maxsize=256)
-def _in_own_lengths(response: Hashable) -> tuple[Response, float]:
-    return cast(tuple[Response, float], getattr(response, "own", (response, 1.0)))
+def _in_own_lengths(response: Hashable) -> tuple[WaveResponse, float]:
+    return cast(tuple[WaveResponse, float], getattr(response, "own", (response, 1.0)))
 
 
 def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array]:
@@ -145,7 +145,7 @@ def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array
     return (low + width * nodes).ravel(), (width * weights).ravel()
 
 
-def transform(response: Response, end: float) -> Panels:
+def transform(response: WaveResponse, end: float) -> Panels:
     """Return C(x) on 0 <= x <= end or a little farther; cached by value.
 
     Raises
@@ -176,23 +176,23 @@ def _joined(response: Hashable, octave: int) -> Panels:
     )
 
 
-def _path(response: Response, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
+def _path(response: WaveResponse, low: float, high: float, angle: float) -> tuple[ComplexArray, ComplexArray]:
     """Return wave numbers and weights times M for x between `low` and `high`; on the real axis for angle zero."""
-    end = DEEP / response.length
+    end = DECAY_SPAN / response.length
     if angle > 0.0:
         end = min(end / math.cos(angle), 40.0 / (low * math.sin(angle)))
-    s, weights = wave_numbers(LOWEST / response.span, 10.0 / high, end)
+    s, weights = wave_numbers(FIRST_WAVE_NUMBER / response.span, 10.0 / high, end)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     return s * turn, _ray(cast(Hashable, response), angle)(s) * (weights * turn * (2.0 / math.pi))
 
 
 @functools.lru_cache(maxsize=256)
-def _ray(given: Hashable, angle: float) -> Panels:
-    """Return M along a ray from the origin: a stack of many layers is climbed once, not once for every octave."""
-    response = cast(Response, given)
+def _ray(key: Hashable, angle: float) -> Panels:
+    """Return M along a ray from the origin: the recursion through many layers runs once, not once for every octave."""
+    response = cast(WaveResponse, key)
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
-    end = DEEP / (response.length * math.cos(angle))
-    edges = [0.0, min(LOWEST / response.span, end)]
+    end = DECAY_SPAN / (response.length * math.cos(angle))
+    edges = [0.0, min(FIRST_WAVE_NUMBER / response.span, end)]
     while edges[-1] < end:
         edges.append(min(2.0 * edges[-1], end))
     size = float(np.max(np.abs(response.excess(np.array(edges) * turn))))
@@ -200,7 +200,7 @@ def _ray(given: Hashable, angle: float) -> Panels:
     def along(s: Array) -> ComplexArray:
         return response.excess((s * turn).ravel()).reshape(s.shape)
 
-    return fit_panels(along, np.array(edges), response.precision * (size + LEAST))
+    return fit_panels(along, np.array(edges), response.precision * (size + LEAST_RESPONSE))
 
 
 def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
@@ -211,17 +211,17 @@ def _sum(xi: ComplexArray, weights: ComplexArray, x: Array) -> Array:
 
 
 @functools.lru_cache(maxsize=1024)
-def _octave(given: Hashable, octave: int) -> Panels:
-    response = cast(Response, given)
+def _octave(key: Hashable, octave: int) -> Panels:
+    response = cast(WaveResponse, key)
     high = response.length * 2.0**octave
     low = 0.5 * high if octave else 0.0
-    xi, weights = _path(response, low, high, ANGLES[0] if octave else 0.0)
+    xi, weights = _path(response, low, high, PATH_ANGLES[0] if octave else 0.0)
     size = float(np.sum(np.abs(weights * np.exp(1j * xi * low))))
-    floor = max(ROUNDING, LEAST * response.precision) / high
+    floor = max(ROUNDING_RATIO, LEAST_RESPONSE * response.precision) / high
     if octave:
         x = np.array([low])
-        misfit = float(np.abs(_sum(xi, weights, x) - _sum(*_path(response, low, low, ANGLES[1]), x))[0])
-        if misfit > AGREE * response.precision * size + 100.0 * floor:
+        misfit = float(np.abs(_sum(xi, weights, x) - _sum(*_path(response, low, low, PATH_ANGLES[1]), x))[0])
+        if misfit > AGREEMENT_RATIO * response.precision * size + 100.0 * floor:
             raise NotConverged(
                 f"The kernel of the stack is not resolved at {low:.3g} m: two paths differ by {misfit / size:.1e}; "
                 "its contrasts are beyond what winkler can carry."

@@ -1,4 +1,4 @@
-r"""Flat punches of all radii at once: Krein's way through a Fredholm equation.
+r"""Flat punches of all radii at once: Krein's method for a Fredholm equation.
 
 A flat punch of radius a on a medium with the response M presses with the line load :math:`E^*\varphi(x;a)`,
 
@@ -31,30 +31,30 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.numerics.transforms.cosine_transform import Response
+from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.punch_tables import Punches, octave_of, tables
 from winkler.numerics.types import Array
 
 __all__ = ["Pairs", "area", "edge", "edge_slope", "on_pieces", "punches", "push", "resolvent", "slopes"]
 
-BLOCK = 4096
+POINTS_PER_BLOCK = 4096
 """Places at which a series is summed at once: what fits into a processor's cache."""
 
 
-def _grouped(response: Response, a: Array) -> Iterator[tuple[Array, Punches, Array]]:
+def _grouped(response: WaveResponse, a: Array) -> Iterator[tuple[Array, Punches, Array]]:
     """Yield indices, their table and the variable of its series from -1 to 1."""
     octaves = np.maximum(octave_of(response, a), 0)
     for octave in np.unique(octaves):
         (members,) = np.nonzero(octaves == octave)
-        found = tables(response, int(octave))
-        which = np.searchsorted([table.high for table in found[:-1]], a[members])
-        for index, table in enumerate(found):
+        octave_tables = tables(response, int(octave))
+        which = np.searchsorted([table.high for table in octave_tables[:-1]], a[members])
+        for index, table in enumerate(octave_tables):
             chosen = members[which == index]
             if chosen.size:
                 yield chosen, table, (2.0 * a[chosen] - table.low - table.high) / (table.high - table.low)
 
 
-def _series(response: Response, a: Array, part: str, derivative: bool = False) -> Array:
+def _series(response: WaveResponse, a: Array, part: str, derivative: bool = False) -> Array:
     a = np.asarray(a, dtype=float)
     flat, result = a.ravel(), np.empty(a.size)
     for chosen, table, s in _grouped(response, flat):
@@ -65,17 +65,17 @@ def _series(response: Response, a: Array, part: str, derivative: bool = False) -
     return result.reshape(a.shape)
 
 
-def area(response: Response, a: Array) -> Array:
+def area(response: WaveResponse, a: Array) -> Array:
     """Return the integral of phi(x; a) over x from 0 to a [m]: the stiffness of a flat punch is 2 E* times that."""
     return np.asarray(a) * _series(response, a, "area")
 
 
-def edge(response: Response, a: Array) -> Array:
+def edge(response: WaveResponse, a: Array) -> Array:
     """Return phi(a; a) [-]: the springs are E* phi(a; a)^2 per length."""
     return _series(response, a, "edge")
 
 
-def edge_slope(response: Response, a: Array) -> Array:
+def edge_slope(response: WaveResponse, a: Array) -> Array:
     """Return d phi(a; a) / da [1/m]."""
     return _series(response, a, "edge", derivative=True)
 
@@ -88,7 +88,7 @@ class Pairs(NamedTuple):
     across: Array
 
 
-def resolvent(response: Response, x: Array, a: Array) -> Pairs:
+def resolvent(response: WaveResponse, x: Array, a: Array) -> Pairs:
     """Return rho(x; a) [1/m] and its derivatives [1/m^2], for 0 <= x <= a of one shape."""
     x, a = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(a, dtype=float))
     scale = np.where(a > 0.0, a, 1.0)
@@ -99,22 +99,22 @@ def resolvent(response: Response, x: Array, a: Array) -> Pairs:
     return Pairs(value, (by_a - value) / scale, by_ratio / scale**2)
 
 
-def punches(response: Response, x: Array, a: Array) -> Array:
+def punches(response: WaveResponse, x: Array, a: Array) -> Array:
     """Return phi(x; a) [-], for 0 <= x <= a of one shape."""
     return _value(response, x, a, "phi")
 
 
-def push(response: Response, r: Array, a: Array) -> Array:
+def push(response: WaveResponse, r: Array, a: Array) -> Array:
     """Return sigma(r; a) = pi sqrt(a^2 - r^2) p1(r; a) / E* [-], for 0 <= r <= a of one shape."""
     return _value(response, r, a, "push")
 
 
-def on_pieces(response: Response, a: Array, ratio: Array, low: Array, high: Array) -> Array:
+def on_pieces(response: WaveResponse, a: Array, ratio: Array, low: Array, high: Array) -> Array:
     """Return a rho(x; a), its derivative by a at fixed x/a [1/m], and phi(x; a), many places of each radius at once.
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
     a : ndarray, (m,)
         Radii [m], positive.
     ratio : ndarray, (m, q, n)
@@ -155,12 +155,12 @@ def slopes(powers: Array, s: Array) -> Array:
     return slopes
 
 
-def _value(response: Response, x: Array, a: Array, part: str) -> Array:
+def _value(response: WaveResponse, x: Array, a: Array, part: str) -> Array:
     x, a = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(a, dtype=float))
     return np.asarray(_table(response, x.ravel(), a.ravel(), part, False)[0].reshape(x.shape))
 
 
-def _table(response: Response, x: Array, a: Array, part: str, derivatives: bool) -> Array:
+def _table(response: WaveResponse, x: Array, a: Array, part: str, derivatives: bool) -> Array:
     """Return what is tabulated, and its derivatives by a at fixed x/a and by x/a if wanted, ``(1 or 3, n)``."""
     result = np.zeros((3 if derivatives else 1, x.size))
     for members, table, s in _grouped(response, a):
@@ -172,8 +172,8 @@ def _table(response: Response, x: Array, a: Array, part: str, derivatives: bool)
             low, high = table.panels[panel], table.panels[panel + 1]
             place = (2.0 * ratio - low - high) / (high - low)
             scales = np.array([1.0, 2.0 / (table.high - table.low), 2.0 / (high - low)])[: len(result), None]
-            for start in range(0, own.size, BLOCK):
-                part_ = own[start : start + BLOCK]
+            for start in range(0, own.size, POINTS_PER_BLOCK):
+                part_ = own[start : start + POINTS_PER_BLOCK]
                 result[:, members[part_]] = scales * _both(series[:, panel], s[part_], place[part_], derivatives)
     return result
 

@@ -19,23 +19,23 @@ from typing import cast
 import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import Response, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array, Curve
 
 __all__ = ["halving_panels", "kernel_matrix", "legendre_to_chebyshev", "panel_nodes"]
 
-NEAR = 3.0
+WIDEST_REGULAR_PANEL = 3.0
 """A panel wider than this many lengths of the kernel is integrated piece by piece where the kernel is near."""
-APART = 0.6
+FAR_DISTANCE_RATIO = 0.6
 """A panel is far from a point if its distance is more than this part of its width."""
 SAMPLES = 32
 """Of C(x + t) where both are beyond the first panel: distances from a to 2 a, over which C is smooth."""
-POINTS = 16
-LOGARITHMIC = 30
+NODES_PER_PIECE = 16
+LOGARITHMIC_NODES = 30
 """Nodes on the piece where C has a logarithm."""
-POWER = 5
-ROUNDED = 8.0
-"""Up to this many lengths C is seen to be rounded off."""
+VARIABLE_POWER = 5
+ROUNDED_LENGTHS = 8.0
+"""Up to this many lengths C is visibly rounded off."""
 
 
 @functools.cache
@@ -57,12 +57,12 @@ def panel_nodes(edges: Array, count: int) -> tuple[Array, Array]:
     return (edges[:-1, None] + width * nodes).ravel(), (width * weights).ravel()
 
 
-def kernel_matrix(response: Response, a: float, halvings: int, count: int) -> Array:
+def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int) -> Array:
     """Return the matrix that integrates K(x, t) times a function known at the nodes.
 
     Parameters
     ----------
-    response : Response
+    response : WaveResponse
         Of which C is the transform.
     a : float
         End of the panels [m].
@@ -80,7 +80,7 @@ def kernel_matrix(response: Response, a: float, halvings: int, count: int) -> Ar
     x, w = panel_nodes(a * halving_panels(halvings), count)
     matrix = _sums(kernel, x, a, halvings, count) * w
     _correct(matrix[:, :count], response, kernel, -x, 0.0, a if halvings == 0 else 0.5 * a, count)
-    hook = _hooks(cast(Hashable, response), count)
+    hook = _first_panel_tables(cast(Hashable, response), count)
     for step in range(halvings + 1):
         right, below = hook(a * 0.5**step, halvings - step)
         start, stop = step * count, (step + 1) * count
@@ -111,13 +111,13 @@ def _samples(halvings: int, count: int) -> tuple[Array, Array]:
 
 
 @functools.lru_cache(maxsize=16)
-def _hooks(given: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
-    """Return `_hook` of a response with a memory of its own: a response is compared once, not for every panel."""
-    return functools.lru_cache(maxsize=1024)(functools.partial(_hook, cast(Response, given), count))
+def _first_panel_tables(key: Hashable, count: int) -> Callable[[float, int], tuple[Array, Array]]:
+    """Return `_first_panel_table` of a response with a cache of its own: the response is compared only once."""
+    return functools.lru_cache(maxsize=1024)(functools.partial(_first_panel_table, cast(WaveResponse, key), count))
 
 
-def _hook(response: Response, count: int, a: float, halvings: int) -> tuple[Array, Array]:
-    """Return what the first panel feels of C(x - t) on all panels, and what all others feel of it on the first."""
+def _first_panel_table(response: WaveResponse, count: int, a: float, halvings: int) -> tuple[Array, Array]:
+    """Return the matrix of C(x - t) from all panels on the first, and from the first on all others."""
     kernel = transform(response, a)
     edges = a * halving_panels(halvings)
     x, w = panel_nodes(edges, count)
@@ -133,21 +133,23 @@ def _hook(response: Response, count: int, a: float, halvings: int) -> tuple[Arra
     return right, all_on_first[count:]
 
 
-def _correct(matrix: Array, response: Response, kernel: Curve, place: Array, low: float, high: float, n: int) -> None:
+def _correct(
+    matrix: Array, response: WaveResponse, kernel: Curve, place: Array, low: float, high: float, n: int
+) -> None:
     """Replace, in place, rows that nodes on the panel from `low` to `high` integrate badly."""
     width = high - low
-    if width <= NEAR * response.length:
+    if width <= WIDEST_REGULAR_PANEL * response.length:
         return
-    (near,) = np.nonzero(np.maximum(low - place, place - high) <= APART * width)
+    (near,) = np.nonzero(np.maximum(low - place, place - high) <= FAR_DISTANCE_RATIO * width)
     if near.size == 0:
         return
-    distance, weights = _towards(place[near], low, high, response)
+    distance, weights = _graded_rule(place[near], low, high, response)
     t = place[near, None] + distance
     basis = np.polynomial.chebyshev.chebvander(np.clip((2.0 * t - low - high) / width, -1.0, 1.0), n - 1)
     matrix[near] = np.einsum("ij,ijk->ik", weights * kernel(np.abs(distance)), basis) @ legendre_to_chebyshev(n)
 
 
-def _towards(place: Array, low: float, high: float, response: Response) -> tuple[Array, Array]:
+def _graded_rule(place: Array, low: float, high: float, response: WaveResponse) -> tuple[Array, Array]:
     """Return nodes, as distances from `place`, and weights on [low, high] in pieces that shrink towards `place`."""
     farthest = float(np.max(np.maximum(high - place, place - low)))
     step = 2.0 * response.smooth
@@ -155,8 +157,8 @@ def _towards(place: Array, low: float, high: float, response: Response) -> tuple
     steps = step * 2.0 ** np.arange(count)
     first = [(np.array([0.0, step]), 1)]
     if response.smooth > response.length:
-        rounded = min(ROUNDED * response.length, step)
-        first = [(np.array([0.0, rounded]), 1), (np.array([rounded, step]), POWER)]
+        rounded = min(ROUNDED_LENGTHS * response.length, step)
+        first = [(np.array([0.0, rounded]), 1), (np.array([rounded, step]), VARIABLE_POWER)]
     signs = [sign for sign, wide in ((1.0, high - np.min(place)), (-1.0, np.max(place) - low)) if wide > 0.0]
     parts = [_pieces(place, low, high, sign * edges, p) for sign in signs for edges, p in [*first, (steps, 1)]]
     distance, weights = (np.concatenate(part, axis=1) for part in zip(*parts, strict=True))
@@ -167,9 +169,9 @@ def _pieces(place: Array, low: float, high: float, steps: Array, power: int) -> 
     """Return Gauss-Legendre nodes in a root of the distance, and weights, between steps clipped to [low, high]."""
     edges = np.clip(steps, (low - place)[:, None], (high - place)[:, None])
     edges = edges[:, np.concatenate([[True], np.any(np.diff(edges, axis=1) != 0.0, axis=0)])]
-    nodes, rule = gauss_legendre(POINTS if power == 1 else LOGARITHMIC)
+    nodes, rule = gauss_legendre(NODES_PER_PIECE if power == 1 else LOGARITHMIC_NODES)
     sign = 1.0 if steps[-1] > 0.0 else -1.0
-    # a panel on the other side of the place leaves nothing of these pieces
+    # a panel on the other side of the place has none of these pieces
     roots = np.maximum(sign * edges, 0.0) ** (1.0 / power)
     start, span = roots[:, :-1, None], np.diff(roots, axis=1)[..., None]
     root = start + span * nodes

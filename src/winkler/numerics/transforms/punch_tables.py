@@ -17,28 +17,28 @@ import numpy as np
 
 from winkler.errors import NotConverged
 from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.transforms.cosine_transform import Response, in_own_lengths, transform
+from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
 from winkler.numerics.types import Array
 
 __all__ = ["Punches", "first_radius", "octave_of", "tables"]
 
-RADII, FEWER_RADII = 18, 12
+RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 12
 """Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
-COUNTS = (12, 16, 24, 32)
+NODE_COUNTS = (12, 16, 24, 32)
 """Nodes per panel, raised until the results settle; the fewest only for a response that is not known to all digits."""
-SETTLED = 1e-12
-LAST = 1e-9
+SETTLED_TOLERANCE = 1e-12
+LAST_TOLERANCE = 1e-9
 """Relative change that is accepted where rounding keeps it from settling: soft films squeeze digits out."""
-ROUNDED = 1e-16
+ROUNDING_RATIO = 1e-16
 """What rounding leaves of the end of a series, over the largest phi: it does not get shorter on halving the octave."""
-FINEST = 1.5
+EDGE_PANEL_WIDTH = 1.5
 """Width of the panel at the edge, in lengths of the kernel."""
-FINEST_ROUNDED = 4.0
+EDGE_PANEL_WIDTH_ROUNDED = 4.0
 """The same where a logarithm is rounded off over that length: it is integrated, and leaves hardly a trace in phi."""
 IN_LENGTHS = "times the thickness of the uppermost layer (or the length over which moduli change)"
-"""The unit in which sentences tell radii: tables know no metres."""
-HALVINGS = 4
+"""The unit of radii in sentences: tables have no metres."""
+MOST_HALVINGS = 4
 """How often an octave of radii may be halved."""
 
 
@@ -59,27 +59,27 @@ class Punches(NamedTuple):
     push: Array
 
 
-def first_radius(response: Response) -> float:
+def first_radius(response: WaveResponse) -> float:
     """Return the end of the lowest octave [m], which reaches down to zero: a power series in a holds there."""
     own, unit = in_own_lengths(response)
     return unit * _first_radius(cast(Hashable, own))
 
 
 @functools.lru_cache(maxsize=256)
-def _first_radius(given: Hashable) -> float:
-    response = cast(Response, given)
+def _first_radius(cache_key: Hashable) -> float:
+    response = cast(WaveResponse, cache_key)
     strength = abs(float(transform(response, response.length)(np.zeros(1))[0]))
     return 0.5 * response.length / (1.0 + response.length * strength)
 
 
-def octave_of(response: Response, radius: Array) -> Array:
+def octave_of(response: WaveResponse, radius: Array) -> Array:
     """Return the octave in which radii lie, also those below the lowest, as integers ``(m,)``."""
     with np.errstate(divide="ignore"):
         octave = np.ceil(np.log2(radius / first_radius(response)))
     return np.where(np.isfinite(octave), octave, -1e6).astype(int)
 
 
-def tables(response: Response, octave: int) -> tuple[Punches, ...]:
+def tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
     """Return the punches of an octave of radii, ascending.
 
     Raises
@@ -92,27 +92,27 @@ def tables(response: Response, octave: int) -> tuple[Punches, ...]:
 
 
 @functools.lru_cache(maxsize=512)
-def _stretched(given: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
+def _stretched(cache_key: Hashable, octave: int, unit: float) -> tuple[Punches, ...]:
     """Return the tables with radii in m, of a response in units of a length [m]."""
-    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(given, octave))
+    return tuple(table._replace(low=unit * table.low, high=unit * table.high) for table in _tables(cache_key, octave))
 
 
 @functools.lru_cache(maxsize=512)
-def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
-    response = cast(Response, given)
+def _tables(cache_key: Hashable, octave: int) -> tuple[Punches, ...]:
+    response = cast(WaveResponse, cache_key)
     high = first_radius(response) * 2.0**octave
     waiting = [(0.5 * high if octave else 0.0, high, 0)]
     done: list[Punches] = []
     while waiting:
         low, high, depth = waiting.pop()
         table, tail = _solve(response, low, high)
-        rounded = ROUNDED * float(np.max(np.abs(table.phi)))
-        if tail <= max(10.0 * _settled(response), rounded) or depth == HALVINGS:
-            if tail > max(LAST, 100.0 * _settled(response)):
+        rounded = ROUNDING_RATIO * float(np.max(np.abs(table.phi)))
+        if tail <= max(10.0 * _settled(response), rounded) or depth == MOST_HALVINGS:
+            if tail > max(LAST_TOLERANCE, 100.0 * _settled(response)):
                 raise NotConverged(
                     f"Flat punches with radii of {low / response.length:.3g} to {high / response.length:.3g} "
                     f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
-                    "beyond what winkler can carry: ask for narrower contacts."
+                    "beyond what winkler can carry: request narrower contacts."
                 )
             done.append(table)
         else:
@@ -121,18 +121,21 @@ def _tables(given: Hashable, octave: int) -> tuple[Punches, ...]:
     return tuple(sorted(done, key=lambda table: table.low))
 
 
-def _panels(response: Response, high: float) -> Array:
+def _panels(response: WaveResponse, high: float) -> Array:
     """Return panels of x/a that halve towards the edge."""
-    finest = min((FINEST_ROUNDED if response.smooth > response.length else FINEST) * response.length, response.smooth)
-    halvings = max(0, math.ceil(math.log2(high / max(finest, FINEST * response.length))))
+    finest = min(
+        (EDGE_PANEL_WIDTH_ROUNDED if response.smooth > response.length else EDGE_PANEL_WIDTH) * response.length,
+        response.smooth,
+    )
+    halvings = max(0, math.ceil(math.log2(high / max(finest, EDGE_PANEL_WIDTH * response.length))))
     return halving_panels(halvings)
 
 
-def _solve(response: Response, low: float, high: float) -> tuple[Punches, float]:
+def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, float]:
     """Return the punches between two radii, and how far their series in a is from its end."""
     panels = _panels(response, high)
     count = _enough(response, high, panels)
-    many = RADII if _settled(response) == SETTLED else FEWER_RADII
+    many = RADII_PER_OCTAVE if _settled(response) == SETTLED_TOLERANCE else FEWER_RADII_PER_OCTAVE
     angle = np.pi * (np.arange(many) + 0.5) / many
     radii = low + (high - low) * np.cos(0.5 * angle) ** 2
     solved = [_punch(response, float(a), panels, count) for a in radii]
@@ -182,33 +185,33 @@ def _from_panel(panel: tuple[float, float], other: tuple[float, float], degree: 
     return np.asarray(legendre_to_chebyshev(degree) @ np.einsum("ij,ijk->ik", rule, basis))
 
 
-def _settled(response: Response) -> float:
-    """Return the relative change below which nothing is learnt any more."""
-    return max(SETTLED, response.precision)
+def _settled(response: WaveResponse) -> float:
+    """Return the relative change below which the results are settled."""
+    return max(SETTLED_TOLERANCE, response.precision)
 
 
-def _enough(response: Response, high: float, panels: Array) -> int:
+def _enough(response: WaveResponse, high: float, panels: Array) -> int:
     """Return how many nodes a panel needs for the widest punch to settle."""
     settled = _settled(response)
-    counts = COUNTS if settled > SETTLED else COUNTS[1:]
+    counts = NODE_COUNTS if settled > SETTLED_TOLERANCE else NODE_COUNTS[1:]
     last = _punch(response, high, panels, counts[0])
     change = math.inf
     for fewer, more in itertools.pairwise((*counts, 48)):
         finer = _punch(response, high, panels, more)
         before = change
         change = max(abs(float(new / old) - 1.0) for new, old in zip(finer[:2], last[:2], strict=True))
-        if change <= settled or (change <= LAST and change > 0.1 * before):
+        if change <= settled or (change <= LAST_TOLERANCE and change > 0.1 * before):
             return int(fewer)
         last = finer
-    if change > max(LAST, 100.0 * settled):
+    if change > max(LAST_TOLERANCE, 100.0 * settled):
         raise NotConverged(
             f"A flat punch with a radius of {high / response.length:.3g} {IN_LENGTHS} still moves by {change:.1e}; the "
-            "contrasts of the stack are beyond what winkler can carry: ask for a narrower contact."
+            "contrasts of the stack are beyond what winkler can carry: request a narrower contact."
         )
-    return COUNTS[-1]
+    return NODE_COUNTS[-1]
 
 
-def _punch(response: Response, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:
+def _punch(response: WaveResponse, a: float, panels: Array, count: int) -> tuple[float, float, Array, Array]:
     """Return the integral of phi over a, phi at the edge, and phi and a rho at the nodes ``(panels, count)``."""
     kernel = transform(response, 2.0 * a)
     x, w = panel_nodes(a * panels, count)

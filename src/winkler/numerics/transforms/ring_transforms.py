@@ -42,7 +42,7 @@ class Cuts:
         self.place = self.start + width * (low / (low - high))
         self.falls = low > 0.0
         self.slope = (high - low) / width
-        # what the nodes alone tell: zero instead of what is negative
+        # what the nodes alone give: zero instead of what is negative
         self.cut_slope = (np.maximum(high, 0.0) - np.maximum(low, 0.0)) / width
         # where the positive part begins and ends
         self.first = np.where(self.falls, self.start, self.place)
@@ -54,7 +54,7 @@ class Cuts:
         return float(self.place[self.falls][-1]) if np.any(self.falls) else 0.0
 
 
-def ring_means(squares: Array, values: Array, wanted: Array) -> Array:
+def ring_means(squares: Array, values: Array, targets: Array) -> Array:
     """Return the means over the rings about other nodes, so that nothing of a volume is lost.
 
     Parameters
@@ -64,7 +64,7 @@ def ring_means(squares: Array, values: Array, wanted: Array) -> Array:
     wanted : ndarray, (m,)
         y of the other nodes.
     """
-    borders = np.concatenate(([0.0], 0.5 * (wanted[1:] + wanted[:-1]), wanted[-1:]))
+    borders = np.concatenate(([0.0], 0.5 * (targets[1:] + targets[:-1]), targets[-1:]))
     below = np.concatenate(([0.0], np.cumsum(0.5 * np.diff(squares) * (values[1:] + values[:-1]))))
     cell = np.clip(np.searchsorted(squares, borders, side="right") - 1, 0, squares.size - 2)
     part = np.minimum(borders, squares[-1]) - squares[cell]
@@ -192,17 +192,17 @@ class SurfaceTransform:
 
     def __call__(self, values: Array, cut: Cuts) -> Array:
         """Return u(r) [m] of springs displaced by values+."""
-        shown = self.matrix @ np.maximum(values, 0.0)
+        restored = self.matrix @ np.maximum(values, 0.0)
         if cut.cells.size:
             zeroth, second = (
                 last - first
                 for last, first in zip(self._parts(cut.last[None, :]), self._parts(cut.first[None, :]), strict=True)
             )
-            shown = shown + np.sum(cut.slope * (second - cut.place * zeroth), axis=1)
+            restored = restored + np.sum(cut.slope * (second - cut.place * zeroth), axis=1)
             base = np.where(cut.falls, cut.stop, cut.start)
             zeroth, second = (
                 last - first
                 for last, first in zip(self._parts(cut.stop[None, :]), self._parts(cut.start[None, :]), strict=True)
             )
-            shown = shown - np.sum(cut.cut_slope * (second - base * zeroth), axis=1)
-        return np.asarray(shown)
+            restored = restored - np.sum(cut.cut_slope * (second - base * zeroth), axis=1)
+        return np.asarray(restored)

@@ -16,7 +16,7 @@ from winkler.numerics.types import Array, Curve
 
 __all__ = ["line_load", "pressure"]
 
-NEGLIGIBLE = 1e-2
+NEGLIGIBLE_SHARE = 1e-2
 """Pieces whose share of the pressure is less than this part of the steepest u' are measured against that."""
 
 Weight = Callable[[Array, Array], Array]
@@ -99,7 +99,7 @@ def _tail(slope: Curve, kinks: Kinks, end: float, r: Array, steepest: float, wei
     """Integrate -u'(x) weight(r, x) / sqrt(x^2 - r^2) over x from r > 0 to `end`."""
     total = np.zeros_like(r)
     strengths = dict(kinks)
-    least = NEGLIGIBLE * steepest
+    least = NEGLIGIBLE_SHARE * steepest
     for low, high in pieces([b for b, _ in kinks], end):
         top = min(high, end)
         # the piece that holds r starts at r; those beyond start at their kink, with its inverse square root
@@ -136,8 +136,8 @@ def _tail_piece(
         regular = -np.asarray(slope(x))
         if strength != 0.0:  # taken off at the same rounded x, so that the errors cancel
             regular = regular - strength / root_difference(x, low)
-        turned = weight(np.broadcast_to(r[index, None], x.shape), x)
-        return np.asarray((strength + y * regular) / x * turned * reach[index, None])
+        rotated = weight(np.broadcast_to(r[index, None], x.shape), x)
+        return np.asarray((strength + y * regular) / x * rotated * reach[index, None])
 
     rounding = noise(np.full(r.shape, top), low)
     rough = np.full(r.shape, known) if rounding is None else np.maximum(rounding, known)

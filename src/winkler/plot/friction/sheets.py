@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
@@ -160,7 +160,7 @@ def _twist_panel(state: TorsionState) -> Panel:
     bed, radius, mu = state.springs.bed, state.radius, state.springs.coefficient
     r = places(radius, (*(b for b, _ in bed.kinks if b < radius), state.stick_radius), count=200)
     traction = state.traction(r)
-    pressure = bed.medium.pressure(Pressed(bed, state.depth, radius), r)
+    pressure = bed.medium.pressure(PressedSprings(bed, state.depth, radius), r)
     finite = np.isfinite(traction) & np.isfinite(pressure)
     bound = np.where(finite, mu * pressure, np.nan) if math.isfinite(mu) else np.full(r.shape, np.nan)
     ceiling = 3.0 * float(np.nanmedian(bound)) if math.isfinite(mu) else math.inf

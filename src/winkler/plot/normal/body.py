@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.fields import restore
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import Outline, solid_until, sunk
@@ -99,7 +99,7 @@ def _lid(rise: float, radius: float, depth: float, *, wall: bool) -> float:
     return max(1.6 * rise, rise + 4.0 * depth) or TALL * radius
 
 
-def _rings(end: float, pressed: Pressed) -> Array:
+def _rings(end: float, pressed: PressedSprings) -> Array:
     marks = [b for b in (*(b for b, _ in pressed.bed.kinks), pressed.radius) if 0.0 < b < end]
     return np.unique(np.concatenate([np.linspace(0.0, end, RINGS + 1), marks]))
 

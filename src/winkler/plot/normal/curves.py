@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from winkler.fields import SurfaceFields, restore
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import is_singular, is_torn, marks_of
@@ -86,7 +86,7 @@ def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, C
     return {name: Curve(depth, sorted_series(name)) for name in names}
 
 
-def force_depth(pressed: Pressed) -> Curve:
+def force_depth(pressed: PressedSprings) -> Curve:
     """Return F(d) from first touch to a contact, NaN where the contact cannot be one disc on the way.
 
     Parameters
@@ -123,7 +123,7 @@ def curve_panel(curve: Curve, colour: str = style.BLUE, **look: Any) -> Panel:
     return Panel((line,), Axis.of(curve.along, margin=0.03 if few else 0.0), Axis.of(curve.of))
 
 
-def loaded_so_far(pressed: Pressed, force: float) -> Panel:
+def loaded_so_far(pressed: PressedSprings, force: float) -> Panel:
     """Return F(d) up to a contact, and the contact itself as a point."""
     curve = force_depth(pressed)
     depth = float(pressed.depth)

@@ -8,7 +8,7 @@ from winkler.fields import restore
 from winkler.plot import style
 from winkler.plot.panel import Axis, Line, Panel, Polygon, Rule
 from winkler.plot.series import places, scale_of, series
-from winkler.stairs import Staircase
+from winkler.punch_staircase import Staircase
 
 __all__ = ["pressures_panel", "steps_panel"]
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.extent import solid_until
@@ -101,7 +101,7 @@ def spring_places(extent: float) -> Array:
     return (np.arange(SPRINGS) - 0.5 * (SPRINGS - 1)) * 2.0 * extent / SPRINGS
 
 
-def springs_panel(pressed: Pressed, extent: float, frame: Frame | None = None) -> Panel:
+def springs_panel(pressed: PressedSprings, extent: float, frame: Frame | None = None) -> Panel:
     """Return the springs, compressed where the plane profile has come down on them.
 
     Parameters
@@ -188,7 +188,7 @@ def _coils(row: Row, bottom: float) -> Strokes:
     return Strokes(x, bottom + rungs * (-row.sunk - bottom)[:, None], row.colours, row.width, row.strength)
 
 
-def _pressed_row(pressed: Pressed, extent: float) -> Row:
+def _pressed_row(pressed: PressedSprings, extent: float) -> Row:
     x = spring_places(extent)
     place = np.abs(x)
     touched = (place <= pressed.radius) & (pressed.radius > 0.0)
@@ -203,7 +203,7 @@ def _pressed_row(pressed: Pressed, extent: float) -> Row:
     return Row(x, sunk, np.zeros(x.shape), tuple(colours), _thickness(pressed.bed, place), strength)
 
 
-def _pull(pressed: Pressed) -> float:
+def _pull(pressed: PressedSprings) -> float:
     """Return how far springs are stretched at most [m]; zero where none is by more than rounding."""
     if pressed.radius == 0.0:
         return 0.0
@@ -237,7 +237,7 @@ def _uneven(bed: Bed, extent: float) -> bool:
     return is_varied(np.asarray(bed.normal_stiffness(min(extent, bed.reach) * np.linspace(0.1, 1.0, 9)), dtype=float))
 
 
-def _dimensions(pressed: Pressed, bottom: float) -> list[Any]:
+def _dimensions(pressed: PressedSprings, bottom: float) -> list[Any]:
     """Return the contact radius, that of a ring which is pulled, and the depth, as they are marked."""
     a, d, outer = pressed.touching, float(pressed.depth), pressed.radius
     level, edge = 0.86 * bottom, -float(pressed.edge)
@@ -254,6 +254,6 @@ def _dimensions(pressed: Pressed, bottom: float) -> list[Any]:
     return marks
 
 
-def at_first_touch(bed: Bed) -> Pressed:
+def at_first_touch(bed: Bed) -> PressedSprings:
     """Return a bed on which nothing is pressed yet."""
-    return Pressed(bed, 0.0, 0.0)
+    return PressedSprings(bed, 0.0, 0.0)

@@ -16,7 +16,7 @@ from typing import Protocol
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, Pressed, Stretched
+from winkler.foundation.bed import Bed, PressedSprings, StretchedSprings
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.problems.adhesion import griffith
@@ -72,7 +72,7 @@ class EdgeStates(Protocol):
         """What d'(a) is measured against [-], positive: the stretch of the edge over the radius."""
         ...
 
-    def pressed(self, depth: float, radius: float) -> Pressed:
+    def pressed(self, depth: float, radius: float) -> PressedSprings:
         """The displacement of the springs, from which fields are restored."""
         ...
 
@@ -119,9 +119,9 @@ class ShortStates:
         """Stretch over radius."""
         return np.asarray(griffith.stretch(self.bed, self.work, radius) / radius)
 
-    def pressed(self, depth: float, radius: float) -> Stretched:
+    def pressed(self, depth: float, radius: float) -> StretchedSprings:
         """The springs up to the contact radius."""
-        return Stretched(self.bed, depth, radius)
+        return StretchedSprings(self.bed, depth, radius)
 
 
 @value
@@ -163,9 +163,9 @@ class FarStates:
         """g(a) over a."""
         return np.asarray(np.maximum(np.abs(self.bed.gap(radius)), 1e-300) / radius)
 
-    def pressed(self, depth: float, radius: float) -> Pressed:
+    def pressed(self, depth: float, radius: float) -> PressedSprings:
         """The springs of the contact alone: what pulls from afar deforms nothing."""
-        return Pressed(self.bed, depth, radius)
+        return PressedSprings(self.bed, depth, radius)
 
 
 def end_of(bed: Bed) -> float:

@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.media.graded.power_law import GradedHalfSpace
@@ -221,7 +221,7 @@ class AdhesiveSolution:
         return PullOff(self.problem.bed, self.problem.law).solve()
 
     @property
-    def pressed(self) -> Pressed:
+    def pressed(self) -> PressedSprings:
         """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
         return self._states.pressed(single(self.depth, "fields"), float(self.radius))
 
@@ -269,7 +269,7 @@ class AdhesiveSolution:
         )
 
 
-def _elastic_energy(pressed: Pressed) -> float:
+def _elastic_energy(pressed: PressedSprings) -> float:
     """Return half the integral of k' u^2 [J] over compressed and pulled springs."""
     bed = pressed.bed
 

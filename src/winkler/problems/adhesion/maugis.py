@@ -19,7 +19,7 @@ from typing import cast
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.adhesion import Dugdale
 from winkler.media.graded.power_law import GradedHalfSpace
 from winkler.media.halfspace import HomogeneousMedium
@@ -193,7 +193,7 @@ def _zone(given: Hashable, shape: tuple[int, ...], content: bytes) -> Zone:
 
 
 @value
-class Ringed(Pressed):
+class Ringed(PressedSprings):
     """Springs compressed up to the contact radius and pulled in the ring around it.
 
     Parameters

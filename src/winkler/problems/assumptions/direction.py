@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.footprint import Ellipse, Unknown
+from winkler.footprint import EllipticOutline, UnknownOutline
 from winkler.foundation.bed import Bed
 from winkler.validity import Assumption, Note, Standing
 
@@ -22,9 +22,9 @@ MEAN = Note(
 def direction_notes(bed: Bed) -> tuple[Note, ...]:
     """Return what must be said of the direction of shear; nothing of a disc."""
     outline = bed.footprint
-    if isinstance(outline, Unknown):
+    if isinstance(outline, UnknownOutline):
         return (MEAN,)
-    if not isinstance(outline, Ellipse):
+    if not isinstance(outline, EllipticOutline):
         return ()
     return (
         Note(

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
-from winkler.footprint import Round
+from winkler.footprint import RoundOutline
 from winkler.foundation.bed import Bed
 from winkler.loading import Load
 from winkler.materials.conducting_body import Plated
@@ -37,7 +37,7 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
     if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
         refuse_unless_round(bed, type(conductors).__name__, "a plating")
     parts = conductors.resistances(radius)
-    if not np.any(parts.film) or isinstance(bed.footprint, Round):
+    if not np.any(parts.film) or isinstance(bed.footprint, RoundOutline):
         return parts
     touching = radius > 0.0
     a = np.where(touching, radius, 1.0)
@@ -63,7 +63,7 @@ def disc_yield_notes(bed: Bed, load: Load) -> tuple[Note, ...]:
 def scope_notes(bed: Bed, radius: Array) -> tuple[Note, ...]:
     """Return why the disc of this bed conducts as it does; of many loads for the widest contact."""
     widest = float(np.max(radius, initial=0.0))
-    if not isinstance(bed.footprint, Round):
+    if not isinstance(bed.footprint, RoundOutline):
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,

@@ -7,7 +7,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Quantity
 from winkler.problems.conduction.disc import disc_yield_notes, scope_notes
 from winkler.problems.one_load import picked, single
@@ -38,9 +38,9 @@ class ConductingSolution:
     resistance: Quantity
 
     @property
-    def pressed(self) -> Pressed:
+    def pressed(self) -> PressedSprings:
         """The springs, from which pressure and stress are restored; of one load."""
-        return Pressed(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
+        return PressedSprings(self.problem.bed, single(self.depth, "springs or fields"), float(self.radius))
 
     @property
     def _disc_notes(self) -> tuple[Note, ...]:

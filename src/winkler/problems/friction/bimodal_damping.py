@@ -21,7 +21,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import (
     Advice,
     Count,
@@ -34,7 +34,7 @@ from winkler.checks.number_checks import (
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
-from winkler.limits import SPRINGS
+from winkler.limits import MOST_SPRINGS
 from winkler.loading import Depth, Shift
 from winkler.numerics.integrals.bisected_quadrature import along_springs, towards
 from winkler.numerics.types import Array, Quantity, shaped
@@ -57,7 +57,7 @@ EDGE = 30
 """How often the panels halve their distance from the edges of the widest and the narrowest contact."""
 
 
-RUBBING = Such(
+RUBBING = Condition(
     lambda law: law.coefficient > 0.0,
     "give Coulomb(coefficient) with a positive coefficient, infinite if nothing slides",
 )
@@ -123,7 +123,7 @@ class BimodalDamping:
     assumptions: ClassVar[frozenset[Assumption]] = SHEARED | {Assumption.INERTIA, Assumption.STEADY}
 
     def __post_init__(self) -> None:
-        affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, SPRINGS)
+        affordable("BimodalDamping", "pairs of cycles", self.normal_cycles * self.lateral_cycles, MOST_SPRINGS)
         common = math.gcd(self.normal_cycles, self.lateral_cycles)
         if common > 1:
             raise InvalidInput(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.loading import Depth
 from winkler.numerics.types import Array, Quantity
@@ -48,7 +48,7 @@ def sheared_by_pieces(
     edges, left, right = (np.asarray(part, dtype=float) for part in (edges, left, right))
     moved = np.asarray(shift, dtype=float)
     radius = float(Indentation(bed, Depth(depth)).solve().radius)
-    pressed = Pressed(bed, depth, radius)
+    pressed = PressedSprings(bed, depth, radius)
     if radius == 0.0 or left.shape[0] == 0:
         empty = np.zeros((0, *moved.shape))
         return ShearedSprings(pressed, 1.0, moved, np.zeros(0), np.zeros(0), empty, empty)

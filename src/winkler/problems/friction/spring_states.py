@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.checks.contract import offered
 from winkler.errors import OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
@@ -97,9 +97,9 @@ class SpringState:
     displacement: Array
 
     @property
-    def pressed(self) -> Pressed:
+    def pressed(self) -> PressedSprings:
         """The springs' displacement across the surface."""
-        return Pressed(self.bed, self.depth, self.radius)
+        return PressedSprings(self.bed, self.depth, self.radius)
 
     @property
     def sheared(self) -> ShearedSprings:

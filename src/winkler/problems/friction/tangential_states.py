@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.materials.elastic import Elastic
@@ -84,9 +84,9 @@ class TangentialState:
         return self.radius > 0.0 and self.memory.stick_gap == 0.0
 
     @property
-    def pressed(self) -> Pressed:
+    def pressed(self) -> PressedSprings:
         """The springs' displacement across the surface."""
-        return Pressed(self.bed, self.depth, self.radius)
+        return PressedSprings(self.bed, self.depth, self.radius)
 
     @property
     def sheared(self) -> ShearedSprings:

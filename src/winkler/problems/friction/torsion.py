@@ -18,7 +18,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.laws.friction import Coulomb
 from winkler.loading import Angle, Depth, Torque
 from winkler.media.halfspace import HomogeneousMedium
@@ -303,7 +303,7 @@ def _excess(solution: TorsionSolution) -> tuple[float, int]:
     for index in falling[:: max(1, falling.size // LOOKED_AT)].tolist():
         state = solution.states[index]
         r = np.linspace(0.02, 0.98, PLACES) * state.radius
-        pressed = Pressed(solution.problem.bed, state.depth, state.radius)
+        pressed = PressedSprings(solution.problem.bed, state.depth, state.radius)
         borne = solution.problem.law.coefficient * solution.problem.bed.medium.pressure(pressed, r)
         excess = float(np.max(np.abs(state.traction(r)) / borne)) - 1.0 if borne.min() > 0.0 else 0.0
         if excess > ROUNDING:

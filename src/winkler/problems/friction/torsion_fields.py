@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_pressed
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_states import TorsionState
@@ -82,5 +82,5 @@ def body_of_twisted(state: TorsionState, x: Array, y: Array, z: Array) -> BodyFi
     )
 
 
-def _pressed(state: TorsionState) -> Pressed:
-    return Pressed(state.springs.bed, state.depth, state.radius)
+def _pressed(state: TorsionState) -> PressedSprings:
+    return PressedSprings(state.springs.bed, state.depth, state.radius)

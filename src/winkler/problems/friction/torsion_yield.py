@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.peak import greatest
 from winkler.numerics.types import Array
@@ -68,7 +68,7 @@ def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note,
 
 
 def _sharp(state: TorsionState, part: StrongPart) -> bool:
-    pressed = Pressed(state.springs.bed, state.depth, state.radius)
+    pressed = PressedSprings(state.springs.bed, state.depth, state.radius)
     if state.radius == 0.0:
         return False
     return state.springs.edge != 0.0 or any(sharp_places(pressed, part.solid.poisson, 1.0))

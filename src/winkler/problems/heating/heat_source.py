@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import line_source, projected
@@ -31,13 +31,13 @@ class HeatSource:
 
     Parameters
     ----------
-    pressed : Pressed
+    pressed : PressedSprings
         The springs.
     source : LineSource
         Line load of the flux, whose integral is 1 W.
     """
 
-    pressed: Pressed
+    pressed: PressedSprings
     source: LineSource
 
     @property
@@ -53,7 +53,7 @@ class HeatSource:
 
 
 @functools.lru_cache(maxsize=256)
-def heat_source(pressed: Pressed) -> HeatSource:
+def heat_source(pressed: PressedSprings) -> HeatSource:
     """Return the source of 1 W that belongs to a pressed bed.
 
     Raises

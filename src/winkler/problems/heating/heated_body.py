@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.materials.conductor import ThermalConductor
-from winkler.numerics.fields.line_source import Peak
+from winkler.numerics.fields.line_source import PeakTemperature
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.heating.heat_source import heat_source
 from winkler.values import value
@@ -26,14 +26,14 @@ class HeatedBody:
         Velocity of its surface along x, past the contact [m/s].
     heat_rate : float
         What flows into it [W].
-    pressed : Pressed
+    pressed : PressedSprings
         The springs; the flux has the shape of their pressure.
     """
 
     conductor: ThermalConductor
     speed: float
     heat_rate: float
-    pressed: Pressed
+    pressed: PressedSprings
 
     @property
     def peclet(self) -> float:
@@ -65,9 +65,9 @@ class HeatedBody:
         return source.surface(self._wave, along, across) * (self.heat_rate / self.conductor.conductivity)
 
     @property
-    def warmest(self) -> Peak:
+    def warmest(self) -> PeakTemperature:
         """The greatest temperature within the contact: `height` [K] and its place [m]."""
         if self.pressed.radius == 0.0 or self.heat_rate == 0.0:
-            return Peak(0.0, 0.0, 0.0)
+            return PeakTemperature(0.0, 0.0, 0.0)
         peak = heat_source(self.pressed).source.peak(self._wave)
-        return Peak(peak.height * self.heat_rate / self.conductor.conductivity, peak.x, peak.y)
+        return PeakTemperature(peak.height * self.heat_rate / self.conductor.conductivity, peak.x, peak.y)

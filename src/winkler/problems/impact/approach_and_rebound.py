@@ -16,7 +16,7 @@ import numpy as np
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
-from winkler.numerics.equations.marching import Marched, Stop, march
+from winkler.numerics.equations.marching import IntegratedStates, StopCondition, integrate_to_stop
 from winkler.numerics.equations.roots import between
 from winkler.numerics.equations.turning import Leap, Slopes
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -39,7 +39,7 @@ class Swing(NamedTuple):
 
     Parameters
     ----------
-    legs : tuple of Marched
+    legs : tuple of IntegratedStates
         Depth [m] and velocity [m/s], piece after piece.
     turn : float
         When the depth is greatest [s].
@@ -51,7 +51,7 @@ class Swing(NamedTuple):
         Whether the body turns back before it comes free.
     """
 
-    legs: tuple[Marched, ...]
+    legs: tuple[IntegratedStates, ...]
     turn: float
     deepest: float
     parting: float
@@ -174,7 +174,7 @@ def _way_out(edge: AdhesiveEdge, place: float, stop: float) -> tuple[list[Panels
     return _fitted(edge, lambda depths: edge.opening.fall(place, depths), breaks, -1), parting
 
 
-def _march(forces: list[Panels], mass: float, time: float, state: Array) -> list[Marched]:
+def _march(forces: list[Panels], mass: float, time: float, state: Array) -> list[IntegratedStates]:
     """Return the motion through stretches of force, until they end or the body stands."""
     inward = bool(state[1] > 0.0)
     legs = []
@@ -186,7 +186,7 @@ def _march(forces: list[Panels], mass: float, time: float, state: Array) -> list
     return legs
 
 
-def _through(piece: Panels, mass: float, time: float, state: Array, inward: bool) -> Marched:
+def _through(piece: Panels, mass: float, time: float, state: Array, inward: bool) -> IntegratedStates:
     low, high = float(piece.edges[0]), float(piece.edges[-1])
     goal, direction = (high, 1) if inward else (low, -1)
     width = high - low
@@ -195,11 +195,11 @@ def _through(piece: Panels, mass: float, time: float, state: Array, inward: bool
     def rates(time: float, state: Array) -> list[float]:
         return [float(state[1]), -float(piece(np.clip(state[0], low, high))) / mass]
 
-    passed = Stop(lambda time, state: float(state[0]) - goal, direction)
-    stands = Stop(lambda time, state: float(state[1]), -direction)
+    passed = StopCondition(lambda time, state: float(state[0]) - goal, direction)
+    stands = StopCondition(lambda time, state: float(state[1]), -direction)
     span = (time, time + LONGEST * width / fast)
     scales, stops = np.array([width, fast]), (passed, stands)
-    found = march(rates, span, state, unit=width / fast, precision=PRECISION, scales=scales, stops=stops)
+    found = integrate_to_stop(rates, span, state, unit=width / fast, precision=PRECISION, scales=scales, stops=stops)
     if not any(found.stopped):
         raise NotConverged(
             f"AdhesiveImpact: the body hangs between {low:.6g} m and {high:.6g} m, where hardly a force moves it; "

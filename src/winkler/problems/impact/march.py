@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged
-from winkler.numerics.equations.marching import Marched, Stop, march
+from winkler.numerics.equations.marching import IntegratedStates, StopCondition, integrate_to_stop
 from winkler.numerics.types import Array
 from winkler.problems.impact.memory import NOTHING, Entered, Recalled, Slid, Stuck, ring
 from winkler.problems.normal.force_curve import NormalCurve
@@ -153,10 +153,10 @@ def _march(
     rates: Callable[[float, Array], list[float]],
     span: tuple[float, float],
     start: Array,
-    stops: list[Stop],
-) -> Marched:
+    stops: list[StopCondition],
+) -> IntegratedStates:
     unit, scales = motion.depth / motion.velocity, motion.scales()[: start.size]
-    return march(rates, span, start, unit=unit, precision=PRECISION, scales=scales, stops=stops)
+    return integrate_to_stop(rates, span, start, unit=unit, precision=PRECISION, scales=scales, stops=stops)
 
 
 def turning(motion: Motion) -> float:
@@ -166,12 +166,12 @@ def turning(motion: Motion) -> float:
         return [state[1], -motion.curve.at(state[0])[1] / motion.mass]
 
     longest = 2.0 * motion.depth / motion.velocity  # the force never falls with the depth
-    stopped = Stop(lambda time, state: state[1], -1)
+    stopped = StopCondition(lambda time, state: state[1], -1)
     found = _march(motion, rates, (0.0, longest), np.array([0.0, motion.velocity]), [stopped])
     return found.end
 
 
-def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[Stop]) -> Marched:
+def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[StopCondition]) -> IntegratedStates:
     """March on while all springs stick: d, v, U, w, loss, shear force and stored energy."""
     mass, ratio, mobility = motion.mass, motion.ratio, motion.mobility
 
@@ -183,7 +183,7 @@ def _stick(motion: Motion, span: tuple[float, float], start: Array, stops: list[
     return _march(motion, rates, span, start, stops)
 
 
-def _sticking(motion: Motion, found: Marched) -> Stage:
+def _sticking(motion: Motion, found: IntegratedStates) -> Stage:
     def moment(time: float) -> Moment:
         depth, velocity, shift, sliding, loss, shear, stored = found.at(time).tolist()
         _, force, pressed = motion.curve.at(depth)
@@ -192,7 +192,7 @@ def _sticking(motion: Motion, found: Marched) -> Stage:
     return Stage(float(found.times[0]), found.end, 0, moment)
 
 
-def _entered(motion: Motion, found: Marched, turn: float) -> Entered:
+def _entered(motion: Motion, found: IntegratedStates, turn: float) -> Entered:
     """Return what springs remember that came into contact while all stuck."""
     times = found.times
     places = 0.5 * (times[:-1] + times[1:])[:, None] + 0.5 * np.diff(times)[:, None] * NODES
@@ -211,8 +211,8 @@ def _with_slip(motion: Motion, turn: float) -> Iterator[Stage]:
     shear = stored = 0.0
     for _ in range(MOST_STAGES):
         if sign == 0:
-            forward = Stop(lambda time, y: y[3] - beta * y[1], 1)
-            backward = Stop(lambda time, y: y[3] + beta * y[1], -1)
+            forward = StopCondition(lambda time, y: y[3] - beta * y[1], 1)
+            backward = StopCondition(lambda time, y: y[3] + beta * y[1], -1)
             found = _stick(motion, (time, turn), np.array([*state, shear, stored]), [forward, backward])
             if found.end > time:
                 yield _sticking(motion, found)
@@ -271,7 +271,7 @@ class _Slip(NamedTuple):
         inside = shift * shift * inner.stiffness + 2.0 * shift * inner.first + inner.second
         return force, 0.5 * motion.ratio * (inside + motion.beta() ** 2 * square)
 
-    def march(self, time: float, end: float, start: Array) -> Marched:
+    def march(self, time: float, end: float, start: Array) -> IntegratedStates:
         motion, sign, stuck = self.motion, self.sign, self.stuck
         beta, mass, mobility = motion.beta(), motion.mass, motion.mobility
 
@@ -292,13 +292,13 @@ class _Slip(NamedTuple):
             return stuck.excess(sign, float(state[2]), float(state[0]), time)
 
         stops = [
-            Stop(lambda time, state: sign * state[3] - beta * state[1], -1),
-            Stop(eaten, 1),
-            Stop(passed, -1),
+            StopCondition(lambda time, state: sign * state[3] - beta * state[1], -1),
+            StopCondition(eaten, 1),
+            StopCondition(passed, -1),
         ]
         return _march(motion, rates, (time, end), start, stops)
 
-    def reader(self, found: Marched) -> Callable[[float], Moment]:
+    def reader(self, found: IntegratedStates) -> Callable[[float], Moment]:
         def moment(time: float) -> Moment:
             state = found.at(time)
             depth, velocity, shift, sliding, loss = state.tolist()

@@ -15,10 +15,10 @@ from winkler.media import body_of
 from winkler.media.body_of import Imprint
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
-from winkler.media.springs_behind import springs_behind
-from winkler.media.under_pressure import PressedIn, pressed_in
+from winkler.media.springs_of_curve import springs_of_curve
+from winkler.media.under_pressure import PressureIndentation, pressed_in
 from winkler.numerics.panels.chebyshev import fit_panels
-from winkler.numerics.panels.convex_spline import ConvexCurve, fit_convex, hollow, local_scatter
+from winkler.numerics.panels.convex_spline import ConvexCurve, first_concave_part, fit_convex, local_scatter
 from winkler.numerics.types import Array, ArrayLike, Curve
 from winkler.profiles.designed import Designed
 
@@ -86,7 +86,7 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
     k, layered = body_of.exponent_of(medium), isinstance(medium, LayeredMedium)
     curve, accuracy = _convex(depth, force)
     tolerance = max(accuracy, LAYERED_TOLERANCE if layered else TOLERANCE)
-    springs, exact = springs_behind(curve, medium, 0.1 * tolerance)
+    springs, exact = springs_of_curve(curve, medium, 0.1 * tolerance)
     if exact.flat > 0.0:
         tolerance = max(tolerance, FLAT_TOLERANCE)
     end = exact.reach
@@ -176,7 +176,7 @@ def _convex(depth: ArrayLike, force: ArrayLike) -> tuple[ConvexCurve, float]:
     d, f = d[d > 0.0], f[d > 0.0]
     if d.size < FEWEST:
         raise InvalidInput(f"design_profile: {d.size} depths above zero were given; give at least {FEWEST}.")
-    where = hollow(d, f, CONVEX)
+    where = first_concave_part(d, f, CONVEX)
     scatter = local_scatter(d, f) if where is not None else 0.0
     pulled = np.flatnonzero(f <= -BEYOND_SCATTER * scatter)
     if pulled.size or f[-1] <= 0.0:
@@ -198,7 +198,7 @@ def _greatest(function: Curve, end: float) -> float:
     return float(np.max(np.abs(function(end * np.linspace(0.0, 1.0, 65)[1:-1]))))
 
 
-def _refuse_falling(end: float, sunk: PressedIn) -> None:
+def _refuse_falling(end: float, sunk: PressureIndentation) -> None:
     """Refuse a pressure under which homogeneous or graded springs are not deepest at the axis."""
     x = end * np.linspace(0.0, 1.0, 2001)
     springs = sunk.springs(x)

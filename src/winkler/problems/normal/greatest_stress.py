@@ -24,13 +24,13 @@ import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
 from winkler.errors import OutsideValidity
-from winkler.footprint import Ellipse
-from winkler.foundation.bed import Pressed, Stretched
+from winkler.footprint import EllipticOutline
+from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
-from winkler.media.interior.peak import ZOOMS, greatest
+from winkler.media.interior.peak import REFINEMENTS, greatest
 from winkler.media.interior.stress import von_mises
 from winkler.media.interior.tensor import von_mises_of_tensor
 from winkler.media.layered.coated import LayeredMedium
@@ -61,12 +61,12 @@ class GreatestStress(NamedTuple):
 
 
 @functools.lru_cache(maxsize=256)
-def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -> GreatestStress:
+def greatest_stress(pressed: PressedSprings, part: StrongPart, friction: float = 0.0) -> GreatestStress:
     """Return the greatest von Mises stress in a part of the bodies.
 
     Parameters
     ----------
-    pressed : Pressed
+    pressed : PressedSprings
         The springs of the contact.
     part : StrongPart
     friction : float
@@ -78,10 +78,10 @@ def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -
         If the stresses in this part are not known.
     """
     bed = pressed.bed
-    if isinstance(bed.footprint, Ellipse):
+    if isinstance(bed.footprint, EllipticOutline):
         return _under_ellipse(pressed, bed.footprint, part, friction)
     refuse_unless_round(bed, "yield", "the stress below the surface")
-    if type(pressed) is Pressed and _is_ball(pressed):
+    if type(pressed) is PressedSprings and _is_ball(pressed):
         found = _ball(part.solid.poisson, friction)
         peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
         return GreatestStress(found.value * peak, found.x * pressed.radius, found.z * pressed.radius, "")
@@ -104,12 +104,14 @@ def greatest_stress(pressed: Pressed, part: StrongPart, friction: float = 0.0) -
         top=part.top * (1.0 + BELOW_FACE),
         bottom=part.bottom,
         both_sides=friction > 0.0,
-        zooms=COARSE if layered else ZOOMS,
+        zooms=COARSE if layered else REFINEMENTS,
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
 
 
-def _under_ellipse(pressed: Pressed, outline: Ellipse, part: StrongPart, friction: float) -> GreatestStress:
+def _under_ellipse(
+    pressed: PressedSprings, outline: EllipticOutline, part: StrongPart, friction: float
+) -> GreatestStress:
     """Return the greatest stress under Hertz's ellipse, whose springs are those of the disc of equal stiffness."""
     if friction > 0.0:
         raise OutsideValidity("The stresses of a traction under an ellipse are not computed.")
@@ -120,14 +122,14 @@ def _under_ellipse(pressed: Pressed, outline: Ellipse, part: StrongPart, frictio
     return GreatestStress(found.value * 1.5 * force / (math.pi * smaller * larger), 0.0, found.depth * smaller, "")
 
 
-def sharp_places(pressed: Pressed, poisson: float, friction: float) -> Iterator[tuple[float, str]]:
+def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> Iterator[tuple[float, str]]:
     """Yield where the von Mises stress at the surface is infinite or not resolved [m], and why.
 
     The pressure grows like a logarithm towards a pointed apex or a jump of slope.  In an incompressible body it is
     then all but hydrostatic, and the deviator stays finite, as long as there is no friction: under a cone of slope m
     it is 3/4 E* m at most.
     """
-    if isinstance(pressed, Stretched) and pressed.edge < 0.0:
+    if isinstance(pressed, StretchedSprings) and pressed.edge < 0.0:
         yield pressed.radius, f"attraction without range pulls the edge{INFINITE}"
     elif pressed.edge > 0.0:
         yield pressed.radius, f"the rim is sharp{INFINITE}"
@@ -140,7 +142,7 @@ def sharp_places(pressed: Pressed, poisson: float, friction: float) -> Iterator[
             yield place, f"the slope of the profile jumps{UNRESOLVED if bounded else INFINITE}"
 
 
-def _stress(pressed: Pressed, part: StrongPart, friction: float, x: Array, z: Array) -> Array:
+def _stress(pressed: PressedSprings, part: StrongPart, friction: float, x: Array, z: Array) -> Array:
     medium, springs = pressed.bed.medium, pressed.blunted
     with np.errstate(invalid="ignore"):  # stresses are infinite in points of the surface
         across = medium.interior(springs, np.abs(x), z, below=part.first)
@@ -167,7 +169,7 @@ def _stress(pressed: Pressed, part: StrongPart, friction: float, x: Array, z: Ar
     )
 
 
-def _is_ball(pressed: Pressed) -> bool:
+def _is_ball(pressed: PressedSprings) -> bool:
     bed = pressed.bed
     return isinstance(bed, Foundation) and isinstance(bed.profile, Paraboloid) and isinstance(bed.medium, HalfSpace)
 
@@ -177,7 +179,7 @@ def _ball(poisson: float, friction: float) -> GreatestStress:
     """Return the greatest stress over the greatest pressure, and its place over the contact radius."""
     solid = Elastic(1.0, poisson)
     medium = HalfSpace(solid)
-    unit, part = Pressed(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
+    unit, part = PressedSprings(Foundation(Paraboloid(1.0), medium), 1.0, 1.0), StrongPart("", solid, True)
     peak = 2.0 * medium.modulus / math.pi
     found = greatest(lambda x, z: _stress(unit, part, friction, x, z) / peak, 1.0, both_sides=friction > 0.0)
     return GreatestStress(found.value, found.r, found.z, "")

@@ -15,7 +15,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force, Load, Radius
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Quantity, shaped
@@ -167,9 +167,9 @@ class IndentationSolution:
         return np.where(inside, bed.normal_stiffness(place) * pressed.value(place), 0.0)
 
     @property
-    def pressed(self) -> Pressed:
+    def pressed(self) -> PressedSprings:
         """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
-        return Pressed(self.problem.bed, single(self.depth, "line load or fields"), float(self.radius))
+        return PressedSprings(self.problem.bed, single(self.depth, "line load or fields"), float(self.radius))
 
     def at(self, index: int | tuple[int, ...]) -> IndentationSolution:
         """Return the solution of one load of an array.

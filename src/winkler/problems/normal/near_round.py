@@ -16,7 +16,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.foundation.foundation import Foundation
 from winkler.loading import Depth, Force
@@ -48,7 +48,7 @@ Where it would be more than about 3 the equations have no solution any more.
 MEASURED = "exact ellipses, and boundary elements for pyramids and a square"
 
 
-PRESSED_TOGETHER = Such(
+PRESSED_TOGETHER = Condition(
     lambda load: bool(np.all((load.force if isinstance(load, Force) else load.depth) > 0.0)),
     "give a positive Force or Depth, or an array of them",
 )

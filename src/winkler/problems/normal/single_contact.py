@@ -19,9 +19,9 @@ from typing import cast
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.plane import PlaneFoundation
-from winkler.media.medium import CALM
+from winkler.media.medium import LEAST_SURFACE_RISE
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
@@ -128,7 +128,7 @@ def refuse_overlap(bed: Bed, depth: float, radius: float, end: float) -> None:
         r = _where_it_may_overlap(bed, depth, radius, end)
     if not r.size:
         return
-    separation = bed.height(r) - depth + bed.medium.displacement(Pressed(bed, depth, radius), r)
+    separation = bed.height(r) - depth + bed.medium.displacement(PressedSprings(bed, depth, radius), r)
     if not np.all(np.isfinite(separation)):
         raise NotConverged("The separation outside the contact could not be computed.")
     overlap = separation < -1e-9 * depth
@@ -157,12 +157,12 @@ def refuse_tension(bed: Bed, depth: float, radius: float) -> None:
     r = np.concatenate([r, [place for place in beside if 0.0 < place < radius]])
     if pulling:  # a thin coating pulls close to the edge
         r = np.concatenate([r, radius * (1.0 - np.geomspace(1e-5, 1e-2, 49))])
-    pressure = bed.medium.pressure(Pressed(bed, depth, radius), r)
+    pressure = bed.medium.pressure(PressedSprings(bed, depth, radius), r)
     if np.min(pressure) < -1e-9 * np.max(np.abs(pressure[np.isfinite(pressure)])):
         place = r[np.argmin(pressure)]
         cause = (
             "the true contact has a gap there; the profile is too concave or wavy for this load"
-            if bed.medium.punch_facts(radius).telling
+            if bed.medium.punch_facts(radius).gives_separation
             else "the layers bend away from the body there; ask for another load, or for a softer or thicker coating"
         )
         raise OutsideValidity(
@@ -218,7 +218,9 @@ def _lowest_rise(bed: Bed, depth: float, radius: float, end: float) -> float:
     far = min(1e3 * radius, end)
     r = np.geomspace(radius, far, 400)
     height = bed.height(r)
-    high = (height >= (1.0 + bulge) * depth) | ((r >= radius + beside.calm) & (height >= (1.0 - CALM) * depth))
+    high = (height >= (1.0 + bulge) * depth) | (
+        (r >= radius + beside.flat_beyond) & (height >= (1.0 - LEAST_SURFACE_RISE) * depth)
+    )
     if not high.any() and far < end:
         return np.inf
     return float(r[np.argmax(high)]) if high.any() else far
@@ -232,7 +234,7 @@ def _low_reach(bed: Bed, depth: float, radius: float, end: float) -> float:
     with np.errstate(over="ignore", invalid="ignore"):
         height = bed.height(places)
         high = (height >= depth + _bulge(bed, radius, facts.least)) | (
-            (places >= radius + facts.calm) & (height >= depth + _bulge(bed, radius, CALM))
+            (places >= radius + facts.flat_beyond) & (height >= depth + _bulge(bed, radius, LEAST_SURFACE_RISE))
         )
     low = places[~high]
     if not low.size:
@@ -272,7 +274,7 @@ def _where_it_may_overlap(bed: Bed, depth: float, radius: float, end: float) -> 
     """
     near, far = _outside(radius, end)
     facts = bed.medium.punch_facts(radius)
-    if not facts.telling:
+    if not facts.gives_separation:
         places = np.concatenate(
             [near[:: SAMPLES // 400], _troughs(bed, near), far[:: SAMPLES // 400], _troughs(bed, far)]
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.footprint import Ellipse
+from winkler.footprint import EllipticOutline
 from winkler.foundation.bed import Bed
 from winkler.path import Path
 
@@ -38,7 +38,7 @@ def refuse_plane(owner: str, bed: Bed, path: Path) -> None:
     OutsideValidity
         With what to give instead.
     """
-    if path.in_plane and isinstance(bed.footprint, Ellipse):
+    if path.in_plane and isinstance(bed.footprint, EllipticOutline):
         raise OutsideValidity(
             f"{owner}: the path leaves its line, and an ellipse gives way differently along and across; give a path in "
             "one direction, with EllipticFoundation(bodies, medium) for shear along x, its `turned` for y."

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.footprint import Ellipse
-from winkler.foundation.bed import Bed, Pressed
+from winkler.footprint import EllipticOutline
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.media.halfspace import HalfSpace
 from winkler.media.layered.coated import CoatedHalfSpace
@@ -88,22 +88,22 @@ def yield_notes_of_bed(bed: Bed, depth: Array, radius: Array, rubbing: Rubbing =
     if not strong_parts(bed.medium):  # of a height map springs know no more than what it was pressed into
         return unknown_yield(getattr(bed, "pressed_into", None), "the bed does not tell the outline of the contact")
     last = int(np.argmax(depths))
-    widest = Pressed(bed, float(depths[last]), float(radii[last]))
+    widest = PressedSprings(bed, float(depths[last]), float(radii[last]))
     contacts = [widest]
     if not bed.rising and widest.radius < bed.rim:  # a falling profile may be stressed more under less load
         earlier = np.array(SHARES[:-1]) * widest.radius
         opened = earlier[earlier > flat_radius(bed)]
         gaps = bed.gap(opened)
-        contacts += [Pressed(bed, float(d), float(a)) for d, a in zip(gaps, opened, strict=True) if d > 0.0]
+        contacts += [PressedSprings(bed, float(d), float(a)) for d, a in zip(gaps, opened, strict=True) if d > 0.0]
     return yield_notes(contacts, rubbing)
 
 
-def yield_notes(contacts: list[Pressed], rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
+def yield_notes(contacts: list[PressedSprings], rubbing: Rubbing = FRICTIONLESS) -> tuple[Note, ...]:
     """Return whether the parts that have a strength stay elastic in all of these contacts of one bed.
 
     Parameters
     ----------
-    contacts : list of Pressed
+    contacts : list of PressedSprings
         The deepest first.
     rubbing : Rubbing
 
@@ -127,7 +127,7 @@ class _Verdict(NamedTuple):
     source: str
 
 
-def _verdict(contacts: list[Pressed], part: StrongPart, rubbing: Rubbing) -> _Verdict:
+def _verdict(contacts: list[PressedSprings], part: StrongPart, rubbing: Rubbing) -> _Verdict:
     """Return what is known of one part; the share is that of its strength."""
     try:
         _refuse_costly(contacts[0])
@@ -147,7 +147,7 @@ def _verdict(contacts: list[Pressed], part: StrongPart, rubbing: Rubbing) -> _Ve
     return _rubbed(contacts[0], part, rubbing, share, lower)
 
 
-def _refuse_costly(pressed: Pressed) -> None:
+def _refuse_costly(pressed: PressedSprings) -> None:
     medium = pressed.bed.medium
     if isinstance(medium, RelaxingMedium):
         raise OutsideValidity("the stresses in a relaxing body follow the history of the load.")
@@ -158,19 +158,21 @@ def _refuse_costly(pressed: Pressed) -> None:
         )
 
 
-def _friction_unknown(pressed: Pressed, rubbing: Rubbing) -> str:
+def _friction_unknown(pressed: PressedSprings, rubbing: Rubbing) -> str:
     """Return why the stresses under friction are not known, or nothing."""
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         return f"the stresses of a traction inside a {type(medium).__name__} are not computed"
-    if isinstance(pressed.bed.footprint, Ellipse):
+    if isinstance(pressed.bed.footprint, EllipticOutline):
         return "the stresses of a traction under an ellipse are not computed"
     if math.isinf(rubbing.coefficient):
         return "no coefficient of friction limits the traction"
     return ""
 
 
-def _frictionless(pressed: Pressed, part: StrongPart, found: GreatestStress, share: float, added: str) -> _Verdict:
+def _frictionless(
+    pressed: PressedSprings, part: StrongPart, found: GreatestStress, share: float, added: str
+) -> _Verdict:
     where = f"{share_of(share, part)}, at r = {found.x:.3g} m, z = {_signed(part, found.z):.3g} m"
     load = _onset_of_ball(pressed, share)
     if found.sharp:
@@ -193,7 +195,7 @@ def _frictionless(pressed: Pressed, part: StrongPart, found: GreatestStress, sha
     )
 
 
-def _rubbed(pressed: Pressed, part: StrongPart, rubbing: Rubbing, plain: float, lower: str) -> _Verdict:
+def _rubbed(pressed: PressedSprings, part: StrongPart, rubbing: Rubbing, plain: float, lower: str) -> _Verdict:
     """Return what is known of a contact with friction that without it would stay elastic."""
     mu = rubbing.coefficient
     kinetic = mu if math.isnan(rubbing.kinetic) else rubbing.kinetic
@@ -209,7 +211,7 @@ def _rubbed(pressed: Pressed, part: StrongPart, rubbing: Rubbing, plain: float, 
     slid = most
     if 0.0 < rubbing.slid < pressed.depth:
         radius = float(at_depth(pressed.bed, np.array([rubbing.slid]))[1][0])
-        slid = greatest_stress(Pressed(pressed.bed, rubbing.slid, radius), part, kinetic)
+        slid = greatest_stress(PressedSprings(pressed.bed, rubbing.slid, radius), part, kinetic)
     elif kinetic != mu:
         slid = greatest_stress(pressed, part, kinetic)
     share = slid.value / part.solid.strength
@@ -248,11 +250,11 @@ def _signed(part: StrongPart, depth: float) -> float:
     return depth if part.first else -depth
 
 
-def _onset_of_ball(pressed: Pressed, share: float) -> float:
+def _onset_of_ball(pressed: PressedSprings, share: float) -> float:
     """Return the force at which a ball or an ellipse on half-spaces begins to yield [N], as the cube of the stress."""
     bed = pressed.bed
     ball = isinstance(bed, Foundation) and isinstance(bed.profile, Paraboloid)
-    if type(pressed) is not Pressed or not (ball or isinstance(bed.footprint, Ellipse)):
+    if type(pressed) is not PressedSprings or not (ball or isinstance(bed.footprint, EllipticOutline)):
         return 0.0
     if not isinstance(bed.medium, HalfSpace):
         return 0.0

@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.greatest_stress import GreatestStress, greatest_stress, sharp_places
@@ -135,7 +135,7 @@ def _onset(bed: Bed, part: StrongPart) -> tuple[float, GreatestStress] | str:
     _refuse_first_touch(bed, part, a, flat, sharp)
 
     def stress(radius: float) -> GreatestStress:
-        return greatest_stress(Pressed(bed, float(bed.gap(np.array([radius]))[0]), radius), part)
+        return greatest_stress(PressedSprings(bed, float(bed.gap(np.array([radius]))[0]), radius), part)
 
     if end in sharp or math.isfinite(at_end(bed)[0]):
         place = stress(end)
@@ -205,7 +205,7 @@ def _refuse_first_touch(bed: Bed, part: StrongPart, a: float, flat: float, sharp
         raise OutsideValidity(
             f"YieldOnset: the slope of the profile jumps, so the stress is infinite there and {advice}"
         )
-    pressed = Pressed(bed, float(bed.gap(np.array([a]))[0]), a)
+    pressed = PressedSprings(bed, float(bed.gap(np.array([a]))[0]), a)
     if any(place == 0.0 for place, _ in sharp_places(pressed, part.solid.poisson, 0.0)):
         raise OutsideValidity(f"YieldOnset: the apex is pointed, so the stress is infinite there and {advice}")
 

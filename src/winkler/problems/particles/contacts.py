@@ -19,7 +19,7 @@ from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.springs.contact_kernels import move_balls, turn_balls
-from winkler.numerics.threads import shared_out
+from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import SHEARED
 from winkler.problems.normal.validity import steepness_note
@@ -270,7 +270,7 @@ class Contacts:
                     held[part], stiffness[part], most[part], turn[part], borne[part], stored[row, part], lost[row, part]
                 )
 
-        shared_out(work, many)
+        run_in_threads(work, many)
         heat = self.dissipation[:, np.newaxis] + np.cumsum(lost.sum(axis=0), axis=1)
         trace = ContactTrace(d, normal[:, 1:], shear, torque[:, :, 0], moment, stored.sum(axis=0), heat)
         after = dataclasses.replace(

@@ -14,7 +14,7 @@ from winkler.checks.number_checks import NOT_TINY, Count, NonNegativeQuantity, N
 from winkler.errors import InvalidInput
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.springs.contact_kernels import impact_balls
-from winkler.numerics.threads import shared_out
+from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.declared import BALANCED, SHEARED
@@ -150,7 +150,7 @@ class BallImpacts:
                 time[part],
             )
 
-        shared_out(work, many)
+        run_in_threads(work, many)
         return BallImpactsSolution(self, after, sliding, loss, deepest, peak, time)
 
 

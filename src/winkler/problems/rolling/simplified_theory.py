@@ -16,7 +16,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Advice, Whole
 from winkler.errors import InvalidInput
 from winkler.laws.friction import Sliding
@@ -41,7 +41,7 @@ MOMENT = 0.25 * math.pi
 
 
 ISOTROPIC = Advice("Kalker's coefficients are those of homogeneous, isotropic bodies")
-ONE_FORCE = Such(
+ONE_FORCE = Condition(
     lambda load: np.ndim(load.force) == 0 and float(load.force) > 0.0, "give Force(F) with one positive number"
 )
 

@@ -14,7 +14,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.checks.number_checks import Advice, Positive, Whole
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.foundation.bed import Bed
@@ -42,7 +42,7 @@ ROUNDING = 1e-12
 """Part of its bound by which a spring that slides may miss it."""
 
 
-ONE_FORCE = Such(lambda load: np.ndim(load.shear_force) == 0, "give ShearForce(F) with one number")
+ONE_FORCE = Condition(lambda load: np.ndim(load.shear_force) == 0, "give ShearForce(F) with one number")
 
 
 @value

@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Whole, affordable
 from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS, SPRINGS
+from winkler.limits import MOST_NUMBERS, MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.problems.normal.yield_of_pressure import spots_yield_notes
 from winkler.problems.rough.spring_line import prescribed
@@ -20,8 +20,8 @@ __all__ = ["LineSprings", "Realisations", "check_ensemble", "line_notes"]
 ROUNDING = 1e-9
 
 
-Realisations: TypeAlias = Annotated[int, Whole(1, SPRINGS)]
-LineSprings: TypeAlias = Annotated[int, Whole(16, SPRINGS)]
+Realisations: TypeAlias = Annotated[int, Whole(1, MOST_SPRINGS)]
+LineSprings: TypeAlias = Annotated[int, Whole(16, MOST_SPRINGS)]
 
 
 def check_ensemble(owner: str, load: Force | Depth, realisations: int, count: int) -> None:

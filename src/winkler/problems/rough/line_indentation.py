@@ -15,7 +15,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Positive, Seed
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.loading import Depth, Force
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.integrals.quadrature import gauss_legendre
@@ -179,7 +179,7 @@ class RoughIndentationSolution(RoughSolution):
         angle = 0.5 * math.pi * nodes
         answer = []
         for depth, radius in zip(depths.tolist(), radii.tolist(), strict=True):
-            pressure = self.problem.medium.pressure(Pressed(bed, depth, radius), radius * np.sin(angle))
+            pressure = self.problem.medium.pressure(PressedSprings(bed, depth, radius), radius * np.sin(angle))
             touching = area_fraction(pressure, self.problem.medium.modulus, slope)
             answer.append(math.pi**2 * radius**2 * float(np.sum(weights * touching * np.sin(angle) * np.cos(angle))))
         return shaped(np.array(answer), np.shape(self.force))

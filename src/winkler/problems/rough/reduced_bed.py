@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.footprint import Unknown
+from winkler.footprint import UnknownOutline
 from winkler.foundation.measured import MeasuredBed
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
@@ -19,7 +19,7 @@ from winkler.values import value
 __all__ = ["ReducedBed"]
 
 SMOOTHNESS = 1e-3
-MAP = Unknown(
+MAP = UnknownOutline(
     "a height map",
     "ask SurfaceContact(topography, medium, load) for its pressure and area, SurfaceConduction for what it conducts, "
     "or give Foundation(profile, medium)",
@@ -67,7 +67,7 @@ class ReducedBed(MeasuredBed):
     references: ClassVar[tuple[str, ...]] = Reduction.references
 
     @property
-    def footprint(self) -> Unknown:
+    def footprint(self) -> UnknownOutline:
         """Not known: spots of any outline."""
         return MAP
 

@@ -17,7 +17,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.checks.number_checks import Seed, Whole
-from winkler.limits import SPRINGS
+from winkler.limits import MOST_SPRINGS
 from winkler.loading import Depth, Force
 from winkler.media.conduction.conductors import ElectricalConductors
 from winkler.numerics.types import Array, Quantity, shaped
@@ -66,7 +66,7 @@ class SurfaceConduction:
 
     contact: SurfaceContact
     conductors: ElectricalConductors
-    realisations: Annotated[int, Whole(1, SPRINGS // 256)] = 20
+    realisations: Annotated[int, Whole(1, MOST_SPRINGS // 256)] = 20
     seed: Seed = 0
 
     references: ClassVar[tuple[str, ...]] = ("barber_2003", "pohrt_popov_2012")

@@ -14,7 +14,7 @@ from winkler.foundation.springs import Springs
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.springs.free_relaxation import Recovery
-from winkler.numerics.springs.relaxing_springs import NUMBERS, march, seek
+from winkler.numerics.springs.relaxing_springs import STEP_NUMBERS, advance_springs, advance_to_force
 from winkler.numerics.types import Array
 
 __all__ = ["Carried", "Row", "elastic_like", "refuse_rings", "relaxation_of"]
@@ -109,8 +109,8 @@ class Row:
 
     def march(self, changes: Array, spans: Array) -> Carried:
         """Carry the row through changes of depth [m] at steady rates, or suddenly where a span [s] is zero."""
-        numbers = np.empty((changes.size, NUMBERS))
-        march(self.law, self.row, self._state, self.motion, changes, spans, numbers)
+        numbers = np.empty((changes.size, STEP_NUMBERS))
+        advance_springs(self.law, self.row, self._state, self.motion, changes, spans, numbers)
         return Carried.of(self, np.divide(changes, spans, out=np.zeros(changes.size), where=spans > 0.0), numbers)
 
     def towards(self, force: float, dt: float, guess: float, scale: float) -> float:
@@ -121,7 +121,7 @@ class Row:
         """
         mean = self.series.viscosity > 0.0 and dt > 0.0
         wanted = np.array([force, 0.0, 1.0 / dt, 0.0] if mean else [force, 1.0, 0.0, 0.0])
-        change, _ = seek(self.law, self.row, self._state, self.motion, wanted, dt, guess, scale)
+        change, _ = advance_to_force(self.law, self.row, self._state, self.motion, wanted, dt, guess, scale)
         if math.isnan(change):
             raise NotConverged(f"The springs find no depth at which they bear {force:.6g} N; take more of them.")
         return float(change)
@@ -134,7 +134,9 @@ class Row:
         """
         momentum = 2.0 * mass * velocity
         wanted = np.array([momentum, 0.0, 1.0, 2.0 * mass / dt])
-        change, held = seek(self.law, self.row, self._state, self.motion, wanted, dt, velocity * dt, abs(momentum))
+        change, held = advance_to_force(
+            self.law, self.row, self._state, self.motion, wanted, dt, velocity * dt, abs(momentum)
+        )
         if math.isnan(change):
             raise NotConverged("The springs find no impulse that stops the body; take more of them.")
         return float(change) / dt, int(held)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from winkler.foundation.bed import Bed, Pressed
+from winkler.foundation.bed import Bed, PressedSprings
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
 from winkler.values import value
@@ -117,7 +117,7 @@ def _polynomial(depths: Array, displaced: Array) -> tuple[Array, float]:
 
 
 @value
-class RelaxedSprings(Pressed):
+class RelaxedSprings(PressedSprings):
     """Springs that remember: those in contact are pressed to a depth, those outside may not have recovered yet.
 
     Parameters

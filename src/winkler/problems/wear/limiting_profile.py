@@ -17,7 +17,7 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.checks.field_checks import Such
+from winkler.checks.field_checks import Condition
 from winkler.errors import OutsideValidity
 from winkler.foundation.bed import Bed
 from winkler.foundation.foundation import Foundation
@@ -79,12 +79,12 @@ class Core:
         return -self.bed.gap_slope(x)
 
 
-ONE_DEPTH = Such(
+ONE_DEPTH = Condition(
     lambda load: numbers_of(load).ndim == 0 and float(load.depth) > 0.0,
     "give Depth(d) with one positive number: under a steady force the core takes over what the worn ring lets go, "
     "ask for FrettingWear",
 )
-ONE_SHIFT = Such(
+ONE_SHIFT = Condition(
     lambda load: numbers_of(load).ndim == 0 and float(load.shift) > 0.0,
     "give Shift(U) with one positive number, how far to each side",
 )

@@ -1,12 +1,12 @@
 r"""A scan along a line, as a stylus makes it, and the spectrum of the surface behind scans.
 
-A scan of an isotropic surface sees waves of every direction, foreshortened:
+A scan of an isotropic surface crosses waves of every direction, foreshortened:
 
 .. math:: C_\mathrm{line}(q) = 2\int_q^\infty\frac{C(s)\,s}{\sqrt{s^2-q^2}}\,\mathrm ds , \qquad
           C(q) = -\frac1\pi\int_q^\infty\frac{C_\mathrm{line}'(s)}{\sqrt{s^2-q^2}}\,\mathrm ds .
 
 It falls, whatever the surface.  What has been measured scatters, so it is levelled where it rises; between its numbers
-it is a power law, and it is continued by one beyond the last, where the scan has seen nothing.
+it is a power law, and it is continued by one beyond the last, where the scan has measured nothing.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ from winkler.checks.number_checks import Numbers
 from winkler.errors import InvalidInput
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
-from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
+from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.values import value
 
 __all__ = ["LineScan", "spectrum_of_lines"]
 
 NODES = 16
 """Of Gauss's rule between two numbers."""
-LEAST_STEEP = 1.0
+LEAST_FALL_EXPONENT = 1.0
 """The continuation falls at least with 1/q, as that of the roughest surface, H = 0."""
 
-FEWEST = 64
-"""Heights of which less is said than a spectrum needs."""
+FEWEST_HEIGHTS = 64
+"""Fewer heights than these do not make a spectrum."""
 
 
 @value
@@ -57,8 +57,8 @@ class LineScan:
     70.7
     """
 
-    position: Annotated[Array, Numbers(fewest=FEWEST, order="rising")]
-    heights: Annotated[Array, Numbers(fewest=FEWEST)]
+    position: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS, order="rising")]
+    heights: Annotated[Array, Numbers(fewest=FEWEST_HEIGHTS)]
 
     def __post_init__(self) -> None:
         if self.position.size != self.heights.size:
@@ -82,7 +82,7 @@ class LineScan:
 
     @property
     def spectrum(self) -> PowerSpectrum:
-        """C(q) of an isotropic surface that looks like the scan: a guess from one line of it.
+        """C(q) of an isotropic surface with the statistics of the scan: a guess from one line of it.
 
         The scan is levelled, and fades towards its ends under Hann's window; the powers of its waves scatter and are
         averaged over twentieths of a decade.  One line is one sample: the density scatters
@@ -125,8 +125,8 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
     >>> spectrum_of_lines(q, np.pi / 2.0 / q**3).densities
     array([1.        , 0.0625    , 0.00390625])
     """
-    given = PowerSpectrum(wave_numbers, densities)  # says what is wrong with the rows
-    q, line = _thinned(given.wave_numbers, given.densities)
+    stated = PowerSpectrum(wave_numbers, densities)  # refuses wrong rows
+    q, line = _thinned(stated.wave_numbers, stated.densities)
     line = _falling(line)
     if not line[0] > line[-1]:
         raise InvalidInput(
@@ -137,7 +137,7 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
     steep = -np.diff(np.log(line)) / np.diff(logs)
     last = logs > logs[-1] - 0.5 * np.log(10.0)  # its slope from half a decade, or from two numbers
     last[-2:] = True
-    tail = max(-float(np.polyfit(logs[last], np.log(line[last]), 1)[0]), LEAST_STEEP)
+    tail = max(-float(np.polyfit(logs[last], np.log(line[last]), 1)[0]), LEAST_FALL_EXPONENT)
     nodes, weights = gauss_legendre(NODES)
     density = np.empty(q.size)
     for k, low in enumerate(q):
@@ -145,13 +145,13 @@ def spectrum_of_lines(wave_numbers: Array, densities: Array) -> PowerSpectrum:
         t = edges[:-1, None] + np.diff(edges)[:, None] * nodes
         s = low * np.cosh(t)
         inner = steep[k:, None] * line[k:-1, None] * (q[k:-1, None] / s) ** steep[k:, None] / s
-        density[k] = np.sum(np.diff(edges)[:, None] * weights * inner) + _beyond(low, q[-1], line[-1], tail)
+        density[k] = np.sum(np.diff(edges)[:, None] * weights * inner) + _continued(low, q[-1], line[-1], tail)
     return PowerSpectrum(q, density / np.pi)
 
 
 def _thinned(q: Array, density: Array) -> tuple[Array, Array]:
     """Return means over bins that are equal on a logarithmic axis, where numbers lie closer than these."""
-    which = np.floor(np.log10(q / q[0]) * PER_DECADE + 1e-9).astype(int)
+    which = np.floor(np.log10(q / q[0]) * POINTS_PER_DECADE + 1e-9).astype(int)
     _, where, counts = np.unique(which, return_inverse=True, return_counts=True)
     return np.exp(np.bincount(where, np.log(q)) / counts), np.bincount(where, density) / counts
 
@@ -169,7 +169,7 @@ def _falling(density: Array) -> Array:
     return np.repeat(means, counts)
 
 
-def _beyond(low: float, last: float, density: float, tail: float) -> float:
+def _continued(low: float, last: float, density: float, tail: float) -> float:
     """Return the integral from the last wave number on, under a power law: an incomplete beta function."""
     from scipy.special import beta, betainc
 

@@ -19,33 +19,33 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.numerics.types import Array
-from winkler.profiles.rough.spectrum import PER_DECADE, PowerSpectrum
+from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.profiles.rough.topography import Topography
 
 __all__ = ["spectrum_of"]
 
-FEWEST = 4
+FEWEST_WAVE_NUMBERS = 4
 """Different wave numbers in a ring, unless the map has fewer."""
-EARLY, LATE = 0.7, 1.3
+LEAST_RING_WIDTH, LARGEST_RING_WIDTH = 0.7, 1.3
 """Where a ring may end, in widths of a ring."""
-BESIDE = 0.15
-"""Power so close to the end of a ring, in widths of a ring, speaks against ending it there."""
-STEEPEST = 5.0
-"""A density that changes within a ring by more than exp(STEEPEST) gives way to a narrower ring."""
-NOTHING = 1e-26
+END_MARGIN = 0.15
+"""Power so close to the end of a ring, in widths of a ring, prevents its end there."""
+LARGEST_LOG_CHANGE = 5.0
+"""A density that changes within a ring by more than exp(LARGEST_LOG_CHANGE) gives way to a narrower ring."""
+ROUNDING_RATIO = 1e-26
 """Part of the sums that is rounding: rings with less at either end of the spectrum are left out."""
-FAINT = 1e-40
+LEAST_DENSITY_RATIO = 1e-40
 """Density between rings, over the greatest one."""
-JUMP = 1e-13
+JUMP_WIDTH = 1e-13
 """Relative distance of two wave numbers between which the density jumps."""
-HALVINGS = 60
-SHIFTED = 0.5
+MOST_HALVINGS = 60
+LARGEST_SLOPE_SHIFT = 0.5
 """More than this much steeper rings may not become together."""
-LONGEST, MANY = 3.0, 4096
+LARGEST_LATTICE_STEPS, MANY_WAVES = 3.0, 4096
 """In steps of the lattice; the exponent of a ring beyond, with fewer waves than so many, is that of its waves."""
 
 
-class _Waves(NamedTuple):
+class _MapWaves(NamedTuple):
     """Waves by rising wave number: q [rad/m], how many have it, and their mean square [m^2]."""
 
     q: Array
@@ -95,7 +95,7 @@ def spectrum_of(topography: Topography) -> PowerSpectrum:
     return _spectrum(waves, ends, _borders(waves, ends, cell), cell)
 
 
-def _waves(topography: Topography) -> _Waves:
+def _waves(topography: Topography) -> _MapWaves:
     """Return the waves of a map that are more than rounding; those of equal wave number as one."""
     heights = (topography if topography.periodic else topography.detrended(1)).heights
     heights = heights - np.mean(heights)
@@ -115,9 +115,9 @@ def _waves(topography: Topography) -> _Waves:
     count, power = np.add.reduceat(count, new), np.add.reduceat(power, new)
     q = q[new]
     total, steep = float(np.sum(power)), float(np.sum(power * q**2))
-    seen = np.flatnonzero((power > NOTHING * total) | (power * q**2 > NOTHING * steep))
-    last = int(seen[-1]) + 1 if total > 0.0 else 0
-    return _Waves(q[:last], count[:last], power[:last] * unit**2)
+    significant = np.flatnonzero((power > ROUNDING_RATIO * total) | (power * q**2 > ROUNDING_RATIO * steep))
+    last = int(significant[-1]) + 1 if total > 0.0 else 0
+    return _MapWaves(q[:last], count[:last], power[:last] * unit**2)
 
 
 def _folded(numbers: Array, axis: int) -> Array:
@@ -129,7 +129,7 @@ def _folded(numbers: Array, axis: int) -> Array:
     return np.moveaxis(folded, 0, axis)
 
 
-def _ends(waves: _Waves, cell: float, nyquist: float) -> list[int]:
+def _ends(waves: _MapWaves, cell: float, nyquist: float) -> list[int]:
     """Return behind which wave each ring ends: where little power is near, and the lattice fills the plane evenly."""
     ends: list[int] = []
     start, last = 0, waves.q.size
@@ -137,17 +137,19 @@ def _ends(waves: _Waves, cell: float, nyquist: float) -> list[int]:
     filled = np.sqrt(cell * (1.0 + np.cumsum(waves.members)) / math.pi)
     summed = np.concatenate(([0.0], np.cumsum(waves.power)))
     while start < last:
-        wide = waves.q[start] * 10.0 ** (np.array([EARLY, LATE, LATE + BESIDE]) / PER_DECADE)
+        wide = waves.q[start] * 10.0 ** (
+            np.array([LEAST_RING_WIDTH, LARGEST_RING_WIDTH, LARGEST_RING_WIDTH + END_MARGIN]) / POINTS_PER_DECADE
+        )
         first, final, beyond = np.searchsorted(waves.q, wide, side="right").tolist()
-        first, final = max(first, start + FEWEST), max(final, start + FEWEST)
+        first, final = max(first, start + FEWEST_WAVE_NUMBERS), max(final, start + FEWEST_WAVE_NUMBERS)
         stop = whole if start < whole else last
         if final >= stop:
             end = stop
         else:
             places = np.arange(first, final + 1)
             low, high = waves.q[places - 1], waves.q[places]
-            uneven = np.abs(np.log(np.clip(filled[places - 1], low, high) / filled[places - 1])) * PER_DECADE
-            reach = 10.0 ** (BESIDE / PER_DECADE)
+            uneven = np.abs(np.log(np.clip(filled[places - 1], low, high) / filled[places - 1])) * POINTS_PER_DECADE
+            reach = 10.0 ** (END_MARGIN / POINTS_PER_DECADE)
             near = summed[np.searchsorted(waves.q, high * reach)] - summed[np.searchsorted(waves.q, low / reach)]
             most = max(float(summed[min(beyond, last)] - summed[start]), np.finfo(float).tiny)
             end = int(places[np.argmin(uneven + near / most)])
@@ -156,7 +158,7 @@ def _ends(waves: _Waves, cell: float, nyquist: float) -> list[int]:
     return ends
 
 
-def _borders(waves: _Waves, ends: list[int], cell: float) -> Array:
+def _borders(waves: _MapWaves, ends: list[int], cell: float) -> Array:
     """Return the squares of the radii of the rings: where the lattice fills the plane, or else between two waves."""
     q, inner = waves.q, np.array(ends[:-1], dtype=int)
     low, high = q[inner - 1] ** 2, q[inner] ** 2
@@ -167,44 +169,46 @@ def _borders(waves: _Waves, ends: list[int], cell: float) -> Array:
     return np.concatenate(([first], np.clip(filled, low + gap, high - gap), [last]))
 
 
-def _spectrum(waves: _Waves, ends: list[int], borders: Array, cell: float) -> PowerSpectrum:
+def _spectrum(waves: _MapWaves, ends: list[int], borders: Array, cell: float) -> PowerSpectrum:
     starts = [0, *ends[:-1]]
     power, square = (np.add.reduceat(waves.power * waves.q**n, starts) for n in (0, 2))
-    there = power > NOTHING * float(np.sum(power))
-    rings, total = _rings(waves, ends, borders, there, LONGEST**2 * cell), float(np.sum(square[there]))
+    there = power > ROUNDING_RATIO * float(np.sum(power))
+    rings, total = _rings(waves, ends, borders, there, LARGEST_LATTICE_STEPS**2 * cell), float(np.sum(square[there]))
     more = _shift(rings, total)
-    if abs(more) > SHIFTED:  # a line among waves that are faint beside it
+    if abs(more) > LARGEST_SLOPE_SHIFT:  # a line among waves that are faint beside it
         rings = _rings(waves, ends, borders, there, math.inf)
         more = _shift(rings, total)
     places, heights = [], []
     for ring in rings:
-        low, high = math.sqrt(ring.inner) * (1.0 + JUMP), math.sqrt(ring.outer) * (1.0 - JUMP)
+        low, high = math.sqrt(ring.inner) * (1.0 + JUMP_WIDTH), math.sqrt(ring.outer) * (1.0 - JUMP_WIDTH)
         shape = PowerSpectrum(np.array([low, high]), np.array([1.0, (high / low) ** (2.0 * ring.steeper(more) - 2.0)]))
         places.append((low, high))
         heights.append(ring.power / shape.rms_height**2 * shape.densities)
-    faint = FAINT * float(np.max(heights))
+    faint = LEAST_DENSITY_RATIO * float(np.max(heights))
     q, density = list(places[0]), list(heights[0])
     for (low, high), (begin, end) in zip(places[1:], heights[1:], strict=True):
-        if low > q[-1] * (1.0 + 10.0 * JUMP):  # nothing between two rings
-            q += [q[-1] * (1.0 + JUMP), low * (1.0 - JUMP)]
+        if low > q[-1] * (1.0 + 10.0 * JUMP_WIDTH):  # nothing between two rings
+            q += [q[-1] * (1.0 + JUMP_WIDTH), low * (1.0 - JUMP_WIDTH)]
             density += [faint, faint]
         q += [low, high]
         density += [max(begin, faint), max(end, faint)]
     return PowerSpectrum(np.array(q), np.array(density))
 
 
-def _rings(waves: _Waves, ends: list[int], borders: Array, there: Array, least: float) -> list[_Ring]:
+def _rings(waves: _MapWaves, ends: list[int], borders: Array, there: Array, least: float) -> list[_SpectrumRing]:
     """Return the rings that are there; beyond the square `least` of wave numbers as steep as their waves."""
     rings = []
     for start, end, inner, outer in zip([0, *ends[:-1]], ends, borders[:-1], borders[1:], strict=True):
         u, power, members = (part[start:end] for part in (waves.q**2, waves.power, waves.members))
         whole = float(np.sum(power))
-        known = inner > least and end - start <= MANY
-        rings.append(_ring(whole, float(np.sum(power * u)), (inner, outer), u, members if known else np.empty(0)))
-    return [ring for ring, seen in zip(rings, there, strict=True) if seen]
+        has_exponent = inner > least and end - start <= MANY_WAVES
+        rings.append(
+            _ring(whole, float(np.sum(power * u)), (inner, outer), u, members if has_exponent else np.empty(0))
+        )
+    return [ring for ring, significant in zip(rings, there, strict=True) if significant]
 
 
-class _Ring(NamedTuple):
+class _SpectrumRing(NamedTuple):
     """A density u^(steep - 1) between squares u of wave numbers; `free` is 1 where it may become steeper, else 0."""
 
     power: float
@@ -222,14 +226,14 @@ class _Ring(NamedTuple):
         return self.steep + self.free * more / math.log(self.outer / self.inner)
 
 
-def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, members: Array) -> _Ring:
-    """Return the ring with these sums of P and P u; `members` is empty where the waves do not tell its exponent.
+def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, members: Array) -> _SpectrumRing:
+    """Return the ring with these sums of P and P u; `members` is empty where the waves do not determine its exponent.
 
     A ring whose density would be too steep is narrowed instead.
     """
     inner, outer = borders
     square = moment / power if power > 0.0 else outer
-    most = STEEPEST / math.log(outer / inner)
+    most = LARGEST_LOG_CHANGE / math.log(outer / inner)
 
     def even(steep: float) -> float:
         return _mean(steep, inner, outer)
@@ -240,18 +244,18 @@ def _ring(power: float, moment: float, borders: tuple[float, float], u: Array, m
 
     if not even(-most) < square < even(most):
         half = min(square - inner, outer - square)
-        return _Ring(power, square - half, square + half, 1.0, 0.0)
-    told = members.size > 0 and uneven(-most) < square < uneven(most)
-    return _Ring(power, inner, outer, _rooted(uneven if told else even, square, most), 1.0)
+        return _SpectrumRing(power, square - half, square + half, 1.0, 0.0)
+    determined = members.size > 0 and uneven(-most) < square < uneven(most)
+    return _SpectrumRing(power, inner, outer, _rooted(uneven if determined else even, square, most), 1.0)
 
 
-def _shift(rings: list[_Ring], square: float) -> float:
+def _shift(rings: list[_SpectrumRing], square: float) -> float:
     """Return how much steeper rings must be for the sum of P q^2: the lattice does not fill them quite evenly."""
 
     def mean(more: float) -> float:
         return sum(ring.power * ring.square(more) for ring in rings)
 
-    return _rooted(mean, square, STEEPEST)
+    return _rooted(mean, square, LARGEST_LOG_CHANGE)
 
 
 def _mean(steep: float, inner: float, outer: float) -> float:
@@ -261,10 +265,10 @@ def _mean(steep: float, inner: float, outer: float) -> float:
     return inner * above / below
 
 
-def _rooted(rising: Callable[[float], float], wanted: float, most: float) -> float:
-    """Return where a rising function meets a number, between -most and most."""
+def _rooted(rising: Callable[[float], float], target: float, most: float) -> float:
+    """Return where a rising function equals a number, between -most and most."""
     low, high = -most, most
-    for _ in range(HALVINGS):
+    for _ in range(MOST_HALVINGS):
         half = 0.5 * (low + high)
-        low, high = (half, high) if rising(half) < wanted else (low, half)
+        low, high = (half, high) if rising(half) < target else (low, half)
     return 0.5 * (low + high)

@@ -1,4 +1,4 @@
-r"""Rough surfaces and lines made at random from a spectrum: amplitudes as told, phases by chance.
+r"""Rough surfaces and lines made at random from a spectrum: amplitudes from the spectrum, random phases.
 
 A periodic map or line bears waves at a lattice of wave numbers.  Each gets the power of its own cell of the lattice,
 the integral of the spectrum over it, and not that of one point: so heights have the root mean square of the spectrum,
@@ -29,9 +29,9 @@ __all__ = ["random_line", "random_lines", "random_topography"]
 
 LONGEST_WAVES = 8
 """Up to this multiple of the lattice a spectrum may change much within one cell."""
-FINE, FINE_OF_LINES, COARSE = 24, 192, 3
+MAP_CELL_POINTS, LINE_CELL_POINTS, OTHER_CELL_POINTS = 24, 192, 3
 """Points on a side of such a cell of maps and of lines, and of all other cells."""
-BYTES = 70
+BYTES_PER_PIXEL = 70
 """Of memory for a pixel, while a map is made."""
 
 
@@ -62,16 +62,16 @@ def random_topography(spectrum: Spectrum, shape: tuple[int, int], lengths: Array
     try:
         return _made(spectrum, shape, (lx, ly), seed)
     except MemoryError:
-        size = shape[0] * shape[1] * BYTES / 1e9
+        size = shape[0] * shape[1] * BYTES_PER_PIXEL / 1e9
         raise InvalidInput(
             f"random_topography: {shape[0]} x {shape[1]} pixels need {size:.3g} GB of memory, which this machine does "
-            "not give; ask for fewer."
+            "not have; request fewer."
         ) from None
 
 
 def _made(spectrum: Spectrum, shape: tuple[int, int], lengths: tuple[float, float], seed: int) -> Topography:
     lx, ly = lengths
-    # waves come in pairs of one sign: a quarter of the plane tells all; those at Nyquist's wave number have no phase
+    # waves come in pairs of one sign: a quarter of the plane is enough; those at Nyquist's wave number have no phase
     quarter = _cells(spectrum, ((shape[0] + 1) // 2, (shape[1] + 1) // 2), (2.0 * np.pi / lx, 2.0 * np.pi / ly))
     i, j = (np.abs(np.rint(np.fft.fftfreq(n, 1.0 / n))).astype(int) for n in shape)
     power = np.pad(quarter, [(0, 1), (0, 1)])[np.ix_(i, j)]
@@ -89,7 +89,7 @@ def _made(spectrum: Spectrum, shape: tuple[int, int], lengths: tuple[float, floa
 
 
 def _checked(shape: tuple[int, int], lengths: ArrayLike, seed: int) -> tuple[float, float]:
-    """Return both lengths, or say what is wrong with the numbers."""
+    """Return both lengths, or refuse the numbers."""
     if len(shape) != 2 or any(isinstance(n, bool) or not isinstance(n, int) or n < 4 for n in shape):
         raise InvalidInput(f"random_topography: shape is {shape!r}; give two whole numbers of pixels, at least 4.")
     affordable("random_topography", "pixels", math.prod(shape), MADE_PIXELS)
@@ -117,8 +117,8 @@ def _cells(spectrum: Spectrum, count: tuple[int, int], step: tuple[float, float]
                 power += spectrum.at(np.hypot(qx, qy))
         return power * (step[0] * step[1] / points**2)
 
-    power = summed(0, max(count), COARSE)
-    near = summed(0, LONGEST_WAVES, FINE)
+    power = summed(0, max(count), OTHER_CELL_POINTS)
+    near = summed(0, LONGEST_WAVES, MAP_CELL_POINTS)
     power[: near.shape[0], : near.shape[1]] = near
     power[0, 0] = 0.0
     return power
@@ -167,7 +167,7 @@ def random_lines(spectrum: Spectrum, count: int, length: float, seeds: Iterable[
     """
     step = 2.0 * np.pi / length
     power = np.zeros(count // 2 + 1)
-    for first, last, points in ((1, LONGEST_WAVES, FINE_OF_LINES), (LONGEST_WAVES, power.size, COARSE)):
+    for first, last, points in ((1, LONGEST_WAVES, LINE_CELL_POINTS), (LONGEST_WAVES, power.size, OTHER_CELL_POINTS)):
         for place in (np.arange(points) + 0.5) / points - 0.5:
             q = (np.arange(first, min(last, power.size)) + place) * step
             power[first:last] += np.pi * q * spectrum.at(q) * (step / points)

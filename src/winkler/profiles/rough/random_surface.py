@@ -1,4 +1,4 @@
-r"""A rough surface made at random, as a value: what it was made from is kept, and can be written into a study."""
+r"""A rough surface made at random, as a value: its parameters are fields, and can be written into a study."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from winkler.values import value
 
 __all__ = ["RandomTopography"]
 
-MOST = 2**13
+MOST_PIXELS_PER_SIDE = 2**13
 """Pixels along one side; more would not fit the memory of most machines."""
 
 
@@ -58,10 +58,14 @@ class RandomTopography(Topography):
     seed: Seed = 0
 
     def __post_init__(self) -> None:
-        given = self.shape if isinstance(self.shape, tuple | list) else ()
-        whole = len(given) == 2 and all(isinstance(n, int) and not isinstance(n, bool) and n <= MOST for n in given)
+        sides = self.shape if isinstance(self.shape, tuple | list) else ()
+        whole = len(sides) == 2 and all(
+            isinstance(n, int) and not isinstance(n, bool) and n <= MOST_PIXELS_PER_SIDE for n in sides
+        )
         if not whole:
-            raise InvalidInput(f"RandomTopography: shape is {self.shape!r}; give two whole numbers, at most {MOST}.")
+            raise InvalidInput(
+                f"RandomTopography: shape is {self.shape!r}; give two whole numbers, at most {MOST_PIXELS_PER_SIDE}."
+            )
         try:
             made = random_topography(self.spectrum, self.shape, self.lengths, self.seed)
         except InvalidInput as error:

@@ -1,11 +1,11 @@
-r"""Power spectra of isotropic rough surfaces: how much of the roughness has which wave number.
+r"""Power spectra of isotropic rough surfaces: the density of the roughness over the wave number.
 
 .. math:: C(q) = \frac{1}{(2\pi)^2}\int\langle h(\mathbf x)\,h(\mathbf 0)\rangle\,e^{-i\mathbf q\mathbf x}
           \,\mathrm d^2x , \qquad \langle h^2\rangle = 2\pi\int C\,q\,\mathrm dq , \quad
           \langle|\nabla h|^2\rangle = 2\pi\int C\,q^3\,\mathrm dq .
 
-T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, tell
-how spectra are measured, and what goes wrong; their C is (2 pi)^2 times this one.
+T. D. B. Jacobs, T. Junge, L. Pastewka, Surf. Topogr.: Metrol. Prop. 5 (2017) 013001, doi:10.1088/2051-672X/aa51f8, on
+the measurement of spectra and its errors; their C is (2 pi)^2 times this one.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from winkler.values import value
 
 __all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
 
-PER_DECADE = 20
+POINTS_PER_DECADE = 20
 """Bins of a measured spectrum, equal on a logarithmic axis."""
 
 
 @offered("a spectrum: SelfAffine or PowerSpectrum")
 class Spectrum(Protocol):
-    """The contract of a spectrum, spoken to its implementer."""
+    """The contract of a spectrum, written for its implementer."""
 
     @property
     def smallest(self) -> float:
@@ -213,8 +213,8 @@ class PowerSpectrum:
         q = np.unique(np.concatenate([self.wave_numbers, other.wave_numbers]))
         first, second = self._weight(q), other._weight(q)
         own, others = np.log(np.maximum(self.at(q), 1e-300)), np.log(np.maximum(other.at(q), 1e-300))
-        known = first + second > 0.0
-        q, first, second, own, others = (part[known] for part in (q, first, second, own, others))
+        finite = first + second > 0.0
+        q, first, second, own, others = (part[finite] for part in (q, first, second, own, others))
         return PowerSpectrum(q, np.exp((first * own + second * others) / (first + second)))
 
     def _weight(self, q: Array) -> Array:

@@ -1,4 +1,4 @@
-"""What on a height map is not the surface: grains and dropouts, and the scars that a scan leaves."""
+"""Artefacts of a height map: grains and dropouts, and the scars that a scan leaves."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["Spikes"]
 
 @value
 class Spikes:
-    """Where heights stand out of their surroundings; printed, it says how many and how far.
+    """Where heights stand out of their surroundings; its text states how many and how far.
 
     Parameters
     ----------

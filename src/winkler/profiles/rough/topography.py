@@ -10,14 +10,14 @@ import numpy as np
 from winkler.checks.number_checks import POSITIVE, Advice, Numbers, affordable
 from winkler.checks.physical_size import refuse_size
 from winkler.errors import InvalidInput
-from winkler.limits import HOLES
+from winkler.limits import MOST_HOLES
 from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.rough.spikes import Spikes
 from winkler.values import frozen_array, value
 
 __all__ = ["Topography"]
 
-ORDERS = {0: "its mean", 1: "a plane", 2: "a paraboloid"}
+REMOVED_SURFACES = {0: "its mean", 1: "a plane", 2: "a paraboloid"}
 
 
 @value
@@ -81,7 +81,7 @@ class Topography:
 
     @property
     def missing(self) -> int:
-        """How many heights are missing."""
+        """The number of missing heights."""
         return int(np.count_nonzero(np.isnan(self.heights)))
 
     @property
@@ -91,7 +91,7 @@ class Topography:
 
     @property
     def gaps(self) -> Array:
-        """How far every pixel lies below the highest one [m], (nx, ny)."""
+        """The distances of the pixels below the highest one [m], (nx, ny)."""
         return np.asarray(np.nanmax(self.heights) - self.heights)
 
     @property
@@ -132,7 +132,7 @@ class Topography:
         InvalidInput
             If the order is another one, or the map is periodic and would not be so without its trend.
         """
-        if order not in ORDERS:
+        if order not in REMOVED_SURFACES:
             raise InvalidInput(
                 f"Topography: cannot detrend to the order {order!r}; give 0 for the mean, 1 for a plane, "
                 "2 for a paraboloid."
@@ -146,9 +146,9 @@ class Topography:
         terms = [
             (x[:, None] ** i) * (y[None, :] ** j) for i in range(order + 1) for j in range(order + 1) if i + j <= order
         ]
-        known = ~np.isnan(self.heights)
-        rows = np.stack([term[known] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
-        strengths, *_ = np.linalg.lstsq(rows, self.heights[known], rcond=None)
+        measured = ~np.isnan(self.heights)
+        rows = np.stack([term[measured] for term in np.broadcast_arrays(*terms, self.heights)[:-1]], axis=1)
+        strengths, *_ = np.linalg.lstsq(rows, self.heights[measured], rcond=None)
         trend = sum(strength * term for strength, term in zip(strengths, terms, strict=True))
         return Topography(self.heights - trend, self.lengths, self.periodic)
 
@@ -180,7 +180,7 @@ class Topography:
         quartiles above the upper or below the lower one, among the heights within four pixels; so they are found up to
         some four pixels wide.  A scar is a run of pixels along a line, up to three pixels wide, whose steps on both
         sides lie outside of these fences among the steps around; long runs, and what continues a scar, by half of it.
-        Structured surfaces (narrow ridges, pillars) are not for it: they look like spikes.  J. W. Tukey, Exploratory
+        Structured surfaces (narrow ridges, pillars) are not for it: they resemble spikes.  J. W. Tukey, Exploratory
         Data Analysis, Addison-Wesley 1977.
 
         Parameters
@@ -194,18 +194,18 @@ class Topography:
             If `times` is not positive.
         """
         if isinstance(times, bool) or not isinstance(times, int | float) or not times > 0.0:
-            raise InvalidInput(f"Topography: spikes are asked for with times = {times!r}; give a positive number.")
+            raise InvalidInput(f"Topography: spikes are requested with times = {times!r}; give a positive number.")
         from winkler.numerics.surfaces.bridging import bridged, spikes
         from winkler.numerics.surfaces.scars import scars
 
         grains = spikes(self.heights, times, self.periodic)
         clean = bridged(np.where(grains, np.nan, self.heights), self.periodic)
-        found = scars(clean, times, self.periodic) & ~np.isnan(self.heights)
-        bare = self.masked(grains | found).filled().heights
-        return Spikes(grains, found & ~grains, np.where(grains | found, self.heights - bare, 0.0))
+        scarred = scars(clean, times, self.periodic) & ~np.isnan(self.heights)
+        bare = self.masked(grains | scarred).filled().heights
+        return Spikes(grains, scarred & ~grains, np.where(grains | scarred, self.heights - bare, 0.0))
 
     def without_spikes(self, times: float = 4.0) -> Topography:
-        """Return the map with grains, dropouts and scars missing; `spikes` tells which they are.
+        """Return the map with grains, dropouts and scars missing; `spikes` names them.
 
         Parameters
         ----------
@@ -228,7 +228,7 @@ class Topography:
             return self
         from winkler.numerics.surfaces.bridging import bridged
 
-        affordable("Topography", "missing heights", self.missing, HOLES)
+        affordable("Topography", "missing heights", self.missing, MOST_HOLES)
         return Topography(bridged(self.heights, self.periodic), self.lengths, self.periodic)
 
     def cropped(self, first: tuple[int, int], count: tuple[int, int]) -> Topography:

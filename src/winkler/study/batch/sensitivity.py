@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput
-from winkler.numerics.equations.sobol_indices import Estimate, sobol_indices
+from winkler.numerics.equations.sobol_indices import SobolEstimate, sobol_indices
 from winkler.numerics.types import Array
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
@@ -117,8 +117,8 @@ def write(found: tuple[Indices, ...], keys: list[str], path: Path) -> None:
     """Write the indices as a table, one row for each answer and key."""
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["answer", "key", "pairs", *(f"{name} [-]" for name in Estimate._fields)])
+        writer.writerow(["answer", "key", "pairs", *(f"{name} [-]" for name in SobolEstimate._fields)])
         for one in found:
             for place, key in enumerate(keys):
-                numbers = [repr(float(getattr(one, name)[place])) for name in Estimate._fields]
+                numbers = [repr(float(getattr(one, name)[place])) for name in SobolEstimate._fields]
                 writer.writerow([one.answer, key, one.pairs, *numbers])

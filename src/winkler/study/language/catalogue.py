@@ -52,7 +52,7 @@ SLOTS: dict[Any, str] = {
 
 UNWRITTEN = frozenset(
     {
-        "winkler.path_steps:Kept",
+        "winkler.path_steps:Unchanged",
         "winkler.problems.friction.spring_states:OwnLaw",
         "winkler.laws.wear:OwnWear",
     }

@@ -18,7 +18,7 @@ import numpy as np
 
 from winkler.checks.number_checks import Whole, affordable
 from winkler.errors import InvalidInput
-from winkler.limits import MOST_NUMBERS, SWEPT
+from winkler.limits import MOST_NUMBERS, MOST_SWEPT_RUNS
 from winkler.numerics.types import Array
 from winkler.study.language.varied import Axis, Range
 from winkler.values import value
@@ -73,8 +73,8 @@ class LatinHypercube:
     output from a computer code. Technometrics 21 (1979) 239, doi:10.1080/00401706.1979.10489755
     """
 
-    count: Annotated[int, Whole(1, SWEPT)]
-    seed: Annotated[int, Whole(0, SWEPT)] = 0
+    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
+    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
 
     kind: ClassVar[str] = "latin_hypercube"
     section: ClassVar[str] = "sweep.design"
@@ -106,8 +106,8 @@ class Sobol:
     Matousek: On the L2-discrepancy for anchored boxes. Journal of Complexity 14 (1998) 527 (the scrambling)
     """
 
-    count: Annotated[int, Whole(1, SWEPT)]
-    seed: Annotated[int, Whole(0, SWEPT)] = 0
+    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
+    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
 
     kind: ClassVar[str] = "sobol"
     section: ClassVar[str] = "sweep.design"
@@ -144,8 +144,8 @@ class Sensitivity:
     Computer Physics Communications 181 (2010) 259, doi:10.1016/j.cpc.2009.09.018
     """
 
-    count: Annotated[int, Whole(1, SWEPT)]
-    seed: Annotated[int, Whole(0, SWEPT)] = 0
+    count: Annotated[int, Whole(1, MOST_SWEPT_RUNS)]
+    seed: Annotated[int, Whole(0, MOST_SWEPT_RUNS)] = 0
 
     kind: ClassVar[str] = "sensitivity"
     section: ClassVar[str] = "sweep.design"
@@ -197,7 +197,7 @@ def axes_of(design: Design, lines: tuple[Axis | Range, ...]) -> tuple[Axis, ...]
                 )
         axes = tuple(line for line in lines if isinstance(line, Axis))
         if isinstance(design, Crossed):
-            affordable("sweep", "points", math.prod(len(axis.values) for axis in axes), SWEPT)
+            affordable("sweep", "points", math.prod(len(axis.values) for axis in axes), MOST_SWEPT_RUNS)
         if isinstance(design, Zipped) and len({len(axis.values) for axis in axes}) > 1:
             counts = ", ".join(f"'{axis.key}' {len(axis.values)}" for axis in axes)
             raise InvalidInput(f"sweep: keys that vary together need equally many values; here {counts}.")
@@ -205,7 +205,7 @@ def axes_of(design: Design, lines: tuple[Axis | Range, ...]) -> tuple[Axis, ...]
     if not lines:
         raise InvalidInput(f"sweep: the design {design.kind} has no keys; give the keys that vary.")
     count = design.count * (len(lines) + 2 if isinstance(design, Sensitivity) else 1)
-    affordable("sweep", "points", count, SWEPT)
+    affordable("sweep", "points", count, MOST_SWEPT_RUNS)
     affordable("sweep", "numbers of all points", count * len(lines), MOST_NUMBERS)
     shares = design.shares(len(lines))
     return tuple(line.spread(shares[:, place]) for place, line in enumerate(lines))

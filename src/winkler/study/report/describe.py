@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.path_steps import Kept
+from winkler.path_steps import Unchanged
 from winkler.plot.series import scale_of, spoken, told
 from winkler.study.language import keys
 from winkler.study.language.catalogue import kind_of
@@ -89,7 +89,7 @@ def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -
     below: list[tuple[Any, str, str]] = []
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
-        if not field.init or isinstance(inside, Kept):  # what follows from the others, and what was not told
+        if not field.init or isinstance(inside, Unchanged):  # what follows from the others, and what was not told
             continue
         entry = word(owner, field.name)
         key = f"{path}.{field.name}"
@@ -236,7 +236,7 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
         key = f"{path}.{field.name}"
-        if not field.init or isinstance(inside, Kept):
+        if not field.init or isinstance(inside, Unchanged):
             continue
         if key in swept:
             parts.append(f"{_name(type(content).__name__, field.name)} varied")

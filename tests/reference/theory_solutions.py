@@ -1,7 +1,7 @@
 """The numbers of the cases that hold the theory's tables, computed without winkler: one function a case.
 
 Closed forms and integrals by mpmath; the equation of motion of a contact that does not slip by scipy.  Units are those
-in which E* = R = 1, unless a case says more.
+in which E* = R = 1, unless a case states more.
 """
 
 from __future__ import annotations
@@ -10,24 +10,24 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
-from judges import Judges, frac
+from reference_solutions import ReferenceSolutions, frac
 from scipy.integrate import solve_ivp
 
 Numbers = dict[str, Any]
-JUDGES = Judges()
-judged = JUDGES.judged
+REFERENCES = ReferenceSolutions()
+of_case = REFERENCES.of_case
 
 
 # ---------------------------------------------------------------------------------------------------------------------
 # normal contact and impact
 
 
-@judged
+@of_case
 def mindlin_ratio() -> Numbers:
     return {"problem.bed.medium.shear_modulus": 2 * frac("0.7") / frac("1.7")}
 
 
-@judged
+@of_case
 def hertz_impact_depth() -> Numbers:
     deepest = frac("0.9375") ** frac("0.4")
     return {
@@ -40,27 +40,27 @@ def hertz_impact_depth() -> Numbers:
 # friction
 
 
-@judged
+@of_case
 def oblique_loading_sticks() -> Numbers:
     """q_x / q_z is the same for every spring: the force follows the path."""
     return {"shear_force.-1": frac("0.2") * 4 / 3, "stick_radius.-1": mp.mpf(1)}
 
 
-@judged
+@of_case
 def gross_slip_loss() -> Numbers:
     """4 mu F U - (8 mu^2 E*^2/G*) Int (d - g)^2 dx."""
     mu, shift = frac("0.3"), frac("0.5")
     return {"loss_per_cycle": 4 * mu * mp.mpf(4) / 3 * shift - 8 * mu**2 * mp.mpf(8) / 15}
 
 
-@judged
+@of_case
 def relaxation_damping_cone() -> Numbers:
     """16/3 G* A_x^2 A_z sin^2(phi) / g'(a), g' = pi/2 tan of the face's angle."""
     slope = mp.pi / 2 / mp.tan(mp.radians(80))
     return {"loss_per_cycle": [16 * frac("0.01") * frac("0.5") / (3 * slope) * s for s in (frac("0.25"), mp.mpf(1))]}
 
 
-@judged
+@of_case
 def maw_barber_fawcett_no_slip() -> Numbers:
     """Springs enter unloaded and are lost as the contact shrinks: F_x' = 2 G* (a U' + a' (U - U at entry))."""
     found = []
@@ -104,7 +104,7 @@ def _sliding(c: mp.mpf) -> mp.mpf:
     return mp.quad(lambda x: x * x * (mp.ellipk(1 - x * x) - mp.ellipe(1 - x * x)), [c, (1 + c) / 2, 1])
 
 
-@judged
+@of_case
 def lubkin_table() -> Numbers:
     """A paraboloid with F = 8/3: angle 3 mu F/(4 pi) (K - E), torque of the core and of what slides."""
     limit, peak = frac("0.3") * 8 / 3, frac("0.3") * 4 / mp.pi
@@ -122,7 +122,7 @@ def lubkin_table() -> Numbers:
     }
 
 
-@judged
+@of_case
 def torsion_flat_punch() -> Numbers:
     """q_slip = 2 mu F x/pi K(1 - x^2); F = 2 E* d = 4."""
     limit = frac("0.3") * 4
@@ -133,7 +133,7 @@ def torsion_flat_punch() -> Numbers:
     }
 
 
-@judged
+@of_case
 def torsion_cone() -> Numbers:
     """p = (E* tan/2) arcosh(1/r), F = pi/2 E* tan, tan = 0.1; half of the radius sticks."""
     steep, c = frac("0.1"), frac("0.5")
@@ -153,15 +153,15 @@ def torsion_cone() -> Numbers:
 
 
 # ---------------------------------------------------------------------------------------------------------------------
-# adhesion, E* = R = w = 1 unless said
+# adhesion, E* = R = w = 1 unless stated
 
 
-@judged
+@of_case
 def jkr_first_touch() -> Numbers:
     return {"radius": mp.cbrt(2 * mp.pi), "force": -4 * mp.pi / 3}
 
 
-@judged
+@of_case
 def jkr_cycle() -> Numbers:
     """Energy E* Int (d - g)^2 dx - w pi a^2 at first touch and where fixed grips lose their hold."""
 
@@ -173,7 +173,7 @@ def jkr_cycle() -> Numbers:
     return {"dissipation.2": on, "dissipation.-1": on + off}
 
 
-@judged
+@of_case
 def maugis_table() -> Numbers:
     """Maugis' equations in his units, K = R = pi w = 1: the largest pull over all radii."""
     found = []
@@ -197,7 +197,7 @@ def maugis_table() -> Numbers:
     return {"force": found}
 
 
-@judged
+@of_case
 def savkoor_briggs_sheared() -> Numbers:
     """E* l_z^2 + G* l_x^2 = 2 pi a w: the contact of Johnson, Kendall and Roberts, of the work that shear has left."""
     a, across = frac("0.15"), frac("0.02")
@@ -226,7 +226,7 @@ def _stiffening(k: mp.mpf, nu: mp.mpf) -> tuple[mp.mpf, mp.mpf]:
 GRADINGS, SOLIDS = ("-0.2", "0.1", "0.25", "0.5", "0.75"), ("0", "0.25", "0.3", "0.4")
 
 
-@judged
+@of_case
 def graded_moduli() -> Numbers:
     return {
         "problem.bed.medium.modulus": [
@@ -235,7 +235,7 @@ def graded_moduli() -> Numbers:
     }
 
 
-@judged
+@of_case
 def graded_shear_moduli() -> Numbers:
     found = []
     for k in map(frac, ("0.25", "0.5")):
@@ -246,7 +246,7 @@ def graded_shear_moduli() -> Numbers:
     return {"problem.bed.medium.shear_modulus": found}
 
 
-@judged
+@of_case
 def graded_ball_fixed_grips() -> Numbers:
     """a g' = (1 - k)/2 Delta l with g = a^2/(1 + k), Delta l^2 = 2 pi a^(1-k) w/E*; k = 0.2, nu = 0.3, w = 1e-3."""
     k = frac("0.2")
@@ -277,9 +277,9 @@ def moving(peclet: float, x: float) -> float:
     return float(np.mean(chord * (kernel @ weight)))
 
 
-@judged
+@of_case
 def heating_speeds() -> Numbers:
-    """The greatest temperature on the line of motion at Pe = 0.01 ... 10, and what the rule at rest says too much."""
+    """The greatest temperature on the line of motion at Pe = 0.01 ... 10, and the excess of the rule at rest."""
     tops = []
     for peclet in (0.01, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0):
         place, width = 0.45, 0.45
@@ -297,7 +297,7 @@ def heating_speeds() -> Numbers:
 # rolling, two bodies of G = 1 in units of mu F_N
 
 
-@judged
+@of_case
 def rolling_simplified_saturation() -> Numbers:
     """The strips' forces summed over the disc, at tau = c11 G a^2 s/(mu F_N) = 0.3, 1, 2, 3."""
     found = []
@@ -310,19 +310,19 @@ def rolling_simplified_saturation() -> Numbers:
     return {"share": found}
 
 
-@judged
+@of_case
 def rolling_cubic_saturation() -> Numbers:
     return {"share": [1 - (1 - frac(tau) / 3) ** 3 for tau in ("0.3", "1", "2", "3")]}
 
 
-@judged
+@of_case
 def rolling_uncalibrated() -> Numbers:
     """Slope 2 G* a^2 = 4/(2 - nu) G a^2 in the limit of no creepage; here the whole cubic at xi = 1e-4."""
     xi = frac("1e-4")
     return {"share": [1 - (1 - xi) ** 3], "slopes": [4 / (2 - frac(nu)) for nu in ("0", "0.25", "0.5")]}
 
 
-@judged
+@of_case
 def shakedown_limit() -> Numbers:
     w = frac("0.2")
     return {"share": [1 - 3 * w / 2 + w**3 / 2]}
@@ -346,12 +346,12 @@ def _limiting(core: str) -> Numbers:
     return {"stick_radius": c, "radius": end, "worn_volume": volume, "force": 2 * (c - c**3 / 3)}
 
 
-@judged
+@of_case
 def limiting_profile_wide_core() -> Numbers:
     return _limiting("0.8")
 
 
-@judged
+@of_case
 def limiting_profile_nearly_stuck() -> Numbers:
     return _limiting("0.95")
 
@@ -360,7 +360,7 @@ def limiting_profile_nearly_stuck() -> Numbers:
 # particles
 
 
-@judged
+@of_case
 def particle_yield_onset() -> Numbers:
     """4 E_c sqrt(x)/(3 pi) = Y (1.75 exp(-4.4 x) + 1), x = d/R."""
     ec, strength = frac("5e6") / (1 - frac("0.16")), frac("1.9e5")

@@ -168,17 +168,17 @@ def _graded_compliance(body: Profile, xi: np.ndarray) -> np.ndarray:
 
     nu = body.poisson
     n, m = nu / (1 - nu), (1 - 2 * nu) / (1 - nu)
-    # nothing changes below 40 lengths, and nothing is felt below 20/xi
+    # nothing changes below 40 lengths, and nothing matters below 20/xi
     start = np.minimum(40.0 * body.length, 20.0 / xi)
 
     def shear(z: np.ndarray) -> np.ndarray:
         return (body.deep + (body.shallow - body.deep) * np.exp(-z / body.length)) / (2 * (1 + nu))
 
-    def rate(way: float, y: np.ndarray) -> np.ndarray:
+    def rate(path: float, y: np.ndarray) -> np.ndarray:
         # Y is symmetric: u of a shear load, u of a pressure (or w of a shear load), w of a pressure
         a, b, c = y.reshape(3, -1)
-        g = shear(start * way**2)  # z = start way^2: finer near the surface
-        stretch, hoop = 2.0 * way * start * xi, 2.0 * g / (1 - nu)
+        g = shear(start * path**2)  # z = start path^2: finer near the surface
+        stretch, hoop = 2.0 * path * start * xi, 2.0 * g / (1 - nu)
         change = [2.0 * b + 1.0 / g - hoop * a**2, c - n * a - hoop * a * b, 0.5 * m / g - 2.0 * n * b - hoop * b**2]
         return np.concatenate([stretch * part for part in change])
 
@@ -228,7 +228,7 @@ class Press:
         matrix += np.diag([np.pi / (2.0 * radius * (4 * n + 1)) for n in range(terms)])  # the half-space of the top
         self.matrix = 4.0 * radius**2 / np.pi * stack.surface * matrix
 
-    def answer(self, h: Callable[[np.ndarray], np.ndarray], cuts: Sequence[float] = ()) -> np.ndarray:
+    def solution(self, h: Callable[[np.ndarray], np.ndarray], cuts: Sequence[float] = ()) -> np.ndarray:
         """Coefficients of q for the plane displacement h(x), smooth between the cuts."""
         ends = [0.0, *(b for b in cuts if b < self.a), self.a]
         s, w = np.polynomial.legendre.leggauss(80)
@@ -242,7 +242,7 @@ class Press:
     @functools.cached_property
     def flat(self) -> np.ndarray:
         """Under a flat punch at unit depth."""
-        return self.answer(np.ones_like)
+        return self.solution(np.ones_like)
 
     @property
     def stiffness(self) -> float:
@@ -251,7 +251,7 @@ class Press:
 
     def closed(self, h: Callable[[np.ndarray], np.ndarray]) -> tuple[float, np.ndarray]:
         """Depth and coefficients of a contact that closes smoothly: q(a) = 0."""
-        body = self.answer(h)
+        body = self.solution(h)
         depth = float(body.sum() / self.flat.sum())
         return depth, depth * self.flat - body
 

@@ -1,10 +1,10 @@
-"""Half-spaces with E = E0 (z/c0)^k, judged in mpmath: theory 8.1 with the angle as the variable of integration.
+"""Half-spaces with E = E0 (z/c0)^k, solved in mpmath: theory 8.1 with the angle as the variable of integration.
 
 With x = r sin(phi) no integrand has a root left but the powers sin^k and cos^k themselves,
 
     g(x) = x Int f'(x sin) cos^k,     u(r) = (2 cos(k pi/2)/pi) Int tan^k (d - g)(r sin).
 
-The modulus is proved by `wave_factor_by_elasticity`, which knows nothing of h_N.
+The modulus is proved by `wave_factor_by_elasticity`, which does not use h_N.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ import math
 from functools import cached_property
 from typing import Any
 
-import mp_judge
+import mp_solutions
 import mpmath as mp
 import numpy as np
-from case_judge import body, si
+from case_solutions import body, si
 
 
 def factor(k: mp.mpf, nu: mp.mpf) -> mp.mpf:
@@ -46,8 +46,8 @@ def wave_factor_by_elasticity(k: float, nu: float) -> float:
     power = 2.0 / (1.0 - abs(k))
     deep = 20.0 ** (1.0 / power)
 
-    def rate(way: float, y: np.ndarray) -> np.ndarray:
-        place = deep - way
+    def rate(path: float, y: np.ndarray) -> np.ndarray:
+        place = deep - path
         z, stretch = place**power, power * place ** (power - 1.0)
         shear = z**k / (2 * (1 + nu)) if place > 0 else 1.0
         soft = stretch / shear if place > 0 else 0.0
@@ -62,8 +62,8 @@ def wave_factor_by_elasticity(k: float, nu: float) -> float:
     return float(-found.y[3, -1])
 
 
-class Answer:
-    """The contact of one case on graded bodies; to be asked within mp.workdps."""
+class ReferenceSolution:
+    """The contact of one case on graded bodies; to be evaluated within mp.workdps."""
 
     def __init__(self, problem: dict[str, Any]) -> None:
         self.problem = problem
@@ -79,7 +79,7 @@ class Answer:
             surface = si(solid["young"]) / si(solid["depth_scale"]) ** self.k
             flexible += (1 - nu**2) / (factor(self.k, nu) * surface)
         self.surface = 1 / flexible
-        self.body: mp_judge.Body = body(problem["bed"]["profile"])
+        self.body: mp_solutions.Body = body(problem["bed"]["profile"])
         assert len(self.body.pieces) == 1, "smooth bodies alone"
         self.exponent = mp.mpf({"paraboloid": 2, "cone": 1, "flat_punch": 1}.get(problem["bed"]["profile"]["kind"], 0))
         if problem["bed"]["profile"]["kind"] == "power_law":
@@ -157,7 +157,7 @@ class Answer:
         return 2 * mp.sin((1 - self.k) * mp.pi / 2) / mp.pi * mp.quad(density, [0, end / 2, end])
 
     def quantity(self, expectation: dict[str, Any]) -> mp.mpf:
-        """The number that an entry of [[expect]] asks for, SI."""
+        """The number that an entry of [[expect]] requests, SI."""
         if "r" in expectation:
             return getattr(self, expectation["quantity"])(si(expectation["r"]))
         return getattr(self, expectation["quantity"])

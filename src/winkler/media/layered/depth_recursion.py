@@ -1,8 +1,8 @@
-r"""How waves die out in a body graded in depth: compliances and tractions at any depth, to a stated tolerance.
+r"""The decay of waves in a body graded in depth: compliances and tractions at each depth, to a stated tolerance.
 
 The body is cut into cells no thicker than a part of their depth, across which E changes little; breaks of E are edges
 of cells.  A cell replaced by c equal homogeneous layers, each with the moduli of its middle, errs by a series in
-:math:`1/c^2`; four such ladders, c = 1, 2, 3, 4, climbed side by side, give a result of eighth order in the
+:math:`1/c^2`; four such ladders, c = 1, 2, 3, 4, carried side by side, give a result of eighth order in the
 thickness.  With x = xi times the thickness of a layer, n, m, q = nu/(1-nu), (1-2nu)/(1-nu), 1/(1-nu), and
 :math:`\alpha=\frac q2x\sinh x,\ \beta=\frac q2(x\cosh x-\sinh x)`, the field :math:`(U, W, T, S)` of
 `winkler.media.layered.layers` at the upper face is that at the lower face times
@@ -27,22 +27,30 @@ from winkler.errors import NotConverged
 from winkler.materials.depth_grading import DepthGrading
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["Mesh", "Rung", "ascend", "ascend_across", "descend", "mesh", "shallowest"]
+__all__ = [
+    "CellState",
+    "Mesh",
+    "mesh",
+    "states_with_depth",
+    "surface_compliance",
+    "surface_compliance_across",
+    "surface_depth",
+]
 
-CUTS = np.arange(1, 5)
-WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
+STEP_DIVISIONS = np.arange(1, 5)
+EXTRAPOLATION_WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
 """Of the ladders with c = 1, 2, 3, 4: what is left of the error is of order 1/c^8."""
-FEWER = np.array([1.0 / 24.0, -16.0 / 15.0, 81.0 / 40.0, 0.0])
-"""The same without the finest: the difference tells the error of this one, far above that of the other."""
-COARSEST = 0.35
+LOWER_WEIGHTS = np.array([1.0 / 24.0, -16.0 / 15.0, 81.0 / 40.0, 0.0])
+"""The same without the finest: the difference gives the error of this one, far above that of the other."""
+COARSEST_CELL = 0.35
 """Thickness of a cell over its depth, and change of ln E across it, to begin with."""
-FINER = 0.65
-MOST = 3000
-WAVES = 48
-HEARD = 18.0
-"""A wave that starts at the surface is followed down to this depth over xi: what comes back has decayed twice."""
-FELT = 70.0
-"""The same if the field at depth is asked for: it has decayed once."""
+REFINEMENT_RATIO = 0.65
+MOST_CELLS = 3000
+SAMPLED_WAVES = 48
+SURFACE_DECAY = 18.0
+"""A wave that starts at the surface is followed down to this depth over xi: the returning wave has decayed twice."""
+INTERIOR_DECAY = 70.0
+"""The same if the field at depth is requested: it has decayed once."""
 
 
 class Mesh(NamedTuple):
@@ -55,7 +63,7 @@ class Mesh(NamedTuple):
     deep_poisson: float
 
 
-class Rung(NamedTuple):
+class CellState(NamedTuple):
     """At one edge, per unit pressure on the surface: displacements times xi [m/Pa m], tractions [-], ``(m,)`` each."""
 
     depth: float
@@ -65,13 +73,13 @@ class Rung(NamedTuple):
     axial: Array
 
 
-def shallowest(grading: DepthGrading) -> float:
-    """Return the depth [m] over which the surface is felt alone."""
+def surface_depth(grading: DepthGrading) -> float:
+    """Return the depth [m] over which the surface alone matters."""
     return min([grading.finest, *grading.breaks[:1]])
 
 
 @functools.lru_cache(maxsize=128)
-def mesh(given: Hashable, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
+def mesh(key: Hashable, tolerance: float, shortest: float, depths: tuple[float, ...] = ()) -> Mesh:
     """Return cells so fine that the compliance of the surface errs by less than a part `tolerance`.
 
     Parameters
@@ -90,17 +98,17 @@ def mesh(given: Hashable, tolerance: float, shortest: float, depths: tuple[float
     NotConverged
         If more than 3000 cells would be needed.
     """
-    grading = cast(DepthGrading, given)
+    grading = cast(DepthGrading, key)
     reach = grading.settled_at(0.1 * tolerance)
-    part = COARSEST
-    xi = np.geomspace(1e-3 / reach, 1.0 / shortest, WAVES)
+    part = COARSEST_CELL
+    xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)
     while True:
         cells = _cells(grading, _edges(grading, reach, part, shortest, depths), reach)
-        ladders = _climbed(cells, xi, HEARD, False)[0][2]
-        error = float(np.max(np.abs((FEWER @ ladders) / (WEIGHTS @ ladders) - 1.0)))
+        ladders = _through_cells(cells, xi, SURFACE_DECAY, False)[0][2]
+        error = float(np.max(np.abs((LOWER_WEIGHTS @ ladders) / (EXTRAPOLATION_WEIGHTS @ ladders) - 1.0)))
         if error <= tolerance:
             return cells
-        part *= FINER
+        part *= REFINEMENT_RATIO
 
 
 def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, depths: tuple[float, ...]) -> Array:
@@ -119,18 +127,18 @@ def _edges(grading: DepthGrading, reach: float, part: float, shortest: float, de
         middle = 0.5 * (low[~good] + high[~good])
         low, high = np.concatenate([low[~good], middle]), np.concatenate([middle, high[~good]])
         count += int(np.count_nonzero(good))
-        if count + low.size > MOST:
+        if count + low.size > MOST_CELLS:
             raise NotConverged(
-                f"DepthGradedHalfSpace: more than {MOST} cells would be needed for the tolerance; ask for less, or "
-                "smooth the grading."
+                f"DepthGradedHalfSpace: more than {MOST_CELLS} cells would be needed for the tolerance; request less, "
+                "or smooth the grading."
             )
     return np.append(np.sort(np.concatenate(done)), reach)
 
 
 def _cells(grading: DepthGrading, edges: Array, reach: float) -> Mesh:
-    """Tell the moduli of all layers ``(cells, c, place from below)``; those that do not exist are those of a middle."""
-    place = np.minimum(np.arange(4), CUTS[:, None] - 1)
-    z = edges[1:, None, None] - np.diff(edges)[:, None, None] * (place + 0.5) / CUTS[:, None]
+    """Return the moduli of all layers ``(cells, c, place from below)``; missing ones are those of a middle."""
+    place = np.minimum(np.arange(4), STEP_DIVISIONS[:, None] - 1)
+    z = edges[1:, None, None] - np.diff(edges)[:, None, None] * (place + 0.5) / STEP_DIVISIONS[:, None]
     young, poisson = grading.young_at(z), grading.poisson_at(z)
     deep = np.array(reach * 1e3)
     low = float(grading.poisson_at(deep))
@@ -153,11 +161,11 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
     alpha, beta = (0.5 * q) * x * s, (0.5 * q) * (x * c - s)
     own, high, low, both = q * s, c + alpha, c - alpha, s + beta
     n = poisson * own
-    bent, turned, pulled, last = n + beta, own + beta, beta - own + 2.0 * n, both + s
+    bent, rotated, pulled, last = n + beta, own + beta, beta - own + 2.0 * n, both + s
     # displacements and tractions at the upper face, per traction at the lower face
     u0, u1 = high * along - both * mixed - last, high * mixed - both * normal + alpha
     w0, w1 = bent * along + low * mixed - alpha, bent * mixed + low * normal + pulled
-    t0, t1 = alpha * mixed - turned * along + high, alpha * normal - turned * mixed - bent
+    t0, t1 = alpha * mixed - rotated * along + high, alpha * normal - rotated * mixed - bent
     s0, s1 = beta * mixed - alpha * along + both, beta * normal - alpha * mixed + low
     scale = 1.0 / (t0 * s1 - t1 * s0)
     decay = np.array([s1 * scale, -t1 * scale, -s0 * scale, t0 * scale])
@@ -165,20 +173,22 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
     return upper / twice, decay
 
 
-def _climbed(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[ComplexArray, list[ComplexArray]]:
-    """Return Y at the surface, by every ladder ``(3, 4, m)``; if asked for, Y and decay of every cell ``(7, 4, m)``."""
+def _through_cells(
+    cells: Mesh, xi: ComplexArray, decay_limit: float, keep: bool
+) -> tuple[ComplexArray, list[ComplexArray]]:
+    """Return Y at the surface, by every ladder ``(3, 4, m)``; if requested, Y and decay of every cell ``(7, 4, m)``."""
     real = np.real(xi)
     order = np.argsort(real)
     xi, real = xi[order], real[order]
     y = np.zeros((3, 4, xi.size), dtype=xi.dtype) + _started(cells.deep_shear, cells.deep_poisson)
-    kept: list[ComplexArray] = []
+    stored: list[ComplexArray] = []
     back = np.argsort(order)
     for cell in range(cells.edges.size - 2, -1, -1):
         top, bottom = cells.edges[cell], cells.edges[cell + 1]
-        end = int(np.searchsorted(real, felt / bottom))
+        end = int(np.searchsorted(real, decay_limit / bottom))
         shear, poisson = cells.shear[cell, :, :, None], cells.poisson[cell, :, :, None]
         y[:, :, end:] = _started(float(shear[0, 0, 0]), float(poisson[0, 0, 0]))
-        x = (bottom - top) * xi[:end] / CUTS[:, None]
+        x = (bottom - top) * xi[:end] / STEP_DIVISIONS[:, None]
         decay: ComplexArray | None = None
         for step in range(4):
             rows = slice(step, None)
@@ -193,11 +203,11 @@ def _climbed(cells: Mesh, xi: ComplexArray, felt: float, keep: bool) -> tuple[Co
                 e, f, g, h = fall
                 decay[:, rows, :end] = a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h
         if decay is not None:
-            kept.append(np.concatenate([y, decay])[:, :, back])
-    return y[:, :, back], kept[::-1]
+            stored.append(np.concatenate([y, decay])[:, :, back])
+    return y[:, :, back], stored[::-1]
 
 
-def ascend(cells: Mesh, xi: ComplexArray) -> ComplexArray:
+def surface_compliance(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     """Return the compliance Y of the surface at real or complex wave numbers.
 
     Parameters
@@ -212,10 +222,10 @@ def ascend(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     ndarray, (3, m)
         Entries along, mixed and normal of ``displacements = Y tractions / xi`` [1/Pa].
     """
-    return np.asarray(np.einsum("c,kcm->km", WEIGHTS, _climbed(cells, xi, HEARD, False)[0]))
+    return np.asarray(np.einsum("c,kcm->km", EXTRAPOLATION_WEIGHTS, _through_cells(cells, xi, SURFACE_DECAY, False)[0]))
 
 
-def ascend_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
+def surface_compliance_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     """Return the same for displacements and tractions across the wave, in the plane of the surface ``(m,)``."""
     real = np.real(xi)
     order = np.argsort(real)
@@ -223,27 +233,27 @@ def ascend_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     y = np.zeros((4, xi.size), dtype=xi.dtype) + 1.0 / cells.deep_shear
     for cell in range(cells.edges.size - 2, -1, -1):
         top, bottom = cells.edges[cell], cells.edges[cell + 1]
-        end = int(np.searchsorted(real, HEARD / bottom))
+        end = int(np.searchsorted(real, SURFACE_DECAY / bottom))
         shear = cells.shear[cell, :, :, None]
         y[:, end:] = 1.0 / float(shear[0, 0, 0])
-        fall = np.tanh((bottom - top) * xi[:end] / CUTS[:, None])
+        fall = np.tanh((bottom - top) * xi[:end] / STEP_DIVISIONS[:, None])
         for step in range(4):
             rows = slice(step, None)
             own = y[rows, :end] * shear[rows, step]
             y[rows, :end] = (own + fall[rows]) / ((1.0 + own * fall[rows]) * shear[rows, step])
-    return np.asarray((WEIGHTS @ y)[np.argsort(order)])
+    return np.asarray((EXTRAPOLATION_WEIGHTS @ y)[np.argsort(order)])
 
 
-def descend(cells: Mesh, xi: Array) -> Iterator[Rung]:
+def states_with_depth(cells: Mesh, xi: Array) -> Iterator[CellState]:
     """Yield, edge by edge from the surface, what a pressure wave does; xi real, ``(m,)``."""
-    y, kept = _climbed(cells, xi, FELT, True)
+    y, stored = _through_cells(cells, xi, INTERIOR_DECAY, True)
     shear, axial = np.zeros((4, xi.size)), np.full((4, xi.size), -1.0)
     deep = np.broadcast_to(_started(cells.deep_shear, cells.deep_poisson), y.shape)
-    faces = [y, *(block[:3] for block in kept[1:]), deep]
-    for depth, here, block in zip(cells.edges, faces, [None, *kept], strict=True):
+    faces = [y, *(block[:3] for block in stored[1:]), deep]
+    for depth, here, block in zip(cells.edges, faces, [None, *stored], strict=True):
         if block is not None:
             a, b, c, d = block[3:]
             shear, axial = a * shear + b * axial, c * shear + d * axial
         along, mixed, normal = here
         parts = (along * shear + mixed * axial, mixed * shear + normal * axial, shear, axial)
-        yield Rung(float(depth), *(np.asarray(WEIGHTS @ part) for part in parts))
+        yield CellState(float(depth), *(np.asarray(EXTRAPOLATION_WEIGHTS @ part) for part in parts))

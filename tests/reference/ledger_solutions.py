@@ -1,7 +1,7 @@
 """The numbers of the cases that came last, computed without winkler: one function a case, in the order of [[expect]].
 
 Point forces summed over a disc, closed forms and integrals by mpmath, equations solved by scipy.  Units are those in
-which E* = R = 1, unless a case says more.
+which E* = R = 1, unless a case states more.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from typing import Any
 
 import mpmath as mp
 import numpy as np
-from judges import Judges, frac
+from reference_solutions import ReferenceSolutions, frac
 from scipy.optimize import brentq
 
 Numbers = list[Any]
-JUDGES = Judges()
-judged = JUDGES.judged
+REFERENCES = ReferenceSolutions()
+of_case = REFERENCES.of_case
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -57,9 +57,9 @@ def over_the_disc(kernel: Callable[..., np.ndarray], x: float, y: float, z: floa
     return np.einsum("kij,i->k", found, weight * np.cos(t) ** 2 * r) * 2.0 * np.pi / 400
 
 
-@judged
+@of_case
 def sliding_ball_inside() -> Numbers:
-    """p0 = mu = a = 1, nu = 0.3: pressure and traction sqrt(1 - r^2), seen from (0.5, 0.2, 0.4)."""
+    """p0 = mu = a = 1, nu = 0.3: pressure and traction sqrt(1 - r^2), at (0.5, 0.2, 0.4)."""
     place = (0.5, 0.2, 0.4, 0.3)
     return list(over_the_disc(boussinesq, *place) + over_the_disc(cerruti, *place))
 
@@ -68,7 +68,7 @@ def sliding_ball_inside() -> Numbers:
 # shear in the plane: mu = 0.3, b = mu (1 - x^2), half of the shift of sliding is 0.15
 
 
-@judged
+@of_case
 def two_strokes_overshoot() -> Numbers:
     """At r = 0.71 every spring has slid along x, then turns on its bound: b (sech(s/b), tanh(s/b))."""
     stroke, mu, r = frac("0.15"), frac("0.3"), frac("0.71")
@@ -88,7 +88,7 @@ def two_strokes_overshoot() -> Numbers:
     return [found[0], found[1] + rim]
 
 
-@judged
+@of_case
 def steady_circle_overshoot() -> Numbers:
     """A spring of the bound b is displaced ahead of the motion by an angle with the cosine b/0.15; at r = 0.7."""
     r, stick = frac("0.7"), mp.sqrt(frac("0.5"))
@@ -112,7 +112,7 @@ def steady_circle_overshoot() -> Numbers:
 PRESSED = frac("210e9") / (2 * frac("0.91")) * frac("1e-6") / frac("2e-3")
 
 
-@judged
+@of_case
 def even_pressure() -> Numbers:
     """F = pi p a^2, q = 2 p sqrt(a^2 - x^2); E* = d = a = 1, p = 1/2."""
     return [mp.pi / 2, mp.mpf(1), frac("0.8")]
@@ -123,7 +123,7 @@ def _even_heat(speed: str) -> mp.mpf:
     return frac("0.3") * PRESSED * frac(speed) * frac("1e-3") / 45
 
 
-@judged
+@of_case
 def even_heat_at_rest() -> Numbers:
     """T = (2 q a/(pi lambda)) E(r^2/a^2): q a/lambda in the middle, 2/pi of it at the rim, 8/(3 pi) in the mean."""
     unit = _even_heat("1e-9")
@@ -138,9 +138,9 @@ def even_moving(peclet: float, x: float) -> float:
     return float(np.mean(chord * np.where(rate * chord > 1e-12, -np.expm1(-rate * chord) / (rate * chord), 1.0)))
 
 
-@judged
+@of_case
 def even_heat_speeds() -> Numbers:
-    """The greatest temperature along the line of motion, and what the rule at rest says too much."""
+    """The greatest temperature along the line of motion, and the excess of the rule at rest."""
     tops = []
     for peclet in (0.01, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0):
         place, width = 0.5, 0.49
@@ -155,7 +155,7 @@ def even_heat_speeds() -> Numbers:
     return [[top * unit for top, unit in zip(tops, units, strict=True)], [1.0 / top - 1.0 for top in tops]]
 
 
-@judged
+@of_case
 def even_heat_begins() -> Numbers:
     """T/T_ss = 2 sqrt(tau) (1/sqrt(pi) - ierfc(1/(2 sqrt(tau)))) in the middle, tau = kappa t/a^2 = 1, 10, 31.8."""
 
@@ -167,7 +167,7 @@ def even_heat_begins() -> Numbers:
     return [[_even_heat("1e-6") * reached(frac(tau)) for tau in ("1", "10", "31.8")]]
 
 
-@judged
+@of_case
 def hertz_heat_edge() -> Numbers:
     """Under Hertz' flux 3Q/(8 lambda a) in the middle and 3Q/(16 lambda a) at the edge; heating_at_rest's ball."""
     modulus = frac("210e9") / (2 * frac("0.91"))
@@ -179,21 +179,21 @@ def hertz_heat_edge() -> Numbers:
 # losses of small motions, twist, particles
 
 
-@judged
+@of_case
 def damping_cone_cubic() -> Numbers:
     """W = (4/3) G*^2 U^3/(mu E* g'), of a cone exact until it slides; g' = pi/2 tan, G* = 0.82352941 E*, mu = 0.3."""
     ratio, slope = 2 * frac("0.7") / frac("1.7"), mp.pi / 2 / mp.tan(mp.radians(80))
     return [[4 * ratio**2 * frac(u) ** 3 / (3 * frac("0.3") * slope) for u in ("0.01", "0.1", "0.3")]]
 
 
-@judged
+@of_case
 def damping_small_amplitude() -> Numbers:
     """Q^3/(9 a G* mu F) of a ball; a = 1, F = 4/3, mu = 0.3, Q = 1e-3 mu F."""
     ratio, limit = 2 * frac("0.7") / frac("1.7"), frac("0.3") * 4 / 3
     return [(limit / 1000) ** 3 / (9 * ratio * limit)]
 
 
-@judged
+@of_case
 def deresiewicz_small_twist() -> Numbers:
     """phi = mu F/(G a^2) (1 - s)(3 - s)/8, s = sqrt(1 - 3 M/(2 mu F a)); the ball of lubkin_table, mu F = 0.8."""
     found = []
@@ -203,7 +203,7 @@ def deresiewicz_small_twist() -> Numbers:
     return [found]
 
 
-@judged
+@of_case
 def particle_small_press() -> Numbers:
     """E_c (A B/4) [acos(1 - 2 d/A) - (1 - 2 d/A) sqrt(4 d/A - 4 d^2/A^2)] with A = 4 R, B = 2 R, d = R/100."""
     ec, x = frac("5e6") / (1 - frac("0.16")), frac("0.01") / 4
@@ -260,13 +260,13 @@ def worn_punch_bulge() -> Numbers:
     return [4 * frac("1e8") * frac("1e-3") / (mp.pi * frac("1e11")) * (mp.ellipe(0) - mp.ellipe(1))]
 
 
-@judged
+@of_case
 def persson_small_pressure() -> Numbers:
     """erf(sqrt(2) p/(E* h')), about sqrt(8/pi) p/(E* h')."""
     return [[mp.erf(mp.sqrt(2) * frac(p)) for p in ("1e-4", "0.01", "0.5")]]
 
 
-@judged
+@of_case
 def maugis_parameter_unit() -> Numbers:
     """lambda = 2 sigma_0 (R/(pi w K^2))^(1/3), K = 4 E*/3; E* = 0.75, R = pi w = 1, sigma_0 = 1/2."""
     return [mp.mpf(1)]
@@ -286,7 +286,7 @@ def ellipse(ratio: mp.mpf) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     return m, mp.ellipk(m), mp.ellipe(m)
 
 
-@judged
+@of_case
 def elliptic_hertz_one_to_three() -> Numbers:
     """a^3 = 3F(K - E)/(2 pi E* m A), b = a sqrt(1 - m), d = 3 F K/(2 pi E* a); A = 0.25, B = 0.75."""
     m, k, e = ellipse(mp.mpf(3))
@@ -303,17 +303,17 @@ def _oval(bend: str) -> Numbers:
     return [2 * mp.pi * a * frac("0.01") / (3 * k), a, a * mp.sqrt(1 - m)]
 
 
-@judged
+@of_case
 def nearly_round_ellipse_122() -> Numbers:
     return _oval("0.45")
 
 
-@judged
+@of_case
 def nearly_round_ellipse_150() -> Numbers:
     return _oval("0.4")
 
 
-@judged
+@of_case
 def nearly_round_ellipse_300() -> Numbers:
     return _oval("0.25")[:1]
 
@@ -330,17 +330,17 @@ def _pyramid(faces: int, per_face: int) -> mp.mpf:
     return mp.mpf(2.0 * brentq(excess, 0.1, 4.0 / (6.0 * s.max()) * (1.0 - 1e-12), xtol=1e-15))
 
 
-@judged
+@of_case
 def nearly_round_pyramid_3() -> Numbers:
     return [_pyramid(3, 32) * frac("1e-4")]
 
 
-@judged
+@of_case
 def nearly_round_pyramid_4() -> Numbers:
     return [_pyramid(4, 24) * frac("1e-4")]
 
 
-@judged
+@of_case
 def nearly_round_pyramid_6() -> Numbers:
     return [_pyramid(6, 12) * frac("1e-4")]
 
@@ -349,7 +349,7 @@ def nearly_round_pyramid_6() -> Numbers:
 # wear without a core, and rough lines
 
 
-@judged
+@of_case
 def limiting_profile_no_core() -> Numbers:
     """With hardly any core the profile ends at sqrt(2) a0; c = 0.001 a0."""
     c = frac("0.001")
@@ -361,7 +361,7 @@ def limiting_profile_no_core() -> Numbers:
     return [c * frac("1e-4"), mp.findroot(shape, (frac("1.40"), frac("1.42")), solver="anderson") * frac("1e-4")]
 
 
-@judged
+@of_case
 def rough_line_stiffness() -> Numbers:
     """Medians of 4000 lines z = Sum 2 B cos(q x + phi), H = 0.7; B^2 is Int C_1D dq about q, C_1D ~ q^(-2 H - 1)."""
     chance, count, modes = np.random.default_rng(20261121), 4096, np.arange(1, 33)
@@ -407,7 +407,7 @@ def softness(x: np.ndarray, y: np.ndarray, side: float) -> np.ndarray:
     return found / np.pi
 
 
-@judged
+@of_case
 def two_hills_stiffness() -> Numbers:
     """Depth 0.01: pixels are let go that pull until none does; dF/dd is what lifts their flat stamp by one."""
     heights, side = two_hills(), 1.0 / 40

@@ -1,4 +1,4 @@
-r"""Jaeger's picture: a round contact as a staircase of flat punches of growing radius.
+r"""Jaeger's superposition: a round contact as a staircase of flat punches of growing radius.
 
 A flat punch of radius b that sinks by :math:`\delta` has the closed form
 
@@ -7,7 +7,7 @@ A flat punch of radius b that sinks by :math:`\delta` has the closed form
 
 Pressing a body in is pressing one such punch after the other, each a little wider: the increment dg = g'(x) dx of the
 depth belongs to the punch of radius x.  Where `winkler.fields.restore` evaluates the integral over all punches, the
-staircase adds up finitely many of them; it knows nothing of Abel transforms, and so it is an independent check of
+staircase adds up finitely many of them; it uses no Abel transforms, and so it is an independent check of
 pressure and displacement, and the shortest explanation why independent springs can be exact.
 
 References
@@ -24,7 +24,7 @@ import numpy as np
 
 from winkler.checks.outline import refuse_unless_round
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.foundation.bed import Pressed
+from winkler.foundation.bed import PressedSprings
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import Restorable
@@ -32,7 +32,7 @@ from winkler.values import value
 
 __all__ = ["Staircase", "staircase"]
 
-CHUNK = 1 << 20
+PAIRS_PER_CHUNK = 1 << 20
 """Largest number of pairs of places and punches at once."""
 
 
@@ -48,14 +48,14 @@ class Staircase:
         By how much each sinks [m].
     modulus : float
         Effective modulus E* of the medium [Pa].
-    pressed : Pressed
+    pressed : PressedSprings
         The springs of the contact that is taken apart.
     """
 
     radii: Array
     increments: Array
     modulus: float
-    pressed: Pressed
+    pressed: PressedSprings
 
     @property
     def depth(self) -> float:
@@ -139,7 +139,7 @@ class Staircase:
                 "staircase: r holds values that are negative or not finite; give distances from the axis in m."
             )
         flat = places.ravel()
-        block = max(1, CHUNK // max(1, self.radii.size))
+        block = max(1, PAIRS_PER_CHUNK // max(1, self.radii.size))
         parts = [
             kernel(flat[start : start + block, None], self.radii[None, :]) @ self.increments
             for start in range(0, flat.size, block)
@@ -153,7 +153,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     Parameters
     ----------
     solution
-        The answer to a problem, for one load, on a homogeneous half-space.
+        The solution of a problem, for one load, on a homogeneous half-space.
     count : int
         How many punches follow the shape of the body; one more stands for the flat end of a body that is pinned at
         its rim.  The depth is met exactly, force and outer displacement with an error that falls as 1/count^2.
@@ -196,11 +196,11 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     radii, increments = 0.5 * (edges[1:] + edges[:-1]), np.diff(g)
     if pressed.edge != 0.0:
         radii, increments = np.append(radii, pressed.radius), np.append(increments, pressed.edge)
-    kept = increments != 0.0
-    return Staircase(radii[kept], increments[kept], medium.modulus, pressed)
+    rising = increments != 0.0
+    return Staircase(radii[rising], increments[rising], medium.modulus, pressed)
 
 
-def _treads(pressed: Pressed, count: int) -> Array:
+def _treads(pressed: PressedSprings, count: int) -> Array:
     """Return the radii between which the punches stand; beyond a kink s even in sqrt(x^2 - s^2), where g is smooth."""
     a = pressed.radius
     if a == 0.0:

@@ -1,4 +1,4 @@
-"""The judge of every closed form: T1 by mpmath's quadrature at 30 digits, from a slope written in the test itself."""
+"""Reference of every closed form: T1 by mpmath's quadrature at 30 digits, from a slope written in the test itself."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def _split(x: mp.mpf, edges: Sequence[float]) -> list[mp.mpf]:
 
 
 def _unit(slope: Slope, x: mp.mpf) -> mp.mpf:
-    """What to divide by, because mpmath judges convergence by the size of one."""
+    """What to divide by, because mpmath measures convergence by the size of one."""
     return slope(x) or mp.mpf(1)
 
 
@@ -57,22 +57,22 @@ def height(slope: Slope, r: float, edges: Sequence[float] = ()) -> mp.mpf:
 
 
 def assert_transforms(profile, slope: Slope, x: Sequence[float], edges: Sequence[float] = (), rtol: float = 1e-12):
-    """The profile's height, slope, g, g' and integral of g agree with the judge.
+    """The profile's height, slope, g, g' and integral of g agree with the reference.
 
     Close to an edge or wall b the rounding of x or x/b alone moves a function of x - b; that much is granted, no more.
     """
     x = np.asarray(x, dtype=float)
     near = np.array([min((abs(v - b) for b in edges if b != v), default=math.inf) for v in x])
     granted = rtol + 16.0 * np.spacing(x) / near
-    smooth = ~np.isin(x, edges)  # a difference across an edge is no judge of the slope there
-    for word, judged in (
+    smooth = ~np.isin(x, edges)  # a difference across an edge is no measure of the slope there
+    for word, compared in (
         ("height", [height(slope, v, edges) for v in x]),
         ("slope", [slope(mp.mpf(v)) for v in x]),
         ("gap", [gap(slope, v, edges) for v in x]),
         ("gap_integral", [gap_integral(slope, v, edges) for v in x]),
         ("gap_slope", [gap_slope(slope, v, edges) if good else mp.nan for v, good in zip(x, smooth, strict=True)]),
     ):
-        expected = np.array([float(v) for v in judged])
+        expected = np.array([float(v) for v in compared])
         got = getattr(profile, word)(x)
         assert got.shape == x.shape, word
         error = np.abs(got - expected)
@@ -86,7 +86,7 @@ def assert_transforms(profile, slope: Slope, x: Sequence[float], edges: Sequence
 
 
 def assert_curvature(profile, slope: Slope, x: Sequence[float], rtol: float = 1e-12):
-    """f'' agrees with a difference of the judge's slope, away from edges."""
+    """f'' agrees with a difference of the reference slope, away from edges."""
     x = np.asarray(x, dtype=float)
     with mp.workdps(DIGITS + 15):
         expected = [float(mp.diff(slope, mp.mpf(v), h=mp.mpf(v) * mp.mpf("1e-15"))) for v in x]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from winkler.media.pile import MEMBERS, pile
+from winkler.media.punch_superposition import FEWEST_MEMBERS, punch_superposition
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Root:
 
 
 def test_panels_cover_the_contact_without_gaps():
-    panels = pile(Root()).panels
+    panels = punch_superposition(Root()).panels
     starts = [math.hypot(panel.base, panel.lower) for panel in panels]
     ends = [math.hypot(panel.base, panel.upper) for panel in panels]
     assert starts[0] == 0.0
@@ -42,7 +42,7 @@ def test_panels_cover_the_contact_without_gaps():
 
 def test_the_inverse_square_root_is_gone():
     """Above the kink H = -u' y/t = sqrt(t^2 - base^2) / sqrt(t^2 - b^2): one on panels that start at the kink."""
-    for panel in pile(Root()).panels:
+    for panel in punch_superposition(Root()).panels:
         y = panel.lower + (panel.upper - panel.lower) * np.linspace(0.0, 1.0, 50)
         t = np.hypot(panel.base, y)
         if panel.base == 0.3:
@@ -55,8 +55,8 @@ def test_the_inverse_square_root_is_gone():
 
 
 def test_clusters_carry_the_moments_of_their_panels():
-    root = pile(Root()).root
-    assert len(root.panels) >= MEMBERS
+    root = punch_superposition(Root()).root
+    assert len(root.panels) >= FEWEST_MEMBERS
     a, b = 1.0, 0.3
     for power, above in (
         (0, math.sqrt(a * a - b * b)),
@@ -70,7 +70,7 @@ def test_clusters_carry_the_moments_of_their_panels():
 
 
 def test_a_pile_is_made_once():
-    assert pile(Root()) is pile(Root())
+    assert punch_superposition(Root()) is punch_superposition(Root())
 
 
 @pytest.mark.parametrize("exponent", [0.1, 0.5, 1.7])
@@ -82,7 +82,7 @@ def test_a_tip_that_is_no_power_series_gets_ever_smaller_panels(exponent):
         def slope(self, x):
             return -(x**exponent)
 
-    panels = pile(Tip()).panels
+    panels = punch_superposition(Tip()).panels
     for x in 10.0 ** np.arange(-9.0, 0.0):
         (panel,) = (panel for panel in panels if panel.lower <= x < panel.upper)
         assert np.isclose(panel.weight(np.array([x]))[0], x**exponent, rtol=0.0, atol=1e-11)

@@ -1,4 +1,4 @@
-"""The theory of section 1 in mpmath: every answer by quadrature of its definition, none by a closed form.
+"""The theory of section 1 in mpmath: every result by quadrature of its definition, none by a closed form.
 
 A body of revolution is a list of smooth pieces of f'; depth, force, pressure and displacement follow by the
 transforms T1, T3, T4 and T6, and the field below the surface by Hankel's integrals, which share nothing with the

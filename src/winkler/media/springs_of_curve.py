@@ -1,4 +1,4 @@
-r"""The springs behind a force curve: what g(x) a medium must be pressed by for the force to follow it.
+r"""The equivalent profile g(x) of a force curve: the profile that gives this curve on a medium.
 
 The slope k(d) = dF/dd is the stiffness of the contact, which the medium has at one contact radius alone; the depth
 there is the equivalent profile, :math:`g(a) = d` where :math:`k_\mathrm{medium}(a) = k(d)`, with the slope
@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.media.body_of import Springs
+from winkler.media.body_of import EquivalentProfile
 from winkler.media.layered.coated import LayeredMedium
 from winkler.media.medium import Medium
 from winkler.numerics.equations.roots import invert, rough_root
@@ -24,20 +24,20 @@ from winkler.numerics.panels.convex_spline import ConvexCurve
 from winkler.numerics.types import Array
 from winkler.values import value
 
-__all__ = ["Behind", "Tabulated", "springs_behind"]
+__all__ = ["CurveProfile", "TabulatedProfile", "springs_of_curve"]
 
-WIDEST = 500.0
-"""Greatest contact radius for which layers are asked, in their total thickness."""
-STANDING = 1e-5
+LARGEST_RADIUS_RATIO = 500.0
+"""Greatest contact radius for which layers are solved, over their total thickness."""
+LEAST_RADIUS_RISE = 1e-5
 """Rise of the contact radius with the variable of the curve, relative to the greatest radius, that is none."""
-NEAREST = 1e-4
+LEAST_RADIUS_RATIO = 1e-4
 """Panels closer to the axis, relative to the greatest radius, are too small to be followed."""
-FLAT = 1e-9
+FLAT_END_RATIO = 1e-9
 """A contact starts with a flat end if its first radius is more than this part of the last."""
 
 
 @value
-class Behind:
+class CurveProfile:
     """The equivalent profile behind a force curve, exactly.
 
     Parameters
@@ -89,7 +89,7 @@ class Behind:
 
 
 @value
-class Tabulated:
+class TabulatedProfile:
     """The same on panels, much faster.
 
     Parameters
@@ -104,7 +104,7 @@ class Tabulated:
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """Where panels meet: they are narrow where g bends much, and rules for integrals must follow them."""
         edges = self.slopes.edges
-        return tuple((float(b), 0.0) for b in edges[1:-1] if b > NEAREST * edges[-1])
+        return tuple((float(b), 0.0) for b in edges[1:-1] if b > LEAST_RADIUS_RATIO * edges[-1])
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
@@ -115,7 +115,7 @@ class Tabulated:
         return self.slopes(x)
 
 
-def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tuple[Springs, Behind]:
+def springs_of_curve(curve: ConvexCurve, medium: Medium, tolerance: float) -> tuple[EquivalentProfile, CurveProfile]:
     """Return springs for quick use, with an error of g' relative to its greatest value, and the exact ones.
 
     They are the same where g starts at the end of a flat with a broken power.
@@ -128,32 +128,32 @@ def springs_behind(curve: ConvexCurve, medium: Medium, tolerance: float) -> tupl
     knots = curve.panels.edges
     radii = _radii(medium, curve.stiffness(knots))
     growth = np.diff(radii) / np.diff(knots)
-    if np.any(growth <= STANDING * radii[-1]):
-        still = int(np.flatnonzero(growth <= STANDING * radii[-1])[0])
+    if np.any(growth <= LEAST_RADIUS_RISE * radii[-1]):
+        still = int(np.flatnonzero(growth <= LEAST_RADIUS_RISE * radii[-1])[0])
         low, high = curve.depth_at(knots[still : still + 2])
         raise OutsideValidity(
             f"dF/dd hardly rises between the depths {low:.6g} m and {high:.6g} m, so the contact would stand still at "
             "a vertical wall; give a curve whose slope rises, or use CappedCylinder."
         )
     end = float(radii[-1])
-    flat = float(radii[0]) if radii[0] > FLAT * end else 0.0
+    flat = float(radii[0]) if radii[0] > FLAT_END_RATIO * end else 0.0
     joints = _radii(medium, curve.stiffness(np.append(curve.joints, 1.0)))[:-1]
-    exact = Behind(curve, medium, flat, end, tuple(float(b) for b in joints))
+    exact = CurveProfile(curve, medium, flat, end, tuple(float(b) for b in joints))
     if exact.singular:
         return exact, exact
     bounds = np.array([0.0, *(b for b, _ in exact.kinks), end])
     steepest = float(np.max(exact.gap_slope(np.linspace(0.0, end, 513)[1:])))
-    return Tabulated(fit_panels(exact.gap_slope, bounds, tolerance * steepest)), exact
+    return TabulatedProfile(fit_panels(exact.gap_slope, bounds, tolerance * steepest)), exact
 
 
 def _radii(medium: Medium, stiffness: Array) -> Array:
     """Return the contact radii with these stiffnesses."""
     result = np.zeros(stiffness.shape)
-    wanted = stiffness > 1e-12 * stiffness[-1]
+    positive = stiffness > 1e-12 * stiffness[-1]
     upper = _wide_enough(medium, float(stiffness[-1])) if isinstance(medium, LayeredMedium) else math.inf
-    result[wanted] = invert(
+    result[positive] = invert(
         lambda a: (medium.punch_stiffness(a), 2.0 * medium.normal_stiffness(a)),
-        stiffness[wanted],
+        stiffness[positive],
         lower=0.0,
         upper=upper,
         guess=0.5 * upper if math.isfinite(upper) else rough_root(medium.punch_stiffness, float(stiffness[-1])),
@@ -172,9 +172,10 @@ def _wide_enough(medium: LayeredMedium, stiffness: float) -> float:
         except NotConverged:
             radius = math.inf
         radius *= 2.0
-        if radius > WIDEST * whole:
+        if radius > LARGEST_RADIUS_RATIO * whole:
             raise OutsideValidity(
-                f"dF/dd reaches {stiffness:.6g} N/m, the stiffness of a contact more than {WIDEST:g} times as wide as "
+                f"dF/dd reaches {stiffness:.6g} N/m, the stiffness of a contact more than {LARGEST_RADIUS_RATIO:g} "
+                f"times as wide as "
                 f"the layers are thick ({whole:.6g} m), where they cannot be carried; give smaller forces, or the "
                 "medium below the layers."
             )

@@ -1,4 +1,4 @@
-"""What a literature case should say, recomputed in mpmath from its [problem] alone."""
+"""The numbers of a literature case, recomputed in mpmath from its [problem] alone."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
-import mp_judge as judge
+import mp_solutions as reference
 import mpmath as mp
 
 PREFIXES = {"": "1", "m": "1e-3", "u": "1e-6", "n": "1e-9", "k": "1e3", "M": "1e6", "G": "1e9"}
@@ -26,28 +26,28 @@ def si(given: str | float) -> mp.mpf:
     return mp.mpf(number) * mp.mpf(UNITS[unit])
 
 
-def body(profile: dict[str, Any]) -> judge.Body:
+def body(profile: dict[str, Any]) -> reference.Body:
     """The body of revolution of a [problem.bed.profile]."""
     numbers = {name: content for name, content in profile.items() if name != "kind"}
     kind = profile["kind"]
     if kind == "sum":
-        return judge.added([body(part) for part in numbers["parts"]])
+        return reference.added([body(part) for part in numbers["parts"]])
     if kind == "formula":  # of powers of r: exact by its own terms, the only formula among the cases
         assert numbers["expression"] == "r**2/(2*R) + r**4/(8*R**3)"
         big = si(numbers["constants"]["R"])
-        return judge.added([judge.paraboloid(big), judge.power_law(1 / (8 * big**3), mp.mpf(4))])
+        return reference.added([reference.paraboloid(big), reference.power_law(1 / (8 * big**3), mp.mpf(4))])
     if kind == "area_function":  # pi r^2 = C0 h^2 + C1 h is a hyperboloid of revolution
         first, second = (si(item) for item in numbers["coefficients"])
-        return judge.hyperboloid(second / (2 * mp.pi), mp.atan(mp.sqrt(first / mp.pi)))
+        return reference.hyperboloid(second / (2 * mp.pi), mp.atan(mp.sqrt(first / mp.pi)))
     if kind == "capped_cylinder":
-        return judge.capped_cylinder(si(numbers["radius"]), body(numbers["cap"]))
+        return reference.capped_cylinder(si(numbers["radius"]), body(numbers["cap"]))
     if kind == "vickers":  # 68 degrees from the axis to the faces: A = 4 tan^2 h^2
-        return judge.cone(mp.atan(2 * mp.tan(mp.radians(68)) / mp.sqrt(mp.pi)))
+        return reference.cone(mp.atan(2 * mp.tan(mp.radians(68)) / mp.sqrt(mp.pi)))
     if kind == "cube_corner":  # tan^2 = 1/2: A = 3 sqrt(3)/2 h^2
-        return judge.cone(mp.atan(mp.sqrt(3 * mp.sqrt(3) / (2 * mp.pi))))
+        return reference.cone(mp.atan(mp.sqrt(3 * mp.sqrt(3) / (2 * mp.pi))))
     if kind == "berkovich":  # 65.27 degrees: A = 3 sqrt(3) tan^2 h^2
-        return judge.cone(mp.atan(mp.tan(mp.radians(mp.mpf("65.27"))) * mp.sqrt(3 * mp.sqrt(3) / mp.pi)))
-    return getattr(judge, kind)(**{name: si(content) for name, content in numbers.items()})
+        return reference.cone(mp.atan(mp.tan(mp.radians(mp.mpf("65.27"))) * mp.sqrt(3 * mp.sqrt(3) / mp.pi)))
+    return getattr(reference, kind)(**{name: si(content) for name, content in numbers.items()})
 
 
 def transverse(c11: mp.mpf, c12: mp.mpf, c13: mp.mpf, c33: mp.mpf, c44: mp.mpf) -> tuple[mp.mpf, mp.mpf]:
@@ -73,17 +73,17 @@ def moduli(medium: dict[str, Any]) -> tuple[mp.mpf, mp.mpf]:
 
 
 @dataclass
-class Answer:
+class ReferenceSolution:
     """The contact of one case."""
 
     problem: dict[str, Any]
 
     @cached_property
-    def body(self) -> judge.Body:
+    def body(self) -> reference.Body:
         bed = self.problem["bed"]
         if bed["kind"] == "plane_foundation":  # g = x^2/(2 R) belongs to the paraboloid of twice the radius
             assert bed["plane_profile"]["kind"] == "paraboloid"
-            return judge.paraboloid(2 * si(bed["plane_profile"]["curvature_radius"]))
+            return reference.paraboloid(2 * si(bed["plane_profile"]["curvature_radius"]))
         return body(bed["profile"])
 
     @cached_property
@@ -148,15 +148,15 @@ class Answer:
         shear = si(solid["young"]) / (2 * (1 + nu))
         profile = self.problem["bed"]["profile"]
         if profile["kind"] == "flat_punch":
-            transform = judge.punch_transform(self.radius, self.force)
+            transform = reference.punch_transform(self.radius, self.force)
         else:
             peak = 2 * self.modulus * self.radius / (mp.pi * si(profile["curvature_radius"]))
-            transform = judge.hertz_transform(self.radius, peak)
+            transform = reference.hertz_transform(self.radius, peak)
             if z == 0:  # Huber, at the edge
                 assert r == self.radius
                 return {"radial_stress": (1 - 2 * nu) * peak / 3, "hoop_stress": -(1 - 2 * nu) * peak / 3}
-        found = judge.hankel_field(transform, r, z, nu, shear, self.radius)
-        return {**found, **judge.equivalents(found)}
+        found = reference.hankel_field(transform, r, z, nu, shear, self.radius)
+        return {**found, **reference.equivalents(found)}
 
     @cached_property
     def z(self) -> mp.mpf:
@@ -175,7 +175,7 @@ class Answer:
         return place, stress(place)
 
     def quantity(self, expectation: dict[str, Any]) -> mp.mpf:
-        """The number that an entry of [[expect]] asks for, SI."""
+        """The number that an entry of [[expect]] requests, SI."""
         name = expectation["quantity"].rpartition(".")[2]
         if "z" in expectation:
             return self.field(si(expectation["r"]), si(expectation["z"]))[name]

@@ -1,10 +1,10 @@
-r"""The pile of flat punches that a springs' displacement is (Jaeger's picture), tabulated for integration.
+r"""The superposition of flat punches that belongs to a displacement of the springs (Jaeger), tabulated for integration.
 
 The punch of radius t carries ``-du(t)``.  Above a kink s of u the slope starts with an inverse square root; over
-:math:`y = \sqrt{t^2-s^2}` the weight :math:`H(y) = -u'(t)\,y/t`, :math:`-\mathrm du = H\,\mathrm dy`, is smooth.  It
-is tabulated once, on panels short enough for a Chebyshev series.  Seen from afar many panels are few punches: a
-`Cluster` replaces them by punches at fixed radii, so that a shape of a thousand kinks costs little more than a smooth
-one.
+:math:`y = \sqrt{t^2-s^2}` the weight :math:`H(y) = -u'(t)\,y/t`, :math:`-\mathrm du = H\,\mathrm dy`, is smooth.  It is
+tabulated once, on panels short enough for a Chebyshev series.  From a distance many panels are few punches: a
+`PunchCluster` replaces them by punches at fixed radii, so that a shape of a thousand kinks costs little more than a
+smooth one.
 """
 
 from __future__ import annotations
@@ -22,25 +22,25 @@ from winkler.media.medium import Displacement
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["Cluster", "Panel", "Pile", "pile"]
+__all__ = ["LoadPanel", "PunchCluster", "PunchSuperposition", "punch_superposition"]
 
 SAMPLES = 24
 """Samples of H on a panel; its series then ends at this order, less one."""
 TOLERANCE = 1e-12
 """Largest last coefficients of a series that is accepted, relative to the largest H."""
-NEGLIGIBLE = 1e-20
+NEGLIGIBLE_TOLERANCE = 1e-20
 """The same times width over contact radius: below it a panel is accepted as it is (the very tip of a pointed g)."""
-ROUGH = 1e-8
+ROUNDING_TOLERANCE = 1e-8
 """A series whose last coefficients do not fall on halving the panel, but are below this, ends in rounding noise."""
 MOST_PANELS = 40_000
-MEMBERS = 4
+FEWEST_MEMBERS = 4
 """Fewest panels that are worth a cluster."""
-PUNCHES = 26
-"""Punches that stand for a cluster; at a distance of ln(rho) = `FAR` they are good to 3.2^-26 = 7e-14."""
-FAR = math.log(3.2)
+PUNCHES_PER_CLUSTER = 26
+"""Punches that stand for a cluster; at a distance of ln(rho) = `CLUSTER_DISTANCE` they are good to 3.2^-26 = 7e-14."""
+CLUSTER_DISTANCE = math.log(3.2)
 
 
-class Panel(NamedTuple):
+class LoadPanel(NamedTuple):
     """H(y) on ``lower <= y <= upper`` as a Chebyshev series, y = sqrt(t^2 - base^2) [m]."""
 
     base: float
@@ -60,25 +60,25 @@ class Panel(NamedTuple):
         return np.asarray(self.series[0] + s * last - before)
 
 
-class Cluster(NamedTuple):
+class PunchCluster(NamedTuple):
     """Neighbouring panels and the punches, radii and weights [m], that stand for them far from ``[lower, upper]``."""
 
-    panels: tuple[Panel, ...]
-    children: tuple[Cluster, ...]
+    panels: tuple[LoadPanel, ...]
+    children: tuple[PunchCluster, ...]
     lower: float
     upper: float
     radii: Array
     weights: Array
 
 
-class Pile(NamedTuple):
+class PunchSuperposition(NamedTuple):
     """All punches of a displacement: panels in ascending order, and the cluster of all of them."""
 
-    panels: tuple[Panel, ...]
-    root: Cluster
+    panels: tuple[LoadPanel, ...]
+    root: PunchCluster
 
 
-def pile(displacement: Displacement) -> Pile:
+def punch_superposition(displacement: Displacement) -> PunchSuperposition:
     """Return the pile of punches of a displacement; cached by value, so the displacement must be hashable.
 
     Raises
@@ -86,12 +86,12 @@ def pile(displacement: Displacement) -> Pile:
     NotConverged
         If u'(x) is not smooth between the kinks.
     """
-    return _pile(cast(Hashable, displacement))
+    return _punch_superposition(cast(Hashable, displacement))
 
 
 @functools.lru_cache(maxsize=32)
-def _pile(given: Hashable) -> Pile:
-    displacement = cast(Displacement, given)
+def _punch_superposition(cache_key: Hashable) -> PunchSuperposition:
+    displacement = cast(Displacement, cache_key)
     panels = tuple(_panels(displacement))
     nodes, weights = gauss_legendre(SAMPLES)
     radii, parts = [], []
@@ -99,26 +99,26 @@ def _pile(given: Hashable) -> Pile:
         y = panel.lower + (panel.upper - panel.lower) * nodes
         radii.append(np.hypot(panel.base, y))
         parts.append(panel.weight(y) * (panel.upper - panel.lower) * weights)
-    return Pile(panels, _cluster(panels, np.array(radii), np.array(parts)))
+    return PunchSuperposition(panels, _cluster(panels, np.array(radii), np.array(parts)))
 
 
-def _cluster(panels: tuple[Panel, ...], t: Array, parts: Array) -> Cluster:
+def _cluster(panels: tuple[LoadPanel, ...], t: Array, parts: Array) -> PunchCluster:
     lower = math.hypot(panels[0].base, panels[0].lower)
     upper = math.hypot(panels[-1].base, panels[-1].upper)
-    if len(panels) < MEMBERS:
-        return Cluster(panels, (), lower, upper, np.zeros(0), np.zeros(0))
+    if len(panels) < FEWEST_MEMBERS:
+        return PunchCluster(panels, (), lower, upper, np.zeros(0), np.zeros(0))
     # Lagrange's polynomials on Chebyshev points, integrated over the punches
-    order, angle = np.arange(PUNCHES), np.pi * (np.arange(PUNCHES) + 0.5) / PUNCHES
+    order, angle = np.arange(PUNCHES_PER_CLUSTER), np.pi * (np.arange(PUNCHES_PER_CLUSTER) + 0.5) / PUNCHES_PER_CLUSTER
     place = np.clip((2.0 * t.ravel() - (lower + upper)) / (upper - lower), -1.0, 1.0)
     moments = np.cos(np.outer(order, np.arccos(place))) @ parts.ravel()
     moments[0] *= 0.5
-    weights = (2.0 / PUNCHES) * (np.cos(np.outer(angle, order)) @ moments)
+    weights = (2.0 / PUNCHES_PER_CLUSTER) * (np.cos(np.outer(angle, order)) @ moments)
     half = len(panels) // 2
     children = (_cluster(panels[:half], t[:half], parts[:half]), _cluster(panels[half:], t[half:], parts[half:]))
-    return Cluster(panels, children, lower, upper, lower + (upper - lower) * np.cos(0.5 * angle) ** 2, weights)
+    return PunchCluster(panels, children, lower, upper, lower + (upper - lower) * np.cos(0.5 * angle) ** 2, weights)
 
 
-def _panels(displacement: Displacement) -> list[Panel]:
+def _panels(displacement: Displacement) -> list[LoadPanel]:
     """Tabulate H on panels between the kinks, halving them until their series end."""
     a = displacement.radius
     waiting: list[tuple[float, float, float]] = []
@@ -127,7 +127,7 @@ def _panels(displacement: Displacement) -> list[Panel]:
         waiting.append((low, 0.0, math.sqrt((near - low) * (near + low))))
         if near < high:
             waiting.append((0.0, near, high))
-    done: list[Panel] = []
+    done: list[LoadPanel] = []
     size, parents = 0.0, np.full(len(waiting), math.inf)
     while waiting:
         base, lower, upper = np.array(waiting).T
@@ -135,13 +135,13 @@ def _panels(displacement: Displacement) -> list[Panel]:
         size = max(size, float(np.max(np.abs(series))))
         error = np.max(np.abs(series[:, -3:]), axis=1)
         width = np.hypot(base, upper) - np.hypot(base, lower)
-        noise = (error > 0.5 * parents) & (error < ROUGH * size)
+        noise = (error > 0.5 * parents) & (error < ROUNDING_TOLERANCE * size)
         if np.isfinite(parents[0]):
             noise &= noise[np.arange(len(waiting)) ^ 1]  # in both halves of the parent
-        ready = (error <= TOLERANCE * size) | (error * width <= NEGLIGIBLE * size * a) | noise
+        ready = (error <= TOLERANCE * size) | (error * width <= NEGLIGIBLE_TOLERANCE * size * a) | noise
         for i in np.flatnonzero(ready):
             last = np.flatnonzero(np.abs(series[i]) > 1e-16 * size)
-            done.append(Panel(*waiting[i], series[i, : last[-1] + 1 if last.size else 1]))
+            done.append(LoadPanel(*waiting[i], series[i, : last[-1] + 1 if last.size else 1]))
         rest = np.flatnonzero(~ready)
         if rest.size and (len(done) + 2 * rest.size > MOST_PANELS or not np.all(np.isfinite(series[rest]))):
             raise NotConverged(
