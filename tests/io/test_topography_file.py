@@ -82,7 +82,9 @@ def test_what_gwyddion_writes_above_a_matrix(file):
     np.testing.assert_allclose(rough.lengths, SIZES, rtol=1e-15)
     assert read_topography(name, unit="nm") == rough
     assert read_topography(name, lengths=(1.0, 2.0)).lengths.tolist() == [1.0, 2.0]
-    with pytest.raises(InvalidInput, match=r"^map.txt: the file tells its unit, nm, and um was given; leave it out\.$"):
+    with pytest.raises(
+        InvalidInput, match=r"^map.txt: the file states its unit, nm, and um was given; leave it out\.$"
+    ):
         read_topography(name, unit="um")
     with pytest.raises(InvalidInput, match=r"^map\.txt, '# Width': '2\.0 s' is a time, not a length"):
         read_topography(file(GWYDDION.replace("2.0 µm", "2.0 s") + rows("\t"), "map.txt"))
@@ -197,8 +199,8 @@ def test_an_array_that_does_not_fit_the_memory(file, monkeypatch):
 def test_what_has_to_be_told(file):
     name = file(rows(","))
     for told, sentence in (
-        ({}, "map.csv: the file does not tell the unit of its heights; give unit, such as 'nm' or 'um'."),
-        ({"unit": "nm"}, "map.csv: the file does not tell the lengths of the map; give lengths=(x, y) in m."),
+        ({}, "map.csv: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'."),
+        ({"unit": "nm"}, "map.csv: the file does not state the lengths of the map; give lengths=(x, y) in m."),
         ({"unit": "nmm"}, "map.csv, unit: 'nmm' cannot be read: the unit 'nmm' is unknown (did you mean 'nm'?)."),
         ({"unit": "kg"}, "map.csv, unit: 'kg' is the unit of a mass, not of a length."),
         ({"unit": "nm", "lengths": (1.0, 2.0, 3.0)}, "map.csv: lengths are (1.0, 2.0, 3.0); give two numbers, in m."),
@@ -259,7 +261,7 @@ def test_an_atomic_force_microscope(instruments):
         InvalidInput, match=r"di-3\.di: there is no height channel 'Phase'; give one of ZSensor, Height"
     ):
         read_topography(instruments / "di-3.di", channel="Phase")
-    with pytest.raises(InvalidInput, match=r"di-3\.di: the file tells its unit, nm, and um was given; leave it out"):
+    with pytest.raises(InvalidInput, match=r"di-3\.di: the file states its unit, nm, and um was given; leave it out"):
         read_topography(instruments / "di-3.di", unit="um")
 
 

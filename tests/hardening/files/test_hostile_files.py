@@ -170,7 +170,7 @@ ARRAYS = {
     "lengths of texts": (packed(heights=MAP, lengths=saved(np.array(["1 um", "1 um"]))), "'lengths' are of the type"),
     "tiny lengths": (packed(heights=MAP, lengths=saved(np.full(2, 1e-320))), "Topography: lengths"),
     "huge lengths": (packed(heights=MAP, lengths=saved(np.full(2, 1e308))), "Topography: "),
-    "missing lengths": (packed(heights=MAP, lengths=saved(np.full(2, np.nan))), "does not tell the lengths"),
+    "missing lengths": (packed(heights=MAP, lengths=saved(np.full(2, np.nan))), "does not state the lengths"),
     "periodic of records": (packed(heights=MAP, periodic=RECORD), "'periodic' is of the type"),
     "periodic of texts": (packed(heights=MAP, periodic=saved(np.array("yes"))), "'periodic' is of the type"),
     "units in a row": (packed(heights=MAP, unit=saved(np.array(["nm", "um"]))), "'unit' is of the type"),

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
-from winkler.io.foreign import reason_of, shown
+from winkler.io.foreign import path_text, reason_of
 from winkler.study.language.catalogue import kind_of, kinds
 from winkler.vocabulary import word
 
@@ -118,11 +118,12 @@ def _found(folder: Path, name: str) -> Path:
         near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS) if item.suffix == path.suffix)[:5]
     except (OSError, ValueError) as error:
         raise InvalidInput(
-            f"file is '{shown(name)}', which cannot be looked at ({reason_of(error)}); give its path from the study."
+            f"file is '{path_text(name)}', which cannot be looked at ({reason_of(error)}); give its path from the "
+            "study."
         ) from None
     near_ones = f"; there are {', '.join(near)}" if near else ""
     raise InvalidInput(
-        f"file is '{shown(name)}', which does not exist beside the study{near_ones}; give its path from there."
+        f"file is '{path_text(name)}', which does not exist beside the study{near_ones}; give its path from there."
     )
 
 

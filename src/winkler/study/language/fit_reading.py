@@ -13,7 +13,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.parameters import found
-from winkler.io.foreign import reason_of, shown
+from winkler.io.foreign import path_text, reason_of
 from winkler.limits import MOST_CURVES
 from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath
@@ -162,14 +162,14 @@ def _sources(given: str, folder: Path) -> tuple[str, ...]:
         raise
     except (OSError, ValueError, NotImplementedError, RecursionError) as error:
         raise InvalidInput(
-            f"fit.curve is '{shown(given)}', which cannot be looked at ({reason_of(error)}); give a file, a folder or "
-            "a pattern from the study."
+            f"fit.curve is '{path_text(given)}', which cannot be looked at ({reason_of(error)}); give a file, a folder "
+            "or a pattern from the study."
         ) from None
     if not files:
         raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
     if len(files) > MOST_CURVES:
         raise InvalidInput(
-            f"fit.curve is '{shown(given)}', which are more than {MOST_CURVES} files; fit them in parts."
+            f"fit.curve is '{path_text(given)}', which are more than {MOST_CURVES} files; fit them in parts."
         )
     return tuple(str(item) for item in files)
 
@@ -184,16 +184,16 @@ def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
         return inside, f"the folder '{given}' holds no files"
     if PATTERN.search(given):
         if given.count("**") > 1:
-            raise InvalidInput(f"fit.curve is '{shown(given)}'; give a pattern with ** once, or without.")
+            raise InvalidInput(f"fit.curve is '{path_text(given)}'; give a pattern with ** once, or without.")
         absolute = Path(given).is_absolute()
         root = Path(Path(given).anchor) if absolute else folder
         pattern = str(Path(given).relative_to(root)) if absolute else given
-        return (item for item in root.glob(pattern) if item.is_file()), f"no file fits the pattern '{shown(given)}'"
+        return (item for item in root.glob(pattern) if item.is_file()), f"no file fits the pattern '{path_text(given)}'"
     beside = path.parent.iterdir() if path.parent.is_dir() else ()
     near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS))
     hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
     raise InvalidInput(
-        f"fit.curve is '{shown(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
+        f"fit.curve is '{path_text(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
         "pattern from there."
     )
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.io.text_file import content_of
 from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study.language import axes
@@ -66,21 +66,21 @@ def read_text(path: Path) -> str:
     """
     try:
         if path.is_dir():
-            raise InvalidInput(f"{shown(path)} is a folder; give a study file in it.")
+            raise InvalidInput(f"{path_text(path)} is a folder; give a study file in it.")
         if not path.exists():
             near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
             others = f"; there are {', '.join(near)}" if near else ""
             raise InvalidInput(
-                f"{shown(path)}: there is no such file{others}; `winkler new indentation` writes one."
+                f"{path_text(path)}: there is no such file{others}; `winkler new indentation` writes one."
             ) from None
         if not path.is_file():
-            raise InvalidInput(f"{shown(path)}: this is not a file with contents; give a study file.")
+            raise InvalidInput(f"{path_text(path)}: this is not a file with contents; give a study file.")
         return content_of(path, STUDY_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InvalidInput(f"{path}: byte {error.start} is not UTF-8; save the study as UTF-8 text.") from None
     except OSError as error:
         raise InvalidInput(
-            f"{shown(path)}: cannot be read ({error.strerror or error}); give a readable study file."
+            f"{path_text(path)}: cannot be read ({error.strerror or error}); give a readable study file."
         ) from None
 
 

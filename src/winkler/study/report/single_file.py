@@ -10,7 +10,7 @@ import os
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.study.batch.locking import locked
 from winkler.study.batch.stopping import held
 
@@ -49,10 +49,11 @@ def write_whole(path: Path, content: bytes) -> None:
                     part.unlink(missing_ok=True)
     except BlockingIOError:
         raise InvalidInput(
-            f"output: another command is writing '{shown(path)}'; wait for its end, or give another file with --output."
+            f"output: another command is writing '{path_text(path)}'; wait for its end, or give another file with "
+            "--output."
         ) from None
     except (OSError, ValueError) as error:
         why = (getattr(error, "strerror", None) or str(error)).lower()
         raise InvalidInput(
-            f"output: '{shown(path)}' cannot be written ({why}); give another file with --output."
+            f"output: '{path_text(path)}' cannot be written ({why}); give another file with --output."
         ) from None

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.study.batch.outcome import Outcome, Provenance
 from winkler.study.batch.stopping import held, keeping, look
 from winkler.study.language.reading import study_text
@@ -51,12 +51,12 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
     Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
     numbers), and provenance.json.
     """
-    shown = outcome.study.output.report or outcome.study.output.figures
+    path_text = outcome.study.output.report or outcome.study.output.figures
     if isinstance(outcome, Outcome):
         from winkler.study.report import archive
 
         archive.write(outcome, folder)
-        if shown:
+        if path_text:
             from winkler.study.report import report
 
             report.write(outcome, folder)
@@ -65,7 +65,7 @@ def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
         from winkler.study.report import fit_writing
 
         fit_writing.write_numbers(outcome, folder)
-        if shown:
+        if path_text:
             from winkler.study.report import fit_report
 
             fit_report.write(outcome, folder)
@@ -115,8 +115,8 @@ def holds_results(folder: Path) -> bool:
     """
     if "\0" in str(folder) or len(os.fsencode(folder.name)) > LONGEST:
         raise InvalidInput(
-            f"output: '{shown(folder)}' has a name that cannot be used; give a folder whose name has at most {LONGEST} "
-            "bytes, with --output."
+            f"output: '{path_text(folder)}' has a name that cannot be used; give a folder whose name has at most "
+            f"{LONGEST} bytes, with --output."
         )
     if _is_here(folder):
         raise InvalidInput(f"output: '{folder}' is the working directory or contains it; give a folder inside it.")
@@ -174,7 +174,7 @@ def unwritable(folder: Path, error: OSError) -> InvalidInput:
     why = (
         os.strerror(error.errno) if error.errno else type(error).__name__
     ).lower()  # libraries say more in `strerror`
-    return InvalidInput(f"output: '{shown(folder)}' cannot be written ({why}); give another folder with --output.")
+    return InvalidInput(f"output: '{path_text(folder)}' cannot be written ({why}); give another folder with --output.")
 
 
 @contextlib.contextmanager
