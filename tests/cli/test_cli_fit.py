@@ -293,7 +293,7 @@ def test_ctrl_c_tells_the_best_numbers_so_far(here, monkeypatch, capsys):
     assert main(["fit", "gel.toml"]) == 130
     told = capsys.readouterr().err
     assert re.fullmatch(
-        r"winkler: interrupted after \d+ evaluations, residuals of [\d.]+ pN; the best numbers so far, not settled: "
+        r"winkler: interrupted after \d+ evaluations, residuals of [\d.]+ pN; the best numbers so far, not converged: "
         r"problem\.bed\.medium\.first\.young = [\d.]+ kPa, contact_point = .*m; nothing was written\.\n",
         told,
     ), told
@@ -332,14 +332,14 @@ def test_a_bar_tells_how_far_the_fit_has_come(here, monkeypatch):
     from winkler.cli import fit as module
 
     told = []
-    plain = module._UnderWay.watch
+    plain = module._RunningFit.watch
 
     def heard(self, states):
         for state in plain(self, states):
             told.append(self.progress())
             yield state
 
-    monkeypatch.setattr(module._UnderWay, "watch", heard)
+    monkeypatch.setattr(module._RunningFit, "watch", heard)
     one_curve(here)
     assert main(["fit", "gel.toml", "--quiet"]) == 0
     assert re.fullmatch(r"fitting: 1 evaluation, residuals of [\d.]+ \S?N", told[0])

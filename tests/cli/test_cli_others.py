@@ -371,7 +371,7 @@ def test_cite_a_kind(capsys):
     assert main(["cite", "cone"]) == 0
     assert "Boussinesq's problem for a rigid cone" in capsys.readouterr().out
     assert main(["cite", "rigid"]) == 0
-    assert capsys.readouterr().out == "rigid stands on no particular paper.\n"
+    assert capsys.readouterr().out == "rigid is based on no particular paper.\n"
 
 
 def test_cite_in_python():

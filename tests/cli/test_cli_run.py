@@ -373,7 +373,7 @@ def test_wrong_commands_are_one_sentence(arguments, part, here, capsys):
     assert told.err.startswith("winkler: ")
     assert told.err.count("\n") == 1
     assert part in told.err.lower()
-    assert "--help` tells what is known." in told.err
+    assert "--help` lists what is allowed." in told.err
     assert not (here / "results").exists()
 
 

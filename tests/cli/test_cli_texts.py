@@ -15,7 +15,7 @@ import pytest
 
 import winkler.cli
 from winkler.cli import main, terminal
-from winkler.cli.saying import plain_json, safe, say
+from winkler.cli.streams import plain_json, safe, write_line
 from winkler.study.batch.outcome import Column
 from winkler.vocabulary import word
 
@@ -80,7 +80,7 @@ def test_control_characters_are_shown_as_escapes(harmful, capsys):
     told = safe(f"a{harmful}b µ\n\t")
     assert harmless(told.replace("\t", ""))
     assert told.encode("utf-8").decode("unicode_escape", "ignore").startswith(f"a{harmful}b")
-    say(f"a{harmful}b", error=True)
+    write_line(f"a{harmful}b", error=True)
     assert harmless(capsys.readouterr().err)
 
 
@@ -158,7 +158,7 @@ def test_what_is_undefined_is_told_apart_from_what_has_no_answer(here, capsys):
     column = Column(
         "lateral_restitution", word("ImpactSolution", "lateral_restitution"), np.array([0.5, np.nan, np.nan])
     )
-    assert terminal._shown(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
+    assert terminal._column_texts(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
     text = (here / "c.toml").read_text(encoding="utf-8").replace('["0 N", "1 N"]', '"1 N"')
     (here / "c.toml").write_text(f'{text}\n[sweep]\n"problem.load.force" = ["1 N", "-1 N"]\n', encoding="utf-8")
     assert main(["run", "c.toml"]) == 4
@@ -173,10 +173,10 @@ def test_json_knows_no_bare_infinity():
     assert json.loads(told) == {"a": ["infinite", "-infinite", None, 1.5, "x", True, None], "b": [{"c": 2}]}
 
 
-def test_everything_is_said_in_one_place():
+def test_everything_is_written_in_one_place():
     """No command prints by itself."""
     for path in Path(winkler.cli.__file__).parent.glob("*.py"):
         calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)]
         names = {node.func.id for node in calls if isinstance(node.func, ast.Name)}
-        assert "print" not in names or path.name == "saying.py", path.name
+        assert "print" not in names or path.name == "streams.py", path.name
         assert "Console" not in names or path.name == "terminal.py", path.name

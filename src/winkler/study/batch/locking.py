@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 
 __all__ = ["lock", "locked"]
 
@@ -81,12 +81,12 @@ def locked(path: Path) -> Iterator[bool]:
     """
     file = -1
     try:
-        with held():
+        with deferred_signals():
             file, able = _opened(path)
         yield able
     finally:
         if file >= 0:
-            with held():
+            with deferred_signals():
                 _removed(path, file)
 
 

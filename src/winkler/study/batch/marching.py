@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from winkler.errors import WinklerError
 from winkler.problems.answer import March
 from winkler.study.batch.checkpoint import Keep
-from winkler.study.batch.stopping import INTERRUPTED, answered, look
+from winkler.study.batch.stopping import INTERRUPTED, clear_interrupt, raise_pending
 
 __all__ = ["ANEW", "Marched", "Watch", "marched", "unwatched"]
 
@@ -96,14 +96,14 @@ class _Reached:
                     kept.append(state)
                     if len(kept) > len(before):
                         keep.write(problem, kept)
-                look()
+                raise_pending()
                 self._count += 1
                 yield state
         except (KeyboardInterrupt, WinklerError) as end:
             if not self._count:
                 raise
             if isinstance(end, KeyboardInterrupt):
-                answered()
+                clear_interrupt()
             self.end = end
 
     @property

@@ -21,7 +21,7 @@ from typing import Annotated, Any, TypeVar
 from winkler.checks.number_checks import Number
 from winkler.errors import InvalidInput, NotConverged
 from winkler.study.batch.cluster import Cluster, connected
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 from winkler.values import value
 
 __all__ = ["Machine", "Workers", "checked_workers", "completed"]
@@ -189,7 +189,7 @@ def _quiet_start() -> Iterator[None]:
     blocks = hasattr(signal, "pthread_sigmask")
     if blocks:
         resource_tracker.ensure_running()  # as it starts, it would open the mask that the others are to inherit
-    with held():
+    with deferred_signals():
         kept = {name: os.environ.get(name) for name in ONE_THREAD}
         os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
         mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if blocks else set()

@@ -18,7 +18,7 @@ from winkler.numerics.types import Array
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
-from winkler.study.batch.stopping import INTERRUPTED, look
+from winkler.study.batch.stopping import INTERRUPTED, raise_pending
 
 __all__ = ["results"]
 
@@ -78,7 +78,7 @@ def results(
     places = np.flatnonzero(~done)
     try:
         for nth, computed in _computed(compute, left(done), workers, watch):
-            look()  # a library may have made a failed one of it
+            raise_pending()  # a library may have made a failed one of it
             if _interrupted(computed) and journal is not None and journal.count:  # the run goes on from what is kept
                 raise KeyboardInterrupt
             found = result(computed)

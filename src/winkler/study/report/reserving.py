@@ -15,7 +15,7 @@ from pathlib import Path
 
 from winkler.errors import InvalidInput
 from winkler.study.batch.locking import locked
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 from winkler.study.report.writing import OLD, PARTIAL, holds_results, unwritable
 
 __all__ = ["reserved"]
@@ -70,7 +70,7 @@ def reserved(folder: Path) -> Iterator[None]:
 def _put_right(folder: Path) -> None:
     """Remove what is half-written, and give results back their name that were put aside and not replaced."""
     name, parent = glob.escape(folder.name), folder.parent
-    with held():
+    with deferred_signals():
         for aside in parent.glob(f".{name}.{HEX * 12}{OLD}"):
             if aside.with_suffix(PARTIAL).exists() and not folder.exists():
                 with contextlib.suppress(OSError):

@@ -12,7 +12,7 @@ from pathlib import Path
 from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
 from winkler.study.batch.locking import locked
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 
 __all__ = ["write_whole"]
 
@@ -45,7 +45,7 @@ def write_whole(path: Path, content: bytes) -> None:
                     os.fsync(file.fileno())
                 part.replace(target)
             finally:
-                with held():
+                with deferred_signals():
                     part.unlink(missing_ok=True)
     except BlockingIOError:
         raise InvalidInput(

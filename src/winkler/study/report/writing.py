@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from winkler.errors import InvalidInput
 from winkler.io.foreign import path_text
 from winkler.study.batch.outcome import Outcome, Provenance
-from winkler.study.batch.stopping import held, keeping, look
+from winkler.study.batch.stopping import deferred_signals, raise_pending, set_kept_text
 from winkler.study.language.reading import study_text
 
 if TYPE_CHECKING:
@@ -202,16 +202,18 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
         try:
             partial.mkdir()
             yield partial
-            look()
-            with held():  # a stop between the two names, or before the old results are gone, would leave both
+            raise_pending()
+            with (
+                deferred_signals()
+            ):  # a stop between the two names, or before the old results are gone, would leave both
                 _put(partial, folder, folder.parent / f"{mark}{OLD}", overwrite)
                 done = True
-                keeping(f"the results in {folder} are complete")
+                set_kept_text(f"the results in {folder} are complete")
         except OSError as error:
             raise unwritable(folder, error) from None
     finally:
         if not done:
-            with held():
+            with deferred_signals():
                 shutil.rmtree(partial, ignore_errors=True)
 
 
