@@ -13,7 +13,7 @@ import typer
 from winkler.cli.streams import safe, write_json
 
 if TYPE_CHECKING:
-    from winkler.study.batch.checkpoint import Keep
+    from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.outcome import Outcome
@@ -23,7 +23,7 @@ __all__ = ["resumed", "write_outcome_json"]
 
 @contextlib.contextmanager
 def resumed(
-    folder: Path, journal: Journal, keep: Keep | None = None, *, many: str, overwrite: bool, anew: bool
+    folder: Path, journal: Journal, keep: CheckpointStore | None = None, *, many: str, overwrite: bool, anew: bool
 ) -> Iterator[Path]:
     """Provide an empty folder for the results; the records of earlier runs are removed once the results are complete.
 
@@ -74,10 +74,10 @@ def resumed(
                     _remove_records(journal, keep)
 
 
-def _remove_records(journal: Journal, keep: Keep | None) -> None:
+def _remove_records(journal: Journal, keep: CheckpointStore | None) -> None:
     journal.remove()
     if keep is not None:
-        keep.forget()
+        keep.remove()
 
 
 def _may_overwrite(folder: Path) -> bool:

@@ -140,14 +140,14 @@ def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew
     """Solve a study and write its results; return how many points an earlier run had solved, and the outcome."""
     from winkler.cli import terminal
     from winkler.errors import Interrupted, WinklerError
-    from winkler.study.batch.checkpoint import Keep
+    from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
     from winkler.study.report.writing import write_outcome
 
     study, many = job.study, job.many
-    journal, keep = Journal.beside(folder, study), Keep.beside(folder)
+    journal, keep = Journal.beside(folder, study), CheckpointStore.beside(folder)
     with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
         before = journal.count
         watch = terminal.marching(hidden=job.hidden or many > 1)

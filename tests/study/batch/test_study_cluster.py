@@ -178,6 +178,6 @@ def test_an_address_is_text(address):
 @pytest.mark.slow
 def test_nobody_answers(monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    monkeypatch.setattr(cluster, "SCHEDULER_TIMEOUT", 0.5)
     with pytest.raises(InvalidInput, match=r"nobody answers at 'tcp://127\.0\.0\.1:9'"):
         run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))

@@ -227,7 +227,7 @@ def test_a_line_for_every_point_as_soon_as_it_is_solved(tmp_path):
 
 
 def test_of_long_sweeps_solutions_are_not_kept(monkeypatch, tmp_path):
-    monkeypatch.setattr(sweep, "WHOLE", 4)
+    monkeypatch.setattr(sweep, "MOST_KEPT_SOLUTIONS", 4)
     points = list(solve_points(STUDY))
     assert {type(point) for point in points} == {Recalled, Failed}
     light = gather(STUDY, points, started=0.0)

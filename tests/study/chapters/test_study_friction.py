@@ -14,7 +14,7 @@ from winkler.cli import main
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.friction.torsion import Torsion
-from winkler.study.batch.marching import marched
+from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.batch.stopping import INTERRUPTED
@@ -163,7 +163,7 @@ PULLED = dataclasses.replace(
 
 
 def test_what_was_reached_before_an_error_is_kept():
-    march = marched(PULLED)
+    march = solve_march(PULLED)
     assert march.code == OutsideValidity("").exit_code
     assert march.stopped.startswith("After 3 of 5 points of the path, which are kept, the march ended: Tangential: at")
     assert np.allclose(march.solution.shear_force, [0.0, 5.0, 10.0], rtol=1e-12)
@@ -194,10 +194,10 @@ def test_nothing_is_kept_of_a_march_that_did_not_begin():
         yield
 
     with pytest.raises(KeyboardInterrupt):
-        marched(RUBBED, watch)
+        solve_march(RUBBED, watch)
     first = dataclasses.replace(PULLED, path=wk.Path.through(wk.Force(100.0), wk.ShearForce(np.array([25.0, 5.0]))))
     with pytest.raises(OutsideValidity):
-        marched(first)
+        solve_march(first)
 
 
 def test_the_command_line_writes_what_was_reached(tmp_path, monkeypatch, capsys):

@@ -12,7 +12,7 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.study.batch.marching import marched
+from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.batch.stopping import INTERRUPTED
@@ -154,7 +154,7 @@ def test_a_march_that_breaks_off_keeps_what_it_reached():
     """A dashpot alongside takes no sudden step of depth."""
     bed = dataclasses.replace(BED, medium=wk.ViscoelasticHalfSpace(wk.KelvinVoigt(1e6, 1e5)))
     path = wk.Path([0.0, 0.1, 0.2, 0.2], wk.Depth([0.0, 1e-5, 2e-5, 3e-5]))
-    march = marched(wk.ViscoelasticIndentation(bed, path, count=40))
+    march = solve_march(wk.ViscoelasticIndentation(bed, path, count=40))
     assert march.code == OutsideValidity("").exit_code
     assert march.stopped.startswith("After 3 of 4 points of the path, which are kept, the march ended: Viscoelastic")
     assert march.solution.time.tolist() == [0.0, 0.1, 0.2]

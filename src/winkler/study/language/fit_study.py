@@ -66,7 +66,7 @@ class Free:
         return re.sub(r"^.*?(\w+(\.\d+)*)$", r"\1", self.key)
 
     @property
-    def asked(self) -> tuple[float, ...] | float:
+    def start_or_bounds(self) -> tuple[float, ...] | float:
         """What `winkler.fitting.fit.fit` takes for it."""
         return self.given[0] if len(self.given) == 1 else self.given
 

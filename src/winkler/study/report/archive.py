@@ -28,9 +28,8 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import Answered, Column, Outcome
-from winkler.study.batch.sensitivity import SENSITIVITY
+from winkler.study.batch.sensitivity import SENSITIVITY, write_indices
 from winkler.study.batch.sensitivity import variables as index_variables
-from winkler.study.batch.sensitivity import write as write_indices
 from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps

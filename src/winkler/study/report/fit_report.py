@@ -14,7 +14,7 @@ from winkler.plot.series import Series, spoken, told
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.batch.fit_outcome import FitOutcome
-from winkler.study.batch.fit_recording import seen_from
+from winkler.study.batch.fit_recording import path_from_study
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
@@ -198,7 +198,7 @@ def _formulas(study: FitStudy) -> str:
 
 def _made(outcome: FitOutcome) -> str:
     study = outcome.study
-    sources = ", ".join(seen_from(study, path) for path in study.sources[:ROWS])
+    sources = ", ".join(path_from_study(study, path) for path in study.sources[:ROWS])
     grid = f", {MAPS} (maps)" if isinstance(map_grid(outcome), Grid) else ""
     return parts.origin(
         outcome.provenance,
