@@ -32,7 +32,7 @@ MOST_KEPT_SOLUTIONS = 256
 
 
 def solved(task: PointTask, watch: Watch = unwatched, keep: CheckpointStore = NO_CHECKPOINTS) -> Solved | Failed:
-    """Solve one point; an error of the physics becomes a `Failed`, any other one is a programming error and is raised."""
+    """Solve one point; an error of the physics becomes a `Failed`, any other one is raised."""
     index, settings, problem, fields = task.index, task.settings, task.base, task.fields
     try:
         problem = task.problem
