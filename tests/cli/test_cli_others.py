@@ -239,7 +239,7 @@ def test_new_does_not_replace_a_file_unasked(here, capsys):
         ),
         (
             ["yield_onset", "--load", "force"],
-            "yield_onset has no place for force, a load; `winkler show yield_onset` tells.",
+            "yield_onset has no place for force, a load; see `winkler show yield_onset`.",
         ),
         (["yield_onset", "--profile", "cone"], "these kinds do not go together: YieldOnset: the apex is pointed"),
     ],

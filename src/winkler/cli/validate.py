@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from winkler.study.batch.outcome import Verdict
-    from winkler.study.ledger.ledger import Entry
-    from winkler.study.ledger.ledger_page import Chapter
+    from winkler.study.ledger.ledger import LedgerEntry
+    from winkler.study.ledger.ledger_page import LedgerChapter
 
 __all__ = ["validate", "verdict_json", "verdict_table"]
 
@@ -56,13 +56,13 @@ def validate(
 
 
 @until_closed()
-def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
+def _print(selected: list[LedgerEntry], entries: list[LedgerEntry], quiet: bool) -> None:
     from winkler.cli.terminal import console
     from winkler.study.ledger.ledger_page import chapters
 
     out = console()
     parts = chapters(entries)
-    for entry in shown:
+    for entry in selected:
         out.print(f"{entry.name} ({entry.grade}): {entry.title}", soft_wrap=True)
         out.print(f"  {entry.source}", soft_wrap=True)
         if entry.failure:
@@ -76,7 +76,7 @@ def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
         out.print(f"{len(entries)} cases, {sum(part.numbers for part in parts)} numbers, {missed_text}.")
 
 
-def _summary(parts: tuple[Chapter, ...]) -> Table:
+def _summary(parts: tuple[LedgerChapter, ...]) -> Table:
     """Return a table of all physics: cases, numbers, and which case agrees least."""
     from rich import box
     from rich.table import Table
@@ -94,16 +94,18 @@ def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Ta
     from rich import box
     from rich.table import Table
 
-    from winkler.study.ledger.ledger_page import digits, shown, where
+    from winkler.study.ledger.ledger_page import digits, number_text, where
 
     table = Table("quantity", "expected", "got", "digits", "tolerance", "", box=box.SIMPLE_HEAD)
     point_texts = iter(points)
     for verdict in verdicts:
         point = next(point_texts, "")
         item = verdict.expectation
-        got, passed = shown(verdict.got, item), "passed" if verdict.passed else "missed"
+        got, passed = number_text(verdict.got, item), "passed" if verdict.passed else "missed"
         digits_ = digits(verdict).removesuffix(" (missed)")
-        table.add_row(where(item, point), shown(item.expected, item), got, digits_, f"{item.tolerance:.0e}", passed)
+        table.add_row(
+            where(item, point), number_text(item.expected, item), got, digits_, f"{item.tolerance:.0e}", passed
+        )
     return table
 
 
@@ -124,7 +126,7 @@ def verdict_json(verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def _json(entry: Entry) -> dict[str, Any]:
+def _json(entry: LedgerEntry) -> dict[str, Any]:
     return {
         "case": entry.name,
         "title": entry.title,

@@ -57,7 +57,7 @@ def kept(path, study=STUDY, todo=MAP, count=None):
     """Fit the first curves with a journal; return what is known before, and all that came."""
     with Journal(path, study) as journal:
         known = recalled_fits(study, todo, journal)
-        stream = fit_curves(study, todo, known=known, journal=journal)
+        stream = fit_curves(study, todo, earlier=known, journal=journal)
         return known, dict(stream) if count is None else dict(next(stream) for _ in range(count))
 
 

@@ -207,7 +207,7 @@ def in_words(study: Study) -> str:
         entry = keys.word_at(study, axis.key)
         sentences.append(f"Varied: {axis.key.removeprefix('problem.')} = {_axis_told(axis, entry)}.")
     if len(study.sweep) > 1 or study.design.draws:
-        sentences.append(study.design.told)
+        sentences.append(study.design.sentence)
     return " ".join(sentences)
 
 
