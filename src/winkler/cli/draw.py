@@ -105,7 +105,7 @@ def _drawn_value(answer: Solved, part: str, load: int) -> Any:
     from winkler.foundation.measured import MeasuredBed
     from winkler.problems.answer import is_restorable
     from winkler.stairs import staircase
-    from winkler.study.report.beside import beside
+    from winkler.study.report.extra_pictures import extra_pictures
 
     bed = getattr(answer.problem, "bed", None)
     outlined = bed is not None and not isinstance(bed.footprint, Round)  # its springs represent another body
@@ -114,7 +114,7 @@ def _drawn_value(answer: Solved, part: str, load: int) -> Any:
         raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")
     match part:
         case "profile":
-            maps = beside(answer.solution)
+            maps = extra_pictures(answer.solution)
             if maps:
                 return maps[0].item
             if shape is None:

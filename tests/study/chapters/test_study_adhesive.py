@@ -180,7 +180,7 @@ def test_a_cycle_that_never_touches_shows_no_contact():
 def quiet(monkeypatch):
     """Draw nothing: what is asked for is the page."""
     monkeypatch.setattr(
-        figures, "drawn", lambda name, title, sentence, picture: figures.Shown(name, title, sentence, None)
+        figures, "drawn", lambda name, title, sentence, picture: figures.ReportFigure(name, title, sentence, None)
     )
 
 

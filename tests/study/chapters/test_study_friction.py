@@ -256,7 +256,7 @@ def test_every_kind_is_cited_told_and_has_formulas(name):
         told = in_words(study)
         assert "Kept" not in told
         assert "kept" not in told
-    assert all(given.told for given in inputs(study))
+    assert all(given.text for given in inputs(study))
 
 
 def test_the_inputs_of_a_path_are_its_steps():

@@ -212,7 +212,7 @@ def test_large_maps_are_told_by_their_hash():
 
 def test_a_report_tells_what_a_random_surface_is_made_of():
     study = Study("", build(example_study("surface_contact")["problem"]))
-    told = {row.name: row.told for row in inputs(study)}
+    told = {row.name: row.text for row in inputs(study)}
     assert told["shape"] == "64 × 64"
     assert told["lengths"] == "1 mm, 1 mm"
     assert told["hurst"] == "0.8"

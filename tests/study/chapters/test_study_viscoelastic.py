@@ -27,7 +27,7 @@ from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
-from winkler.study.report.figures import Shown, figures_of
+from winkler.study.report.figures import ReportFigure, figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
 
@@ -203,7 +203,7 @@ def unprinted(monkeypatch):
     """Leave figures as they are, without their SVG, where only their names matter."""
 
     def plain(name, title, sentence, picture):
-        return Shown(name, title, sentence, picture)
+        return ReportFigure(name, title, sentence, picture)
 
     monkeypatch.setattr("winkler.study.report.figures.drawn", plain)
 

@@ -48,13 +48,13 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
     direct = fit(
         read_curve(studies.parents[1] / "data" / "cell_loop.csv"),
         study.problem,
-        free={free.path: free.asked for free in study.free},
+        free={free.path: free.start_or_bounds for free in study.free},
     )
     assert direct.values.tolist() == result.fit.values.tolist()
     comes_back(outcome)
     write_outcome(outcome, tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
-    for words in ("The measured motion drives", "the way in, the hold and the way out", "Lee", "exponent"):
+    for words in ("The measured motion drives", "the approach, the hold and the retraction", "Lee", "exponent"):
         assert words in page
     with (tmp_path / "curves" / "data_cell_loop.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.reader(file))

@@ -73,7 +73,7 @@ def written(tmp_path_factory):
         with pytest.MonkeyPatch.context() as patch:
             if name not in FULL:
                 patch.setattr(figures, "pictures_of", lambda contact: ("springs",))
-            report.write(outcome, folder)
+            report.write_report(outcome, folder)
         found[name] = outcome, folder
     return found
 
@@ -164,7 +164,7 @@ def test_without_a_report_there_are_figures_only(written):
 
 
 def test_without_figures_there_is_a_report_only(tmp_path):
-    report.write(run(Study("Plain", pressed(), output=Output(figures=()))), tmp_path)
+    report.write_report(run(Study("Plain", pressed(), output=Output(figures=()))), tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [REPORT]
 
 

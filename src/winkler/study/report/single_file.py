@@ -1,4 +1,4 @@
-"""One file that a command writes: it stands there whole, or what was there before.
+"""Atomic writing of one file by a command: the file is complete, or as it was before.
 
 It is written under a hidden name beside it, ``.NAME.part``, which takes its name when it is complete.  What a killed
 command has left under the hidden name is overwritten by the next one, which holds the lock of the file meanwhile.
@@ -34,7 +34,7 @@ def write_whole(path: Path, content: bytes) -> None:
     InvalidInput
         If it cannot be written, or another command is writing it.
     """
-    target = Path(os.path.realpath(path))  # where a link leads
+    target = Path(os.path.realpath(path))  # the target of a link
     part = target.with_name(f".{target.name}{PART}")
     try:
         with locked(target.with_name(f".{target.name}.lock")):
