@@ -112,7 +112,7 @@ def test_what_is_drawn_is_told():
     assert "load.force = 1 N to 3 N" in told
     assert "young = 1 GPa to 100 GPa, evenly in its logarithm" in told
     assert "scrambled Sobol sequence" in told
-    assert "varied: 1 N to 3 N" in {given.told for given in inputs(DRAWN["sobol"])}
+    assert "varied: 1 N to 3 N" in {given.text for given in inputs(DRAWN["sobol"])}
 
 
 @pytest.mark.parametrize(

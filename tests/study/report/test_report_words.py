@@ -14,7 +14,7 @@ import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.study import chapters
 from winkler.study.batch.run import run
-from winkler.study.chapters.answer import Formula
+from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, in_words, inputs, values_text
 from winkler.study.report.figures import answers_over, svg_element
@@ -26,7 +26,7 @@ FORMULAS = [
     item
     for module in pkgutil.iter_modules(chapters.__path__)
     for item in vars(importlib.import_module(f"{chapters.__name__}.{module.name}")).values()
-    if isinstance(item, Formula)
+    if isinstance(item, Equation)
 ]
 
 
@@ -94,7 +94,7 @@ def test_inputs_of_every_kind_of_content():
         return {row.name: row.text for row in inputs(Study("x", problem, **sweep))}
 
     assert told(pressed(wk.AreaFunction([24.5, 2e-6, 3e-9])))["coefficients"] == "24.5, 2 µm, 3·10⁻⁹ m^1.5"
-    found = told(pressed(wk.Formula("r**2/(2*R)", R=1e-2)))
+    found = told(pressed(wk.Equation("r**2/(2*R)", R=1e-2)))
     assert found["expression"] == "r**2/(2*R)"
     assert found["constants"] == "R = 0.01"
     assert told(pressed(wk.PowerLaw(1e3, 3.0)))["coefficient"] == "1000 m⁻²"

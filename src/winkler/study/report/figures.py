@@ -20,7 +20,7 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.study.batch.outcome import Answered, Outcome
 from winkler.study.chapters.answer import ALONG, Answer
-from winkler.study.chapters.answer import Contact as Shows
+from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.language.designs import POINT

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from winkler.study.batch.outcome import Provenance
-from winkler.study.chapters.answer import Formula
+from winkler.study.chapters.answer import Equation
 from winkler.study.report import figures
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure
@@ -87,7 +87,7 @@ def _figure_element(one: ReportFigure) -> str:
     return f"<figure{kind}>{caption}{drawn}</figure>"
 
 
-def formula_list(formulas: Iterable[Formula]) -> str:
+def formula_list(formulas: Iterable[Equation]) -> str:
     """Return formulas with their sentences; nothing if there are none."""
     items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in formulas)
     return f'<ol class="formulas">{items}</ol>' if items else ""

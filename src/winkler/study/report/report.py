@@ -7,7 +7,7 @@ from pathlib import Path
 
 from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
-from winkler.study.chapters.answer import Contact
+from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of, formulas_of
 from winkler.study.language.reading import study_text
 from winkler.study.report import page_parts as parts
@@ -84,7 +84,7 @@ def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
     if method:
         sections.append(section("The method in pictures", _which(outcome), parts.figure_elements(method)))
     point = shown_point(outcome)
-    if shown_contact(point) is None and answer_of(point.problem).contact is not Contact.NONE:
+    if shown_contact(point) is None and answer_of(point.problem).contact is not PicturedContact.NONE:
         kind = type(point.problem).__name__
         sentence = (
             f"There are no pictures of the method for {kind}: its solution does not state how the springs are "
