@@ -148,8 +148,8 @@ def test_the_two_renamings_are_not_torn_apart(sign, here, monkeypatch, capsys):
 
     monkeypatch.setattr(writing.os, "rename", rename)
     assert main(["run", "ball.toml", "--quiet", "--overwrite"]) == CODES[sign]
-    told = f"winkler: interrupted; the results in {os.path.join('results', 'ball')} are complete.\n"
-    assert capsys.readouterr().err == (told if sign == signal.SIGINT else "")
+    message = f"winkler: interrupted; the results in {os.path.join('results', 'ball')} are complete.\n"
+    assert capsys.readouterr().err == (message if sign == signal.SIGINT else "")
     assert (here / "results/ball/provenance.json").stat().st_ino != old
     assert [path.name for path in (here / "results").iterdir()] == ["ball"]
 

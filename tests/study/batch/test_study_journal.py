@@ -181,8 +181,8 @@ def test_another_version_of_winkler_does_not_go_on(tmp_path, monkeypatch):
     first(STUDY, path, 4)
     mine = version("winkler")
     monkeypatch.setattr("winkler.study.batch.checkpoint.version", lambda _: "99.0")
-    told = rf"was begun by version {re.escape(mine)} of winkler, and this is 99\.0: .*; add --anew to begin again"
-    with pytest.raises(InvalidInput, match=told), Journal(path, STUDY):
+    text = rf"was begun by version {re.escape(mine)} of winkler, and this is 99\.0: .*; add --anew to begin again"
+    with pytest.raises(InvalidInput, match=text), Journal(path, STUDY):
         pass
 
 

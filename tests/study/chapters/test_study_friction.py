@@ -1,4 +1,4 @@
-"""Friction in study files: paths told in steps, sweeps over them, marches that end early, tables, figures, reports."""
+"""Friction in study files: paths given in steps, sweeps over them, marches that end early, tables, figures, reports."""
 
 from __future__ import annotations
 
@@ -253,18 +253,18 @@ def test_every_kind_is_cited_told_and_has_formulas(name):
         for one in formulas_of(problem):
             assert formula(one.latex).startswith("<math")
         assert len(formulas_of(problem)) >= 4
-        told = in_words(study)
-        assert "Kept" not in told
-        assert "kept" not in told
+        message = in_words(study)
+        assert "Kept" not in message
+        assert "kept" not in message
     assert all(given.text for given in inputs(study))
 
 
 def test_the_inputs_of_a_path_are_its_steps():
-    told = [(given.group, given.name, given.told) for given in inputs(Study("", RUBBED))]
-    assert ("step 2: ramp", "count", "2") in told
-    assert ("step 3: oscillate", "cycles", "1.25") in told
-    assert any("0.4 µm" in content or "400 nm" in content for _, name, content in told if name == "shift")
-    assert not any(name in ("time", "normal") for _, name, _ in told)
+    message = [(given.group, given.name, given.message) for given in inputs(Study("", RUBBED))]
+    assert ("step 2: ramp", "count", "2") in message
+    assert ("step 3: oscillate", "cycles", "1.25") in message
+    assert any("0.4 µm" in content or "400 nm" in content for _, name, content in message if name == "shift")
+    assert not any(name in ("time", "normal") for _, name, _ in message)
 
 
 def test_figures_of_a_sweep_lay_loops_side_by_side():
@@ -319,6 +319,6 @@ def test_the_command_says_what_an_interrupted_march_kept(tmp_path, monkeypatch, 
     study, folder = tmp_path / "loop.toml", tmp_path / "loop"
     assert main(["new", "tangential", "--output", str(study)]) == 0
     assert main(["run", str(study), "--output", str(folder)]) == 130
-    told = capsys.readouterr().err.splitlines()[-1]
-    assert told == f"winkler: interrupted; the points that were reached are kept in {folder}."
+    message = capsys.readouterr().err.splitlines()[-1]
+    assert message == f"winkler: interrupted; the points that were reached are kept in {folder}."
     assert len((folder / "results.csv").read_text(encoding="utf-8").splitlines()) >= 4

@@ -189,12 +189,12 @@ def test_every_problem_is_cited_told_and_has_formulas(name):
     for one in found:
         assert formula(one.latex).startswith("<math")
     assert "standard solid" in in_words(Study("", problem))
-    assert all(given.told for given in inputs(Study("", problem)))
+    assert all(given.message for given in inputs(Study("", problem)))
 
 
 def test_the_law_of_temperature_is_among_the_formulas():
-    told = [one.says for one in formulas_of(parse_study(TEXT + GEL).problem)]
-    assert "which follows the law of Arrhenius" in told
+    message = [one.says for one in formulas_of(parse_study(TEXT + GEL).problem)]
+    assert "which follows the law of Arrhenius" in message
     assert unbuild(parse_study(TEXT + GEL).problem.bed.medium.first)["temperature"] == "323.15 K"
 
 

@@ -1,4 +1,4 @@
-"""Studies of wear: kept while they run, taken up again, and told in tables, figures and formulas."""
+"""Studies of wear: stored while they run, continued, and shown in tables, figures and formulas."""
 
 import numpy as np
 import pytest
@@ -50,7 +50,7 @@ def stopping(after):
     return watch
 
 
-def test_rates_are_read_as_they_are_told():
+def test_rates_are_read_as_they_are_stated():
     assert study().problem.wear.rate == pytest.approx(1e-14)
 
 
@@ -84,8 +84,8 @@ def test_a_spoilt_file_is_no_reason_to_stop(tmp_path):
     assert keep.stored_states(problem) == []
 
 
-@pytest.mark.parametrize(("made", "told"), [("99.0", "version 99.0"), (None, "an unknown version")])
-def test_states_of_another_version_are_refused(made, told, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("made", "text"), [("99.0", "version 99.0"), (None, "an unknown version")])
+def test_states_of_another_version_are_refused(made, text, tmp_path, monkeypatch):
     problem, keep = study().problem, CheckpointStore.beside(tmp_path / "results")
     with pytest.raises(Stopped):
         solve_march(problem, stopping(3), keep)
@@ -94,7 +94,7 @@ def test_states_of_another_version_are_refused(made, told, tmp_path, monkeypatch
         arrays = {name: stored[name] for name in stored.files if name != "version"}
     assert len(arrays) < len(np.load(path).files)
     np.savez(path, **arrays, **({} if made is None else {"version": np.array(made)}))
-    with pytest.raises(InvalidInput, match=rf"^states: .* was begun by {told} of winkler, and this is .*; add --anew"):
+    with pytest.raises(InvalidInput, match=rf"^states: .* was begun by {text} of winkler, and this is .*; add --anew"):
         solve_march(problem, keep=keep)
     keep.remove()
     assert keep.stored_states(problem) == []

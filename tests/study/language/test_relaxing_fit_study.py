@@ -112,11 +112,11 @@ def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
 def test_mistakes_get_one_sentence(studies, name, before, after, why):
     text = (studies / f"{name}.toml").read_text(encoding="utf-8")
     assert before in text
-    with pytest.raises(InvalidInput) as told:
+    with pytest.raises(InvalidInput) as message:
         parse_fit_study(text.replace(before, after, 1), file="study.toml", folder=studies)
-    assert why in str(told.value)
-    assert str(told.value).startswith("study.toml: ")
-    assert "\n" not in str(told.value)
+    assert why in str(message.value)
+    assert str(message.value).startswith("study.toml: ")
+    assert "\n" not in str(message.value)
 
 
 def test_the_path_of_the_model_does_not_matter(studies):
@@ -154,7 +154,7 @@ def test_fits_are_drawn_with_labels_and_units(studies):
     ):
         (result,) = fit_study(read_fit_study(studies / f"{name}.toml")).fitted
         figure = draw(result.fit)
-        told = {axes.get_ylabel() for axes in figure.axes} | {axes.get_xlabel() for axes in figure.axes}
-        assert set(labels) <= told
+        message = {axes.get_ylabel() for axes in figure.axes} | {axes.get_xlabel() for axes in figure.axes}
+        assert set(labels) <= message
     with pytest.raises(wk.InvalidInput, match="no extent"):
         draw(result.fit, extent=1.0)

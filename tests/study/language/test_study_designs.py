@@ -107,11 +107,11 @@ def test_the_hash_tells_designs_apart():
     assert digest(Study("y", PROBLEM, sweep=(FORCE,), design=Sobol(8))) == digest(studies[3])
 
 
-def test_what_is_drawn_is_told():
-    told = in_words(DRAWN["sobol"])
-    assert "load.force = 1 N to 3 N" in told
-    assert "young = 1 GPa to 100 GPa, evenly in its logarithm" in told
-    assert "scrambled Sobol sequence" in told
+def test_what_is_drawn_is_stated():
+    message = in_words(DRAWN["sobol"])
+    assert "load.force = 1 N to 3 N" in message
+    assert "young = 1 GPa to 100 GPa, evenly in its logarithm" in message
+    assert "scrambled Sobol sequence" in message
     assert "varied: 1 N to 3 N" in {given.text for given in inputs(DRAWN["sobol"])}
 
 

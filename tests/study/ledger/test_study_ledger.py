@@ -108,9 +108,9 @@ def outside(source):
     """Return the sources that are not our own: first author and year of what was published, and other codes."""
     found = {code for code in ("CONTACT", "LAMMPS") if source.startswith(code)}
     for part in source.split(";"):
-        told = re.search(r"(?:[A-Z]\.[ -]?)+ ?([A-Z][a-z][\w-]+).*?\b((?:18|19|20)\d\d)\b", part)
-        if told:
-            found.add(" ".join(told.groups()))
+        message = re.search(r"(?:[A-Z]\.[ -]?)+ ?([A-Z][a-z][\w-]+).*?\b((?:18|19|20)\d\d)\b", part)
+        if message:
+            found.add(" ".join(message.groups()))
     return found
 
 
@@ -148,9 +148,9 @@ def test_no_case_says_the_same_as_another():
     seen: dict[str, str] = {}
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
-        told = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
-        assert told not in seen, (path.stem, seen[told])
-        seen[told] = path.stem
+        message = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
+        assert message not in seen, (path.stem, seen[message])
+        seen[message] = path.stem
 
 
 @pytest.mark.parametrize(

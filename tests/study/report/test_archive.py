@@ -57,10 +57,10 @@ def test_the_file_is_the_one_that_xarray_writes(name, outcomes, reopened, tmp_pa
     with xarray.open_dataset(other, engine="h5netcdf") as data:
         assert reopened(name).identical(data.load())
     with h5netcdf.File(tmp_path / archive.NETCDF) as one, h5netcdf.File(other) as two:
-        told, wanted = (
+        text, wanted = (
             {key: str(sorted(item.attrs.items())) for key, item in file.variables.items()} for file in (one, two)
         )
-        assert told == wanted
+        assert text == wanted
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -112,7 +112,7 @@ def test_loads_have_an_axis_where_there_are_many(reopened):
     assert reopened("many loads, varied")["force"].dims == ("problem.bed.profile.curvature_radius", "load")
 
 
-def test_what_is_no_number_is_told_by_name(reopened):
+def test_what_is_no_number_is_stated_by_name(reopened):
     data = reopened("shapes")
     shapes = data["problem.bed.profile"]
     assert "units" not in shapes.attrs

@@ -90,24 +90,24 @@ def test_inputs_are_told_part_by_part():
 
 
 def test_inputs_of_every_kind_of_content():
-    def told(problem, **sweep):
+    def message(problem, **sweep):
         return {row.name: row.text for row in inputs(Study("x", problem, **sweep))}
 
-    assert told(pressed(wk.AreaFunction([24.5, 2e-6, 3e-9])))["coefficients"] == "24.5, 2 µm, 3·10⁻⁹ m^1.5"
-    found = told(pressed(wk.Equation("r**2/(2*R)", R=1e-2)))
+    assert message(pressed(wk.AreaFunction([24.5, 2e-6, 3e-9])))["coefficients"] == "24.5, 2 µm, 3·10⁻⁹ m^1.5"
+    found = message(pressed(wk.Equation("r**2/(2*R)", R=1e-2)))
     assert found["expression"] == "r**2/(2*R)"
     assert found["constants"] == "R = 0.01"
-    assert told(pressed(wk.PowerLaw(1e3, 3.0)))["coefficient"] == "1000 m⁻²"
-    assert told(pressed(load=wk.Force(np.geomspace(1.0, 1e3, 20))))["force"] == "20 values from 1 N to 1 kN"
+    assert message(pressed(wk.PowerLaw(1e3, 3.0)))["coefficient"] == "1000 m⁻²"
+    assert message(pressed(load=wk.Force(np.geomspace(1.0, 1e3, 20))))["force"] == "20 values from 1 N to 1 kN"
     rigid = inputs(Study("x", pressed(medium=wk.HalfSpace(wk.Elastic(1e9, 0.3)))))
     assert ("body above (z < 0): rigid", "nothing to give") in [(row.group, row.text) for row in rigid]
     both = inputs(Study("x", pressed(wk.Paraboloid(1e-2) + wk.Wavy(1e-8, 1e-3))))
     assert [row.group for row in both][:3] == ["parts 1: paraboloid", "parts 2: wavy", "parts 2: wavy"]
-    swept = told(pressed(), sweep=(Axis("problem.bed.profile", (wk.Cone(1.5), wk.FlatPunch(1e-3))),))
+    swept = message(pressed(), sweep=(Axis("problem.bed.profile", (wk.Cone(1.5), wk.FlatPunch(1e-3))),))
     assert swept["profile"] == "varied: cone (half angle = 85.9437°), flat punch (radius = 1 mm)"
 
 
-def test_values_are_told_with_one_unit_where_it_suits():
+def test_values_are_stated_with_one_unit_where_it_suits():
     assert values_text(np.linspace(1e-6, 5e-6, 9), "m") == "9 values from 1 to 5 µm"
     assert values_text(np.geomspace(1e-9, 1e-3, 9), "m") == "9 values from 1 nm to 1 mm"
     assert values_text(np.array([1.0, 2.0]), "N") == "1 N, 2 N"
