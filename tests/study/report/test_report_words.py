@@ -94,7 +94,7 @@ def test_inputs_of_every_kind_of_content():
         return {row.name: row.text for row in inputs(Study("x", problem, **sweep))}
 
     assert message(pressed(wk.AreaFunction([24.5, 2e-6, 3e-9])))["coefficients"] == "24.5, 2 µm, 3·10⁻⁹ m^1.5"
-    found = message(pressed(wk.Equation("r**2/(2*R)", R=1e-2)))
+    found = message(pressed(wk.Formula("r**2/(2*R)", R=1e-2)))
     assert found["expression"] == "r**2/(2*R)"
     assert found["constants"] == "R = 0.01"
     assert message(pressed(wk.PowerLaw(1e3, 3.0)))["coefficient"] == "1000 m⁻²"
