@@ -65,7 +65,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
         pack.extractall(tmp_path)
     again = fit_study(read_fit_study(tmp_path / "study.toml")).fitted[0].fit
     assert again.value(asked.free[0].path) == fit.value(asked.free[0].path)
-    assert "What the curve tells" in seen.taken("report").decode("utf-8")
+    assert "Fitted numbers" in seen.taken("report").decode("utf-8")
     with zipfile.ZipFile(io.BytesIO(seen.taken("png"))) as pack:
         assert pack.namelist() == ["curve_1.png"]
 

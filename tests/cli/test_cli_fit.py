@@ -89,9 +89,9 @@ def test_a_batch(here, capsys):
     content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
     assert content["files"] == [*names(folder)[:-2], "study.toml", PROVENANCE]
     assert re.fullmatch(r"[0-9a-f]{64}", content["hash"])
-    told = capsys.readouterr()
-    assert told.err == ""
-    assert "gel/curve3.csv" in told.out
+    message = capsys.readouterr()
+    assert message.err == ""
+    assert "gel/curve3.csv" in message.out
     assert main(["fit", "gel.toml"]) == 2
     assert "already holds results" in capsys.readouterr().err
     before = (folder / "fit.csv").read_bytes()
@@ -197,7 +197,7 @@ def test_a_stop_before_a_curve_has_an_answer(here, monkeypatch, capsys):
     assert "1 of 3 files were known from the run before." in capsys.readouterr().out
 
 
-def test_another_fit_is_refused_until_it_is_told_to_begin_anew(here, monkeypatch, capsys):
+def test_another_fit_is_refused_without_anew(here, monkeypatch, capsys):
     with monkeypatch.context() as patch:
         stopping(patch, "curve3.csv", interrupt)
         assert main(["fit", "gel.toml", "--output", "out"]) == 130
@@ -291,12 +291,12 @@ def test_ctrl_c_tells_the_best_numbers_so_far(here, monkeypatch, capsys):
     monkeypatch.setattr(Search, "seen", stopped)
     one_curve(here)
     assert main(["fit", "gel.toml"]) == 130
-    told = capsys.readouterr().err
+    message = capsys.readouterr().err
     assert re.fullmatch(
-        r"winkler: interrupted after \d+ evaluations, residuals of [\d.]+ pN; the best numbers so far, not settled: "
+        r"winkler: interrupted after \d+ evaluations, residuals of [\d.]+ pN; the best numbers so far, not converged: "
         r"problem\.bed\.medium\.first\.young = [\d.]+ kPa, contact_point = .*m; nothing was written\.\n",
-        told,
-    ), told
+        message,
+    ), message
     assert not (here / "results").exists()
 
 
@@ -331,19 +331,19 @@ def test_a_curve_that_takes_too_long_does_not_stop_the_others(here, monkeypatch,
 def test_a_bar_tells_how_far_the_fit_has_come(here, monkeypatch):
     from winkler.cli import fit as module
 
-    told = []
-    plain = module._UnderWay.watch
+    message = []
+    plain = module._RunningFit.watch
 
     def heard(self, states):
         for state in plain(self, states):
-            told.append(self.progress())
+            message.append(self.progress())
             yield state
 
-    monkeypatch.setattr(module._UnderWay, "watch", heard)
+    monkeypatch.setattr(module._RunningFit, "watch", heard)
     one_curve(here)
     assert main(["fit", "gel.toml", "--quiet"]) == 0
-    assert re.fullmatch(r"fitting: 1 evaluation, residuals of [\d.]+ \S?N", told[0])
-    assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", told[-2])
+    assert re.fullmatch(r"fitting: 1 evaluation, residuals of [\d.]+ \S?N", message[0])
+    assert re.fullmatch(r"fitting: \d\d? evaluations, residuals of [\d.]+ pN", message[-2])
 
 
 @pytest.mark.slow
@@ -361,9 +361,9 @@ def test_workers_change_no_number_and_ctrl_c_leaves_none_behind(here):
         assert time.monotonic() < deadline
         time.sleep(0.02)
     running.send_signal(signal.SIGINT)
-    _, told = running.communicate(timeout=60)
-    assert running.returncode == 130, told
-    assert "are missing; the same command goes on from there" in told
+    _, message = running.communicate(timeout=60)
+    assert running.returncode == 130, message
+    assert "are missing; the same command goes on from there" in message
     assert not list(here.glob(".*partial*"))
     done = (here / "two" / "fit.csv").read_bytes().count(b"\n") - 1
     assert 5 <= done <= journal.read_bytes().count(b"\n") <= 40

@@ -39,13 +39,13 @@ def here(tmp_path, monkeypatch) -> Path:
 @pytest.mark.parametrize("name", list(kinds()))
 def test_show_tells_every_key_and_a_valid_example(name, capsys):
     assert main(["show", name]) == 0
-    told = capsys.readouterr().out
-    assert told.startswith(f"{name} (a {slot_of(name)}): ")
+    message = capsys.readouterr().out
+    assert message.startswith(f"{name} (a {slot_of(name)}): ")
     for key in keys_of(name):
-        assert key.name in told
+        assert key.name in message
         if key.word.unit is not None:
-            assert plain_symbol(key.word.symbol) in told
-    assert example_text(name) in told
+            assert plain_symbol(key.word.symbol) in message
+    assert example_text(name) in message
     table = table_at(tomllib.loads(example_text(name)), place_of(name))
     assert f"'kind': '{name}'" in str(table)
     assert type(build(table, slot_of(name))) is kinds()[table["kind"]].cls
@@ -62,24 +62,24 @@ def test_every_key_says_what_it_takes(name):
 
 def test_show_lists_everything(capsys):
     assert main(["show"]) == 0
-    told = capsys.readouterr().out
+    message = capsys.readouterr().out
     for slot, known in CATALOGUE.items():
-        assert slot in told
+        assert slot in message
         for name in known:
-            assert re.search(rf"\b{name}\b", told)
+            assert re.search(rf"\b{name}\b", message)
     assert main(["show", "medium"]) == 0
-    told = capsys.readouterr().out
-    assert "half_space" in told
-    assert "sphero_conical" not in told
+    message = capsys.readouterr().out
+    assert "half_space" in message
+    assert "sphero_conical" not in message
 
 
 def test_show_study_tells_the_grammar(capsys):
     assert main(["show", "study"]) == 0
-    told = capsys.readouterr().out
+    message = capsys.readouterr().out
     for section, keys in SECTIONS.items():
-        assert section in told
+        assert section in message
         for key in keys:
-            assert key in told
+            assert key in message
 
 
 def test_the_grammar_is_the_one_that_is_read():
@@ -164,13 +164,13 @@ def pairs():
 @pytest.mark.parametrize(("problem", "profile"), [*pairs()])
 def test_new_writes_a_study_that_runs(problem, profile, here, capsys):
     code = main(["new", problem, "--profile", profile, "--output", "study.toml"])
-    told = capsys.readouterr()
+    message = capsys.readouterr()
     if not (here / "study.toml").exists():
         assert code in (2, 4)
-        assert told.err.startswith("winkler: these kinds do not go together: ")
+        assert message.err.startswith("winkler: these kinds do not go together: ")
         assert not goes_together(problem, profile)
         return
-    assert (code, told.err) == (0, "")
+    assert (code, message.err) == (0, "")
     text = (here / "study.toml").read_text(encoding="utf-8")
     study = parse_study(text)
     assert type(study.problem) is kinds()[problem].cls
@@ -239,16 +239,16 @@ def test_new_does_not_replace_a_file_unasked(here, capsys):
         ),
         (
             ["yield_onset", "--load", "force"],
-            "yield_onset has no place for force, a load; `winkler show yield_onset` tells.",
+            "yield_onset has no place for force, a load; see `winkler show yield_onset`.",
         ),
         (["yield_onset", "--profile", "cone"], "these kinds do not go together: YieldOnset: the apex is pointed"),
     ],
 )
 def test_new_refuses(arguments, sentence, here, capsys):
     assert main(["new", *arguments]) in (2, 4)
-    told = capsys.readouterr()
-    assert sentence in told.err
-    assert told.err.count("\n") == 1
+    message = capsys.readouterr()
+    assert sentence in message.err
+    assert message.err.count("\n") == 1
     assert list(here.iterdir()) == []
 
 
@@ -323,9 +323,9 @@ def test_draw_refuses(arguments, sentence, here, capsys):
     (here / "ball.toml").write_text(STUDY, encoding="utf-8")
     (here / "ball.png").write_text("mine")
     assert main(["draw", "ball.toml", *arguments]) == 2
-    told = capsys.readouterr().err
-    assert sentence in told
-    assert told.count("\n") == 1
+    message = capsys.readouterr().err
+    assert sentence in message
+    assert message.count("\n") == 1
     assert sorted(path.name for path in here.iterdir()) == ["ball.png", "ball.toml"]
     assert (here / "ball.png").read_text() == "mine"
 
@@ -358,20 +358,20 @@ def test_the_bibliography_is_complete_and_sound():
 def test_cite_a_study(here, capsys):
     (here / "tip.toml").write_text(template("indentation", profile="berkovich"), encoding="utf-8")
     assert main(["cite", "tip.toml"]) == 0
-    told = capsys.readouterr().out
-    assert "doi:10.1007/978-3-642-53876-6" in told  # the method
-    assert "doi:10.1557/JMR.1992.1564" in told  # the equal-area cone
-    assert len(told.splitlines()) == len(set(told.splitlines()))
+    message = capsys.readouterr().out
+    assert "doi:10.1007/978-3-642-53876-6" in message  # the method
+    assert "doi:10.1557/JMR.1992.1564" in message  # the equal-area cone
+    assert len(message.splitlines()) == len(set(message.splitlines()))
     assert main(["cite", "tip.toml", "--bibtex"]) == 0
-    told = capsys.readouterr().out
-    assert told.count("@") == told.count("\n}\n") >= 4
+    message = capsys.readouterr().out
+    assert message.count("@") == message.count("\n}\n") >= 4
 
 
 def test_cite_a_kind(capsys):
     assert main(["cite", "cone"]) == 0
     assert "Boussinesq's problem for a rigid cone" in capsys.readouterr().out
     assert main(["cite", "rigid"]) == 0
-    assert capsys.readouterr().out == "rigid stands on no particular paper.\n"
+    assert capsys.readouterr().out == "rigid is based on no particular paper.\n"
 
 
 def test_cite_in_python():
@@ -415,16 +415,16 @@ def test_validate_own_cases(here, capsys):
     (here / "right.toml").write_text(CASE, encoding="utf-8")
     (here / "wrong.toml").write_text(CASE.replace("0.25", "0.26"), encoding="utf-8")
     assert main(["validate", "right.toml"]) == 0
-    told = capsys.readouterr().out
-    assert "right (analytical): Hertz" in told
-    assert "H. Hertz" in told
-    assert "1 cases, 1 numbers, none missed." in told
+    message = capsys.readouterr().out
+    assert "right (analytical): Hertz" in message
+    assert "H. Hertz" in message
+    assert "1 cases, 1 numbers, none missed." in message
     assert main(["validate", "."]) == 1
     assert "2 cases, 2 numbers, 1 missed." in capsys.readouterr().out
     assert main(["validate", ".", "--quiet"]) == 1
-    told = capsys.readouterr().out
-    assert "wrong (analytical)" in told
-    assert "right" not in told
+    message = capsys.readouterr().out
+    assert "wrong (analytical)" in message
+    assert "right" not in message
 
 
 def test_validate_as_json_and_markdown(here, capsys):
@@ -445,14 +445,14 @@ def test_validate_as_json_and_markdown(here, capsys):
 @pytest.mark.parametrize("arguments", [["--help"], ["-h"], [], *([command, "--help"] for command in COMMANDS)])
 def test_help(arguments, capsys):
     assert main(arguments) == 0
-    told = capsys.readouterr()
-    assert told.err == ""
-    assert "Usage: winkler" in told.out
-    assert "Example" in told.out
+    message = capsys.readouterr()
+    assert message.err == ""
+    assert "Usage: winkler" in message.out
+    assert "Example" in message.out
     if len(arguments) < 2 and "--help" not in arguments[1:]:
         for command in COMMANDS:
-            assert command in told.out
-        assert "--install-completion" in told.out
+            assert command in message.out
+        assert "--install-completion" in message.out
 
 
 def test_version(capsys):
@@ -491,8 +491,8 @@ def test_help_keeps_what_stands_in_brackets(capsys, monkeypatch):
         callback = command.callback
         hints = typing.get_type_hints(callback, include_extras=True)
         given = [note.help for hint in hints.values() for note in getattr(hint, "__metadata__", ())]
-        told = "\n".join(filter(None, [callback.__doc__, *given])).replace("\\[", "[")
-        brackets = re.findall(r"\[[a-z]+\]", told)
+        message = "\n".join(filter(None, [callback.__doc__, *given])).replace("\\[", "[")
+        brackets = re.findall(r"\[[a-z]+\]", message)
         seen += brackets
         assert main([callback.__name__, "--help"]) == 0
         shown = capsys.readouterr().out

@@ -56,11 +56,11 @@ def test_results_go_where_the_study_is_named_after(here, capsys):
     assert content["files"] == ["results.csv", "results.nc", "study.toml", PROVENANCE]
     assert content["study"] == "ball.toml"
     assert re.fullmatch(r"[0-9a-f]{64}", content["hash"])
-    told = capsys.readouterr()
-    assert told.err == ""
-    assert "148.125" in told.out  # (3 F R / (4 E*))^(1/3) in um
-    assert "How far this can be trusted:" in told.out
-    assert str(Path("results") / "ball") in told.out
+    message = capsys.readouterr()
+    assert message.err == ""
+    assert "148.125" in message.out  # (3 F R / (4 E*))^(1/3) in um
+    assert "How far this can be trusted:" in message.out
+    assert str(Path("results") / "ball") in message.out
 
 
 def test_figures_and_report(here):
@@ -164,8 +164,8 @@ def test_consent_is_asked_for_at_a_terminal(answer, code, here, monkeypatch, cap
     monkeypatch.setattr(sys, "stdin", Terminal(answer))
     monkeypatch.setattr("builtins.input", lambda *_: answer)
     assert main(["run", "ball.toml", "--quiet"]) == code
-    told = capsys.readouterr().err
-    assert ("was kept" in told) is (code == 2)
+    message = capsys.readouterr().err
+    assert ("was kept" in message) is (code == 2)
 
 
 @pytest.mark.parametrize(
@@ -244,15 +244,15 @@ def test_a_run_that_is_stopped_leaves_what_was_there(error, before, here, monkey
 
     monkeypatch.setattr("winkler.study.report.writing.study_text", stopped)
     code = main(["run", "ball.toml", "--overwrite"])
-    told = capsys.readouterr().err
+    message = capsys.readouterr().err
     if error is KeyboardInterrupt:
-        assert (code, told) == (130, "winkler: interrupted; nothing was written.\n")
+        assert (code, message) == (130, "winkler: interrupted; nothing was written.\n")
     else:
         assert code == 70
         assert re.fullmatch(
             r"winkler: winkler made a mistake \(RuntimeError: broken at winkler\.study\.report\.writing:\d+\); run "
             r"again with --traceback and report it\.\n",
-            told,
+            message,
         )
     assert {name: (here / name).read_bytes() for name in names(here)} == kept
     assert (here / "results").exists() is before
@@ -277,7 +277,7 @@ def test_a_stop_between_the_two_renamings_brings_the_old_results_back(here, monk
 
 
 def test_of_two_runs_into_one_folder_the_second_is_refused(here, monkeypatch, capsys):
-    """It is told so at once, and touches nothing of what the first is writing."""
+    """It is refused at once, and changes nothing of what the first is writing."""
     real = writing.write_outcome
 
     def slow(outcome, folder):
@@ -293,11 +293,11 @@ def test_of_two_runs_into_one_folder_the_second_is_refused(here, monkeypatch, ca
     assert [path.name for path in (here / "results").iterdir()] == ["ball"]
 
 
-def test_failed_points_are_written_and_told(here, capsys):
+def test_failed_points_are_written_and_stated(here, capsys):
     (here / "ball.toml").write_text(STUDY + SWEEP, encoding="utf-8")
     assert main(["run", "ball.toml"]) == 4
-    told = capsys.readouterr()
-    assert "1 of 3 points have no answer; the first: force -1 N is tensile" in told.out
+    message = capsys.readouterr()
+    assert "1 of 3 points have no answer; the first: force -1 N is tensile" in message.out
     lines = (here / "results/ball/results.csv").read_text().splitlines()
     assert len(lines) == 4
     assert "tensile" in lines[2]
@@ -306,9 +306,9 @@ def test_failed_points_are_written_and_told(here, capsys):
 def test_outside_validity_is_code_four(here, capsys):
     (here / "ball.toml").write_text(STUDY.replace('"100 N"', '"-1 N"'), encoding="utf-8")
     assert main(["run", "ball.toml"]) == 4
-    told = capsys.readouterr().err
-    assert told.startswith("winkler: ball.toml: force -1 N is tensile")
-    assert told.count("\n") == 1
+    message = capsys.readouterr().err
+    assert message.startswith("winkler: ball.toml: force -1 N is tensile")
+    assert message.count("\n") == 1
     assert [path.name for path in here.iterdir()] == ["ball.toml"]
 
 
@@ -368,12 +368,12 @@ def test_what_cannot_be_read(arguments, sentence, here, capsys):
 )
 def test_wrong_commands_are_one_sentence(arguments, part, here, capsys):
     assert main(arguments) == 2
-    told = capsys.readouterr()
-    assert told.out == ""
-    assert told.err.startswith("winkler: ")
-    assert told.err.count("\n") == 1
-    assert part in told.err.lower()
-    assert "--help` tells what is known." in told.err
+    message = capsys.readouterr()
+    assert message.out == ""
+    assert message.err.startswith("winkler: ")
+    assert message.err.count("\n") == 1
+    assert part in message.err.lower()
+    assert "--help` lists what is allowed." in message.err
     assert not (here / "results").exists()
 
 
@@ -395,7 +395,7 @@ LONG = STUDY + '\n[sweep]\n"problem.load.force" = { from = "1 N", to = "2 N", co
 
 @pytest.mark.skipif(os.name == "nt", reason="signals are sent differently there")
 @pytest.mark.parametrize(
-    ("sign", "code", "told"),
+    ("sign", "code", "message"),
     [
         (
             signal.SIGINT,
@@ -406,7 +406,7 @@ LONG = STUDY + '\n[sweep]\n"problem.load.force" = { from = "1 N", to = "2 N", co
         (signal.SIGTERM, 143, ""),
     ],
 )
-def test_signals_stop_a_run_cleanly(sign, code, told, here):
+def test_signals_stop_a_run_cleanly(sign, code, message, here):
     """Those of a whole group of processes, workers too; for one process see
     tests/hardening/processes/test_killed_runs.py."""
     (here / "long.toml").write_text(LONG, encoding="utf-8")
@@ -426,7 +426,7 @@ def test_signals_stop_a_run_cleanly(sign, code, told, here):
     finally:
         run.kill()
     assert (run.returncode, out) == (code, "")
-    assert re.fullmatch(told, err)
+    assert re.fullmatch(message, err)
     assert {path.name for path in here.iterdir()} <= {"ball.toml", "long.toml", "results"}
     if (here / "results").exists():  # of results nothing is left, only the journal
         assert [path.name for path in (here / "results").iterdir()] == [".long.journal"]

@@ -188,11 +188,11 @@ def answered(tmp_path_factory):
             (folder / "study.toml").write_text(text + LIGHT, encoding="utf-8")
             with contextlib.redirect_stdout(io.StringIO()) as out:
                 assert main(["run", str(folder / "study.toml"), "--json", "--output", str(folder / "answer")]) == 0
-            told = {column["name"]: column["values"] for column in json.loads(out.getvalue())["answers"]}
+            message = {column["name"]: column["values"] for column in json.loads(out.getvalue())["answers"]}
             with (folder / "answer" / "results.csv").open(encoding="utf-8") as file:
                 rows = list(csv.DictReader(file))
             kept = {name.split(" ")[0]: [float(row[name]) for row in rows] for name in rows[0]}
-            known[without_title] = run(parse_study(text)).points[0].answers, told, kept
+            known[without_title] = run(parse_study(text)).points[0].answers, message, kept
         return known[without_title]
 
     return numbers
@@ -205,11 +205,11 @@ def test_same_numbers(kind, answered):
     assert study.problem == problem
     assert parse_study(study_text(study)) == study
 
-    answers, told, kept = answered(text)
-    assert set(answers) == set(told) == set(kept)
+    answers, message, kept = answered(text)
+    assert set(answers) == set(message) == set(kept)
     assert len(answers) >= 2
     for name in answers:
-        assert answers[name].tolist() == told[name] == kept[name]
+        assert answers[name].tolist() == message[name] == kept[name]
         if (base := name.removesuffix("_x").removesuffix("_y")) != name:  # in the plane
             expected = getattr(solution, base)[:, "xy".index(name[-1])]
         else:

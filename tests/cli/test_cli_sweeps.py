@@ -84,7 +84,7 @@ def test_anew(here, capsys):
     assert "known from the run before" not in capsys.readouterr().out
 
 
-def test_another_study_is_refused_until_it_is_told_to_begin_anew(here, capsys):
+def test_another_study_is_refused_without_anew(here, capsys):
     journal = begun(here, 9)
     text = (here / "balls.toml").read_text(encoding="utf-8").replace("10 mm", "20 mm")
     (here / "balls.toml").write_text(text, encoding="utf-8")

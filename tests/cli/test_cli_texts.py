@@ -15,7 +15,7 @@ import pytest
 
 import winkler.cli
 from winkler.cli import main, terminal
-from winkler.cli.saying import plain_json, safe, say
+from winkler.cli.streams import plain_json, safe, write_line
 from winkler.study.batch.outcome import Column
 from winkler.vocabulary import word
 
@@ -77,10 +77,10 @@ def harmless(text: str) -> bool:
 
 @pytest.mark.parametrize("harmful", HARMFUL)
 def test_control_characters_are_shown_as_escapes(harmful, capsys):
-    told = safe(f"a{harmful}b µ\n\t")
-    assert harmless(told.replace("\t", ""))
-    assert told.encode("utf-8").decode("unicode_escape", "ignore").startswith(f"a{harmful}b")
-    say(f"a{harmful}b", error=True)
+    message = safe(f"a{harmful}b µ\n\t")
+    assert harmless(message.replace("\t", ""))
+    assert message.encode("utf-8").decode("unicode_escape", "ignore").startswith(f"a{harmful}b")
+    write_line(f"a{harmful}b", error=True)
     assert harmless(capsys.readouterr().err)
 
 
@@ -88,9 +88,9 @@ def test_texts_of_a_study_with_control_characters_are_refused(here, capsys):
     for place in ('title = "a\\u001b]0;x\\u0007"', 'title = "\\u0000"', '"\\u009b" = 1'):
         (here / "x.toml").write_text(f"{place}\n", encoding="utf-8")
         assert main(["run", "x.toml"]) == 2
-        told = capsys.readouterr().err
-        assert "holds a control character; leave it out, only line breaks and tabs are allowed." in told
-        assert harmless(told)
+        message = capsys.readouterr().err
+        assert "holds a control character; leave it out, only line breaks and tabs are allowed." in message
+        assert harmless(message)
 
 
 def test_a_title_that_turns_the_line_around_is_kept_in_files_alone(here, capsys):
@@ -99,9 +99,9 @@ def test_a_title_that_turns_the_line_around_is_kept_in_files_alone(here, capsys)
     assert capsys.readouterr().out.startswith("a\\u202eb\n")
     assert "a\u202eb" in (here / "results" / "c" / "study.toml").read_text(encoding="utf-8")
     assert main(["run", "c.toml", "--json", "--overwrite"]) == 0
-    told = capsys.readouterr().out
-    assert harmless(told)
-    assert json.loads(told)["title"] == "a\u202eb"
+    message = capsys.readouterr().out
+    assert harmless(message)
+    assert json.loads(message)["title"] == "a\u202eb"
 
 
 @pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="file names are texts there")
@@ -112,9 +112,9 @@ def test_names_of_files_reach_tables_as_escapes(here, capsys):
         Path("gel", name.decode("utf-8", "surrogateescape")).write_text("depth [nm], force [pN]\n" + rows)
     (here / "gel.toml").write_text(FIT, encoding="utf-8")
     assert main(["fit", "gel.toml"]) == 0
-    told = capsys.readouterr().out
-    assert "gel/a\\x1b[2J.csv" in told
-    assert harmless(told)
+    message = capsys.readouterr().out
+    assert "gel/a\\x1b[2J.csv" in message
+    assert harmless(message)
     assert main(["fit", "gel.toml", "--json", "--overwrite"]) == 0
     assert json.loads(capsys.readouterr().out)["columns"][0]["values"] == ["gel/a\x1b[2J.csv", "gel/b\\udcff.csv"]
 
@@ -136,13 +136,13 @@ def test_a_stream_that_knows_few_characters_does_not_raise(encoding, here, monke
     assert "?.toml" in err
 
 
-def test_what_is_infinite_is_told_in_words(here, capsys):
+def test_what_is_infinite_is_written_in_words(here, capsys):
     """The resistance without contact: in the table, in JSON, and on the page."""
     (here / "c.toml").write_text(SPHERE.format(title="5 µm", report="true"), encoding="utf-8")
     assert main(["run", "c.toml"]) == 0
-    told = capsys.readouterr().out
-    assert " infinite " in told
-    assert " inf " not in told
+    message = capsys.readouterr().out
+    assert " infinite " in message
+    assert " inf " not in message
     page = (here / "results" / "c" / "report.html").read_text(encoding="utf-8")
     assert "infinite" in page
     assert ">∞" not in page
@@ -153,30 +153,30 @@ def test_what_is_infinite_is_told_in_words(here, capsys):
     assert resistance[1] > 0.0
 
 
-def test_what_is_undefined_is_told_apart_from_what_has_no_answer(here, capsys):
+def test_what_is_undefined_is_distinguished_from_what_has_no_answer(here, capsys):
     """As the restitution along the surface of bodies that do not move along it, and a point that is refused."""
     column = Column(
         "lateral_restitution", word("ImpactSolution", "lateral_restitution"), np.array([0.5, np.nan, np.nan])
     )
-    assert terminal._shown(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
+    assert terminal._column_texts(column, np.array([False, False, True])) == ("", ["0.5", "undefined", "-"])
     text = (here / "c.toml").read_text(encoding="utf-8").replace('["0 N", "1 N"]', '"1 N"')
     (here / "c.toml").write_text(f'{text}\n[sweep]\n"problem.load.force" = ["1 N", "-1 N"]\n', encoding="utf-8")
     assert main(["run", "c.toml"]) == 4
-    told = capsys.readouterr().out
-    assert "undefined" not in told
-    assert re.search(r"\n +-1 +-", told)
+    message = capsys.readouterr().out
+    assert "undefined" not in message
+    assert re.search(r"\n +-1 +-", message)
 
 
 def test_json_knows_no_bare_infinity():
     content = {"a": (float("inf"), -float("inf"), float("nan"), 1.5, "x", True, None), "b": [{"c": 2}]}
-    told = json.dumps(plain_json(content), allow_nan=False)
-    assert json.loads(told) == {"a": ["infinite", "-infinite", None, 1.5, "x", True, None], "b": [{"c": 2}]}
+    message = json.dumps(plain_json(content), allow_nan=False)
+    assert json.loads(message) == {"a": ["infinite", "-infinite", None, 1.5, "x", True, None], "b": [{"c": 2}]}
 
 
-def test_everything_is_said_in_one_place():
+def test_everything_is_written_in_one_place():
     """No command prints by itself."""
     for path in Path(winkler.cli.__file__).parent.glob("*.py"):
         calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)]
         names = {node.func.id for node in calls if isinstance(node.func, ast.Name)}
-        assert "print" not in names or path.name == "saying.py", path.name
+        assert "print" not in names or path.name == "streams.py", path.name
         assert "Console" not in names or path.name == "terminal.py", path.name

@@ -77,7 +77,7 @@ def test_an_error_is_told_whoever_reads_what_came_before(here, unread, capfd, mo
 @pytest.mark.parametrize(
     "words", [["run", "ball.toml"], ["run", "ball.toml", "--json", "--output", "results/ball"], ["show"]]
 )
-def test_a_full_disk_behind_stdout_is_told_in_a_sentence(words, here, monkeypatch, capfd):
+def test_a_full_disk_behind_stdout_is_stated_in_a_sentence(words, here, monkeypatch, capfd):
     with open("/dev/full", "w", encoding="utf-8") as stream:
         monkeypatch.setattr(sys, "stdout", stream)
         assert main(words) == 2

@@ -184,10 +184,10 @@ def test_wrong_study(case, tmp_path, monkeypatch, capsys):
     (tmp_path / "wrong.toml").write_text(spoilt(case), encoding="utf-8")
     (tmp_path / "table.csv").write_text("a,b\n1,2\n", encoding="utf-8")
     code = main(["run", "wrong.toml", "--output", "made/answer"])
-    told = capsys.readouterr()
+    message = capsys.readouterr()
     sentence = case["sentence"].replace("{profiles}", ", ".join(CATALOGUE["profile"]))
     sentence = sentence.replace("{problems}", ", ".join(CATALOGUE["problem"]))
-    assert told.err == "winkler: " + "\n".join(f"wrong.toml: {line}" for line in sentence.split("\n")) + "\n"
-    assert told.out == ""
+    assert message.err == "winkler: " + "\n".join(f"wrong.toml: {line}" for line in sentence.split("\n")) + "\n"
+    assert message.out == ""
     assert code == 2
     assert sorted(path.name for path in tmp_path.iterdir()) == ["table.csv", "wrong.toml"]

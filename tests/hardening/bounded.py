@@ -33,17 +33,17 @@ def sentence_within(call) -> str:
             signal.alarm(WAITING)
             try:
                 call()
-                told = ""
+                text = ""
             except WinklerError as error:
-                told = str(error)
+                text = str(error)
             except BaseException as error:
-                told = f"raised {type(error).__name__}: {error}"
-            os.write(theirs, told.encode("utf-8", "replace")[:4000])
+                text = f"raised {type(error).__name__}: {error}"
+            os.write(theirs, text.encode("utf-8", "replace")[:4000])
             code = 0
         finally:
             os._exit(code)
     os.close(theirs)
     with open(ours, "rb") as pipe:
-        told = pipe.read().decode("utf-8")
+        text = pipe.read().decode("utf-8")
     _, status = os.waitpid(child, 0)
-    return told if status == 0 else f"ended by {os.waitstatus_to_exitcode(status)}"
+    return text if status == 0 else f"ended by {os.waitstatus_to_exitcode(status)}"

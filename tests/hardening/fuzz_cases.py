@@ -1,4 +1,4 @@
-"""One case of a fuzz test: tried under a limit of time and memory, told with its seed, stored so that it is kept.
+"""One case of a fuzz test: tried under a limit of time and memory, reported with its seed, and stored.
 
 The seed is the day, so that every day tries other cases; ``WINKLER_FUZZ_SEED`` sets it to repeat what was found.  A
 case is a text, or bytes, and the name of what reads it; as a file in ``found`` it is tried in every run of the tests.
@@ -92,8 +92,8 @@ def within_memory() -> Iterator[None]:
 
 def sentence_is_good(error: WinklerError) -> bool:
     """Return whether an error is what a reader of it can use: sentences that end, without a trace."""
-    told = str(error).rstrip()
-    return told.endswith((".", ")")) and "Traceback" not in told
+    message = str(error).rstrip()
+    return message.endswith((".", ")")) and "Traceback" not in message
 
 
 def fault(trial: Callable[[Case], object], case: Case) -> str:
@@ -124,10 +124,10 @@ def judged(name: str, count: int, make: Callable[[Random], Case], trial: Callabl
     with within_memory():
         for place in range(count):
             case = make(Random(f"{seed()}/{name}/{place}"))
-            if told := fault(trial, case):
+            if message := fault(trial, case):
                 file = kept / f"{name.replace(' ', '_')}_{place}.json"
-                file.write_text(case.text(told), encoding="utf-8")
-                wrong.append(f"case {place}: {told}\n  {file}")
+                file.write_text(case.text(message), encoding="utf-8")
+                wrong.append(f"case {place}: {message}\n  {file}")
                 if len(wrong) == SHOWN:
                     break
     assert not wrong, (

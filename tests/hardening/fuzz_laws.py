@@ -18,7 +18,7 @@ from winkler.errors import WinklerError
 
 ROUNDING = 1e-6
 LAWS: dict[str, Callable[[Mapping[str, Any], Any], bool]] = {}
-"""Sentence -> whether it holds of what is told, for a problem."""
+"""Sentence -> whether it holds for the numbers of a problem."""
 NEEDED: dict[str, tuple[str, ...]] = {}
 """Sentence -> the names that an answer must have for it."""
 
@@ -61,7 +61,7 @@ def law(sentence: str, *names: str):
     return enter
 
 
-def told(answer: Any) -> dict[str, Any]:
+def numbers_of(answer: Any) -> dict[str, Any]:
     """Return all that an answer tells without a question, by name; what it refuses to tell is left out."""
     found = {field.name: getattr(answer, field.name) for field in dataclasses.fields(answer)}
     for name in dir(type(answer)):
@@ -83,11 +83,11 @@ def numbers(content: Any) -> np.ndarray | None:
 
 def broken(answer: Any, problem: Any = None) -> list[str]:
     """Return the laws that do not hold of an answer."""
-    return broken_by(told(answer), answer.problem if problem is None else problem)
+    return broken_by(numbers_of(answer), answer.problem if problem is None else problem)
 
 
 def broken_by(content: Mapping[str, Any], problem: Any) -> list[str]:
-    """Return the laws that do not hold of what is told about a problem."""
+    """Return the laws that do not hold for the numbers of a problem."""
     with np.errstate(all="ignore"):
         return [
             sentence
@@ -271,5 +271,5 @@ def _costs(content: Mapping[str, Any], problem: Any) -> bool:
 
 @law("every remark is a sentence of one line")
 def _remarks(content: Mapping[str, Any], problem: Any) -> bool:
-    told = [getattr(note, "statement", note) for note in content.get("validity", ())]
-    return all(line.strip() and "\n" not in line and not {"nan", "(nan"} & set(line.split()) for line in told)
+    sentences = [getattr(note, "statement", note) for note in content.get("validity", ())]
+    return all(line.strip() and "\n" not in line and not {"nan", "(nan"} & set(line.split()) for line in sentences)

@@ -61,7 +61,7 @@ def _bytes(case: Case) -> None:
 
 @trial("solve")
 def _solve(case: Case) -> None:
-    """A study is solved, what is told is asked for, and the laws hold of it."""
+    """A study is solved, its numbers are computed, and the laws hold for them."""
     study = parse_study(case.content)
     assert parse_study(study_text(study)) == study, "the study does not come back from its text"
     answer = study.problem.solve()

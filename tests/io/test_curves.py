@@ -74,10 +74,10 @@ def test_columns_repeated_in_volts(tmp_path):
     ],
 )
 def test_one_sentence_says_what_is_wrong(tmp_path, text, given, why):
-    with pytest.raises(wk.InvalidInput, match=why) as told:
+    with pytest.raises(wk.InvalidInput, match=why) as message:
         read_curve(write(tmp_path, text), **given)
-    assert "curve.csv" in str(told.value)
-    assert "\n" not in str(told.value)
+    assert "curve.csv" in str(message.value)
+    assert "\n" not in str(message.value)
 
 
 def test_a_file_that_is_not_there(tmp_path):

@@ -82,7 +82,9 @@ def test_what_gwyddion_writes_above_a_matrix(file):
     np.testing.assert_allclose(rough.lengths, SIZES, rtol=1e-15)
     assert read_topography(name, unit="nm") == rough
     assert read_topography(name, lengths=(1.0, 2.0)).lengths.tolist() == [1.0, 2.0]
-    with pytest.raises(InvalidInput, match=r"^map.txt: the file tells its unit, nm, and um was given; leave it out\.$"):
+    with pytest.raises(
+        InvalidInput, match=r"^map.txt: the file states its unit, nm, and um was given; leave it out\.$"
+    ):
         read_topography(name, unit="um")
     with pytest.raises(InvalidInput, match=r"^map\.txt, '# Width': '2\.0 s' is a time, not a length"):
         read_topography(file(GWYDDION.replace("2.0 µm", "2.0 s") + rows("\t"), "map.txt"))
@@ -99,9 +101,9 @@ def test_arrays(tmp_path):
     np.testing.assert_array_equal(rough.heights, HEIGHTS / 1e9)
     np.testing.assert_allclose(rough.lengths, SIZES, rtol=1e-15)
     np.savez_compressed(tmp_path / "told.npz", heights=HEIGHTS, lengths=[5000.0, 2000.0], unit="nm", periodic=True)
-    told = read_topography(tmp_path / "told.npz")
-    assert told.periodic
-    np.testing.assert_array_equal(told.heights, rough.heights)
+    message = read_topography(tmp_path / "told.npz")
+    assert message.periodic
+    np.testing.assert_array_equal(message.heights, rough.heights)
 
 
 MATRIX = [
@@ -194,18 +196,18 @@ def test_an_array_that_does_not_fit_the_memory(file, monkeypatch):
     )
 
 
-def test_what_has_to_be_told(file):
+def test_what_has_to_be_stated(file):
     name = file(rows(","))
-    for told, sentence in (
-        ({}, "map.csv: the file does not tell the unit of its heights; give unit, such as 'nm' or 'um'."),
-        ({"unit": "nm"}, "map.csv: the file does not tell the lengths of the map; give lengths=(x, y) in m."),
+    for message, sentence in (
+        ({}, "map.csv: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'."),
+        ({"unit": "nm"}, "map.csv: the file does not state the lengths of the map; give lengths=(x, y) in m."),
         ({"unit": "nmm"}, "map.csv, unit: 'nmm' cannot be read: the unit 'nmm' is unknown (did you mean 'nm'?)."),
         ({"unit": "kg"}, "map.csv, unit: 'kg' is the unit of a mass, not of a length."),
         ({"unit": "nm", "lengths": (1.0, 2.0, 3.0)}, "map.csv: lengths are (1.0, 2.0, 3.0); give two numbers, in m."),
         ({"unit": "nm", "lengths": (1.0, 0.0)}, "map.csv: Topography: lengths is "),
     ):
         with pytest.raises(InvalidInput) as caught:
-            read_topography(name, **told)
+            read_topography(name, **message)
         assert str(caught.value).startswith(sentence)
     np.save("map.npy", HEIGHTS)
     with pytest.raises(InvalidInput, match=r"^map\.npy: an array has no channels; leave channel 'Height' out\.$"):
@@ -248,18 +250,18 @@ def test_an_atomic_force_microscope(instruments):
     from SurfaceTopography import read_topography as judge
 
     rough = read_topography(instruments / "di-3.di")
-    told = judge(str(instruments / "di-3.di"))
+    message = judge(str(instruments / "di-3.di"))
     assert rough.heights.shape == (256, 256)
     np.testing.assert_allclose(rough.lengths, 1e-5, rtol=1e-12)
     assert rough.missing == 0
-    assert rough.rms_height == pytest.approx(told.Sq() * 1e-9, rel=1e-12)
+    assert rough.rms_height == pytest.approx(message.Sq() * 1e-9, rel=1e-12)
     other = read_topography(instruments / "di-3.di", channel="Height")
     assert other.rms_height > 1.1 * rough.rms_height
     with pytest.raises(
         InvalidInput, match=r"di-3\.di: there is no height channel 'Phase'; give one of ZSensor, Height"
     ):
         read_topography(instruments / "di-3.di", channel="Phase")
-    with pytest.raises(InvalidInput, match=r"di-3\.di: the file tells its unit, nm, and um was given; leave it out"):
+    with pytest.raises(InvalidInput, match=r"di-3\.di: the file states its unit, nm, and um was given; leave it out"):
         read_topography(instruments / "di-3.di", unit="um")
 
 
@@ -303,9 +305,9 @@ def test_heights_in_another_unit_than_lengths(tmp_path):
 def test_texts_with_missing_last_heights_and_with_counted_rows(tmp_path):
     ragged = tmp_path / "ragged.csv"
     ragged.write_text("1,2,3,4,5\n1,2,3,4,\n1,2,3,4,5\n1,2,3,4,5\n", encoding="utf-8")
-    told = read_topography(ragged, unit="nm", lengths=(1e-6, 1e-6))
-    assert told.heights.shape == (4, 5)
-    assert told.missing == 1
+    message = read_topography(ragged, unit="nm", lengths=(1e-6, 1e-6))
+    assert message.heights.shape == (4, 5)
+    assert message.missing == 1
     counted = tmp_path / "counted.csv"
     rows = "\n".join(f"{i},0.5,0.25,0.125,1.5" for i in range(5))
     counted.write_text(f",0,1,2,3\n{rows}\n", encoding="utf-8")

@@ -142,7 +142,7 @@ def test_currents_and_heat_are_written(tmp_path):
         (lambda: wk.write_vtk(wk.restore_body(CONTACT, 0.0, 0.0, A), "a.vtk", around=5), "leave around out"),
     ],
 )
-def test_what_cannot_be_written_is_told(make, sentence, tmp_path, monkeypatch):
+def test_what_cannot_be_written_is_stated(make, sentence, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(wk.InvalidInput, match=sentence):
         make()

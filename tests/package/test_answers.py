@@ -14,7 +14,7 @@ from winkler import study
 from winkler.plot import sheet_of
 from winkler.problems.answer import March
 from winkler.study.batch.outcome import _numbers_of
-from winkler.study.chapters.answer import Answer, Contact
+from winkler.study.chapters.answer import Answer, PicturedContact
 from winkler.study.chapters.contents import answers
 from winkler.study.chapters.kind import _loaded, path_of
 from winkler.study.language.build import build
@@ -54,9 +54,11 @@ def missing(name: str, result: Answer, manual: str, cases: set[str]) -> list[str
     marches = hasattr(problem, "steps") or "states" in fields
     checks = {
         "a picture, registered with winkler.plot.draw": sheet_of.dispatch(solution) is not sheet_of.dispatch(object),
-        "a caption, of its own or of a contact that is shown": result.picture or result.contact is not Contact.NONE,
+        "a caption, of its own or of a contact that is shown": result.picture
+        or result.contact is not PicturedContact.NONE,
         "formulas": result.formulas(build(example_study(name)["problem"])),
-        "words for the contact that the report shows": result.contact is not Contact.PATH or result.contact_shown,
+        "words for the contact that the report shows": result.contact is not PicturedContact.PATH
+        or result.contact_shown,
         "a place in the validation table": PHYSICS.get(name) in CHAPTERS,
         "curves of numbers that it has": drawn <= known,
         "progress (total, steps and gathered), as it marches": not marches

@@ -11,7 +11,7 @@ import pytest
 
 from winkler.plot import sheet_of
 from winkler.problems.answer import is_march
-from winkler.study.batch.marching import marched
+from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.language.build import build
@@ -56,7 +56,7 @@ def test_every_march_tells_how_far_it_is_and_keeps_what_it_has_reached(name):
     assert is_march(problem)
     count = FEW.get(name, 5)
     watch, totals = stopping(count)
-    early, whole = marched(problem, watch), marched(problem)
+    early, whole = solve_march(problem, watch), solve_march(problem)
     (total,) = totals
     assert whole.stopped == ""
     assert early.code == INTERRUPTED
@@ -77,13 +77,13 @@ def test_every_march_tells_how_far_it_is_and_keeps_what_it_has_reached(name):
 @pytest.mark.parametrize("name", MARCHES)
 def test_a_march_that_is_interrupted_before_its_first_state_has_no_answer(name):
     with pytest.raises(KeyboardInterrupt):
-        marched(build(example_study(name)["problem"]), stopping(0)[0])
+        solve_march(build(example_study(name)["problem"]), stopping(0)[0])
 
 
 @pytest.mark.parametrize("name", ["impact", "adhesive_impact"])
 def test_half_an_impact_has_no_restitution(name):
     problem = build(example_study(name)["problem"])
-    half, whole = marched(problem, stopping(20)[0]).solution, problem.solve()
+    half, whole = solve_march(problem, stopping(20)[0]).solution, problem.solve()
     assert np.isnan(half.restitution)
     assert half.duration == whole.duration == whole.time[-1]
     assert whole.restitution > 0.0
@@ -94,7 +94,7 @@ def test_stages_of_half_an_impact_end_where_it_was_stopped():
     whole = problem.solve()
     assert len(whole.stages) > 1
     for count in (2, 60, 150, problem.count - 1):
-        half = marched(problem, stopping(count)[0]).solution
+        half = solve_march(problem, stopping(count)[0]).solution
         assert half.stages[0].start == 0.0
         assert half.stages[-1].end == half.time[-1]
         for part, full in zip(half.stages[:-1], whole.stages, strict=False):

@@ -1,4 +1,4 @@
-"""The commands of the command line, and what is common to them."""
+"""The commands of the command line, and the options common to them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from winkler.cli import browser, cite, draw, fit, new, run, show, table, validate
-from winkler.cli.saying import say
+from winkler.cli.streams import write_line
 
 __all__ = ["app", "command"]
 
@@ -17,9 +17,9 @@ winkler new indentation --profile cone  (writes a commented study)
 
 winkler run indentation.toml  (numbers, figures and a report in results/indentation)
 
-winkler fit gel.toml  (what measured force curves tell about a model)
+winkler fit gel.toml  (the numbers of a model from measured force curves)
 
-winkler show rounded_cone  (what a kind takes, with units and an example)
+winkler show rounded_cone  (the keys of a kind, with units and an example)
 """
 
 app = typer.Typer(
@@ -37,7 +37,7 @@ def _version(wanted: bool) -> None:
     if wanted:
         from importlib.metadata import version
 
-        say(f"winkler {version('winkler')}")
+        write_line(f"winkler {version('winkler')}")
         raise typer.Exit
 
 
@@ -63,4 +63,4 @@ app.command()(cite.cite)
 app.command()(validate.validate)
 app.command()(browser.app)
 command = typer.main.get_command(app)
-"""All commands, put together once: a program that calls `main` many times does not pay for it each time."""
+"""All commands, built once: a program that calls `main` many times does not build them each time."""

@@ -21,7 +21,7 @@ def app(
         typer.Option(help="Another address at which the app is opened, through a tunnel or a proxy; may be repeated."),
     ] = None,
 ) -> None:
-    r"""Open the app in the browser: forms, sliders, pictures, and the study file that tells it all.
+    r"""Open the app in the browser: forms, sliders, pictures, and the study file that states it all.
 
     It serves this machine alone, works without a network, and ends with Ctrl-C. Needs: pip install "winkler\[app]".
 

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.saying import say
+from winkler.cli.streams import write_line
 
 __all__ = ["cite"]
 
@@ -16,7 +16,7 @@ def cite(
     what: Annotated[str, typer.Argument(help="A study file, or a kind.", show_default=False)],
     bibtex: Annotated[bool, typer.Option("--bibtex", help="Show BibTeX entries.")] = False,
 ) -> None:
-    """Show the papers that a study, or a kind, stands on.
+    """Show the papers that a study, or a kind, is based on.
 
     Example: winkler cite examples/studies/normal/hertz.toml --bibtex
     """
@@ -33,6 +33,6 @@ def cite(
         study = read_study(what)
         papers = papers_of((study.problem, study.sweep))
     for paper in papers:
-        say(paper.bibtex + "\n" if bibtex else paper.text)
+        write_line(paper.bibtex + "\n" if bibtex else paper.text)
     if not papers and not bibtex:
-        say(f"{what} stands on no particular paper.")
+        write_line(f"{what} is based on no particular paper.")

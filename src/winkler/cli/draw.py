@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.saying import say
+from winkler.cli.streams import write_line
 
 if TYPE_CHECKING:
     from winkler.study.batch.outcome import Solved
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["draw"]
 
 PARTS = {
-    "contact": "the body in its dent, the springs, their load and the pressure",
+    "contact": "the body in its indentation, the springs, their load and the pressure",
     "profile": "the shape alone: f(r) and g(x), or the height map",
     "bed": "the shape over its springs",
     "surface": "pressure and displacement of the surface; needs [fields] with r",
@@ -29,7 +29,7 @@ PARTS = {
 STEPS = 12
 
 
-def known(incomplete: str) -> list[str]:
+def completions(incomplete: str) -> list[str]:
     """Return the parts that begin like `incomplete`, for the completion of the shell."""
     return [name for name in PARTS if name.startswith(incomplete)]
 
@@ -39,7 +39,9 @@ def draw(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The picture: .png, .svg or .pdf; NAME-PART.png if not given.")
     ] = None,
-    part: Annotated[str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=known)] = "contact",
+    part: Annotated[
+        str, typer.Option(help=f"What to draw: {', '.join(PARTS)}.", autocompletion=completions)
+    ] = "contact",
     point: Annotated[int, typer.Option(help="Which point of the sweep, from 0; -1 is the last.")] = -1,
     load: Annotated[int, typer.Option(help="Which load, where the study asks for many at once; -1 is the last.")] = -1,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing picture.")] = False,
@@ -63,12 +65,12 @@ def draw(
         )
     path = output or Path(f"{study.stem}-{part}.png")
     if path.suffix.lstrip(".").lower() not in PICTURES:
-        known_endings = ", ".join(f".{ending}" for ending in PICTURES)
-        raise InvalidInput(f"draw: '{path}' does not end like a picture; give {known_endings}.")
+        endings = ", ".join(f".{ending}" for ending in PICTURES)
+        raise InvalidInput(f"draw: '{path}' does not end like a picture; give {endings}.")
     if path.exists() and not overwrite:
         raise InvalidInput(f"draw: '{path}' exists; add --overwrite to replace it, or give another file with --output.")
     answer = _solved(read_study(study), point)
-    item = _item(answer, part, load)
+    item = _drawn_value(answer, part, load)
     sheet = sheet_of(item)
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
         rules = interface_rules(item, answer.problem.bed.medium)
@@ -76,7 +78,7 @@ def draw(
     with io.BytesIO() as drawn:
         render(sheet).savefig(drawn, format=path.suffix[1:].lower())
         write_whole(path, drawn.getvalue())
-    say(f"Written {path}")
+    write_line(f"Written {path}")
 
 
 def _solved(study: Any, point: int) -> Solved:
@@ -96,23 +98,23 @@ def _solved(study: Any, point: int) -> Solved:
     return answer
 
 
-def _item(answer: Solved, part: str, load: int) -> Any:
+def _drawn_value(answer: Solved, part: str, load: int) -> Any:
     """Return what is drawn: a part of the solved point."""
     from winkler.errors import InvalidInput
     from winkler.footprint import RoundOutline
     from winkler.foundation.measured import MeasuredBed
     from winkler.problems.answer import is_restorable
     from winkler.punch_staircase import staircase
-    from winkler.study.report.beside import beside
+    from winkler.study.report.extra_pictures import extra_pictures
 
     bed = getattr(answer.problem, "bed", None)
-    outlined = bed is not None and not isinstance(bed.footprint, RoundOutline)  # its springs stand for another body
+    outlined = bed is not None and not isinstance(bed.footprint, RoundOutline)  # its springs represent another body
     shape = None if outlined else getattr(bed, "profile", None) or getattr(bed, "plane_profile", None)
     if not -len(answer.each) <= load < len(answer.each):
         raise InvalidInput(f"draw: there is no load {load}; the study has {len(answer.each)}, counted from 0.")
     match part:
         case "profile":
-            maps = beside(answer.solution)
+            maps = extra_pictures(answer.solution)
             if maps:
                 return maps[0].item
             if shape is None:

@@ -1,4 +1,4 @@
-"""``winkler fit``: fit measured curves, and write what they tell."""
+"""``winkler fit``: fit measured curves, and write the results."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from winkler.cli.options import AsJson, Output, Overwrite, Quiet
-from winkler.cli.results import resumed, say_outcome
-from winkler.cli.saying import read_or_not, say
+from winkler.cli.results import resumed, write_outcome_json
+from winkler.cli.streams import until_closed, write_line
 
 if TYPE_CHECKING:
     from winkler.fitting.compare import AnyFit
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 __all__ = ["fit"]
 
-SHOWN = 24
-"""Longer tables are cut."""
+MOST_ROWS = 24
+"""Rows of a table; longer ones are cut."""
 
 
 def fit(
@@ -61,37 +61,39 @@ def fit(
     from winkler.study.batch.fit_run import fit_curves, gather_fits, pieces
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import named
-    from winkler.study.batch.stopping import answered
+    from winkler.study.batch.stopping import clear_interrupt
     from winkler.study.language.fit_reading import read_fit_study
     from winkler.study.report.writing import write_outcome
 
     started = time.perf_counter()
     if time_limit is not None and not time_limit > 0.0:
         raise InvalidInput(f"fit: --time-limit is {time_limit:g}; give a positive time in s.")
-    asked = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
+    content = read_fit_study(study, segments=tuple(part.strip() for part in segments.split(",") if part.strip()))
     if time_limit is not None:
-        asked = dataclasses.replace(asked, time_limit=time_limit)
-    folder = output or Path(asked.output.folder or Path("results") / study.stem)
-    todo = pieces(asked)
-    many = f"{len(todo)} {'files' if len(asked.sources) > 1 else 'curves'}"
-    found: dict[int, Any] = {}
-    under_way = _UnderWay(asked)
-    journal = Journal.beside(folder, asked)
+        content = dataclasses.replace(content, time_limit=time_limit)
+    folder = output or Path(content.output.folder or Path("results") / study.stem)
+    todo = pieces(content)
+    many = f"{len(todo)} {'files' if len(content.sources) > 1 else 'curves'}"
+    fitted: dict[int, Any] = {}
+    running = _RunningFit(content)
+    journal = Journal.beside(folder, content)
     with resumed(folder, journal, many=many, overwrite=overwrite, anew=anew) as partial:
-        before, kept = recalled_fits(asked, todo, journal), journal if len(todo) > 1 else None
-        known, hidden = len(before), quiet or as_json
-        stream = fit_curves(asked, todo, before, workers=workers, watch=under_way.watch, journal=kept)
+        before, batch_journal = recalled_fits(content, todo, journal), journal if len(todo) > 1 else None
+        known_count, hidden = len(before), quiet or as_json
+        stream = fit_curves(content, todo, before, workers=workers, watch=running.watch, journal=batch_journal)
         try:
-            found.update(terminal.tracked(stream, len(todo), hidden=hidden, doing=under_way.progress, before=known))
+            fitted.update(
+                terminal.tracked(stream, len(todo), hidden=hidden, doing=running.progress, before=known_count)
+            )
         except KeyboardInterrupt:
-            if not found and under_way.state is not None:
-                raise Interrupted(f"interrupted after {under_way.best()}; nothing was written.") from None
-            if not any(isinstance(result, Fitted) for results in found.values() for result in results):
+            if not fitted and running.state is not None:
+                raise Interrupted(f"interrupted after {running.best()}; nothing was written.") from None
+            if not any(isinstance(result, Fitted) for results in fitted.values() for result in results):
                 raise
-            answered()
-        left = len(todo) - len(found)
+            clear_interrupt()
+        left = len(todo) - len(fitted)
         try:
-            outcome = gather_fits(asked, found.items(), started=started, source=study.name, left=left)
+            outcome = gather_fits(content, fitted.items(), started=started, source=study.name, left=left)
         except WinklerError as error:
             raise named(error, study.name) from None
         write_outcome(outcome, partial)
@@ -100,8 +102,8 @@ def fit(
         _print_json(outcome, folder)
     elif not quiet:
         _print(outcome, folder)
-        if known:
-            say(f"{known} of {many} were known from the run before.")
+        if known_count:
+            write_line(f"{known_count} of {many} were known from the run before.")
     if left:
         raise Interrupted(
             f"interrupted; {len(outcome.results)} curves were done and are in {folder}, {left} of {many} are missing; "
@@ -110,53 +112,53 @@ def fit(
     return outcome.refused[0].code if outcome.refused else 0
 
 
-class _UnderWay:
-    """How far the fit has come that is under way."""
+class _RunningFit:
+    """Progress of the running fit."""
 
     def __init__(self, study: FitStudy) -> None:
         self.study = study
         self.state: FitState | None = None
 
     def watch(self, states: Iterable[FitState | AnyFit]) -> Iterator[FitState | AnyFit]:
-        """Pass states on, and keep the last."""
+        """Pass states on, and store the last."""
         from winkler.fitting.search import FitState
-        from winkler.study.batch.stopping import look
+        from winkler.study.batch.stopping import raise_pending
 
         for state in states:
-            look()
+            raise_pending()
             self.state = state if isinstance(state, FitState) else None
             yield state
 
     def progress(self) -> str:
-        """Return how far it has come, in a few words."""
-        return f"fitting: {_course(self.state, self.study)}" if self.state is not None else "fitting"
+        """Return the progress as a short text."""
+        return f"fitting: {_progress_text(self.state, self.study)}" if self.state is not None else "fitting"
 
     def best(self) -> str:
         """Return the best numbers so far, in a sentence."""
-        from winkler.plot.series import told
+        from winkler.readable import with_unit
 
         assert self.state is not None
         keys = {free.path: free.key for free in self.study.free}
         numbers = zip(self.state.names, self.state.values.tolist(), strict=True)
-        words = (f"{keys[name]} = {told(n, self.study.word(keys[name]).unit, 5)}" for name, n in numbers)
-        return f"{_course(self.state, self.study)}; the best numbers so far, not settled: {', '.join(words)}"
+        words = (f"{keys[name]} = {with_unit(n, self.study.word(keys[name]).unit, 5)}" for name, n in numbers)
+        return f"{_progress_text(self.state, self.study)}; the best numbers so far, not converged: {', '.join(words)}"
 
 
-def _course(state: FitState, study: FitStudy) -> str:
-    from winkler.plot.series import told
+def _progress_text(state: FitState, study: FitStudy) -> str:
+    from winkler.readable import with_unit
 
-    left = f", residuals of {told(state.scatter, study.spread.unit)}" if math.isfinite(state.scatter) else ""
+    left = f", residuals of {with_unit(state.scatter, study.spread.unit)}" if math.isfinite(state.scatter) else ""
     return f"{state.evaluations} evaluation{'s' * (state.evaluations != 1)}{left}"
 
 
-@read_or_not()
+@until_closed()
 def _print(outcome: FitOutcome, folder: Path) -> None:
     from winkler.cli import terminal
 
     out = terminal.console()
     out.print(outcome.study.title)
     _table(outcome, out)
-    for result in outcome.fitted[:SHOWN]:
+    for result in outcome.fitted[:MOST_ROWS]:
         for flag in result.fit.flags:
             where = f"{result.name}, " if len(outcome.results) > 1 else ""
             out.print(f"  {where}{flag}", soft_wrap=True)
@@ -177,7 +179,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
     from rich.table import Table
 
     from winkler.cli import terminal
-    from winkler.plot.series import told
+    from winkler.readable import with_unit
     from winkler.study.language.explain import plain_symbol
     from winkler.study.report.fit_tables import curve_texts, number_texts
 
@@ -190,7 +192,7 @@ def _table(outcome: FitOutcome, out: Any) -> None:
         out.print(table)
         out.print(
             f"{fit.count} points, worth {fit.effective_count:.0f} independent ones; noise "
-            f"{told(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}, in "
+            f"{with_unit(fit.noise, study.spread.unit)}; chi-square per degree of freedom {fit.chi_square:.3g}, in "
             f"contact {fit.chi_square_in_contact:.3g}.",
             soft_wrap=True,
         )
@@ -217,4 +219,4 @@ def _print_json(outcome: FitOutcome, folder: Path) -> None:
         "failed": [{"curve": one.name, "reason": one.reason, "code": one.code} for one in outcome.refused],
         "left": outcome.left,
     }
-    say_outcome(outcome, folder, "columns", more)
+    write_outcome_json(outcome, folder, "columns", more)

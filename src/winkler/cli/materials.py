@@ -1,13 +1,13 @@
-"""The table of common materials, as ``winkler show`` shows it."""
+"""The table of common materials for ``winkler show``."""
 
 from __future__ import annotations
 
-from winkler.cli.saying import read_or_not
+from winkler.cli.streams import until_closed
 from winkler.cli.terminal import console, prefixed
 
 __all__ = ["every", "has", "names", "one"]
 
-SHOWN = ("young", "poisson", "hardness", "density", "conductivity", "resistivity")
+TABLE_QUANTITIES = ("young", "poisson", "hardness", "density", "conductivity", "resistivity")
 """Quantities in the table of all materials."""
 
 
@@ -30,9 +30,9 @@ def has(name: str) -> bool:
     return True
 
 
-@read_or_not()
+@until_closed()
 def every() -> None:
-    """Show all materials, with what is asked for most."""
+    """Show all materials, with their most common quantities."""
     from rich import box
     from rich.table import Table
 
@@ -40,18 +40,22 @@ def every() -> None:
     from winkler.vocabulary import GLOSSARY
 
     table = Table("material", "sort", box=box.SIMPLE_HEAD)
-    for quantity in SHOWN:
+    for quantity in TABLE_QUANTITIES:
         table.add_column(f"{quantity}\n[{GLOSSARY[quantity].unit or '-'}]", justify="right")
     for name in names():
-        found = material(name)
-        known = {figure.quantity: figure.number for figure in found.figures}
-        table.add_row(name, found.told, *(f"{known[quantity]:.4g}" if quantity in known else "-" for quantity in SHOWN))
+        entry = material(name)
+        numbers = {figure.quantity: figure.number for figure in entry.figures}
+        table.add_row(
+            name,
+            entry.told,
+            *(f"{numbers[quantity]:.4g}" if quantity in numbers else "-" for quantity in TABLE_QUANTITIES),
+        )
     out = console()
     out.print(table)
-    out.print("Room temperature, SI units. `winkler show copper` tells all numbers of a material and their sources.")
+    out.print("Room temperature, SI units. `winkler show copper` lists all numbers of a material and their sources.")
 
 
-@read_or_not()
+@until_closed()
 def one(name: str) -> None:
     """Show every number of a material, with its source and how a study names it."""
     import numpy as np
@@ -61,12 +65,12 @@ def one(name: str) -> None:
     from winkler.materials.named import material
     from winkler.vocabulary import GLOSSARY
 
-    found = material(name)
+    entry = material(name)
     table = Table("quantity", "value", "unit", "source", box=box.SIMPLE_HEAD)
-    for figure in found.figures:
+    for figure in entry.figures:
         factor, unit = prefixed(np.array([figure.number]), GLOSSARY[figure.quantity].unit)
         table.add_row(figure.quantity, f"{figure.number * factor:.6g}", unit, figure.source)
     out = console()
-    out.print(f"{found.name}: {found.told}, at room temperature")
+    out.print(f"{entry.name}: {entry.told}, at room temperature")
     out.print(table)
-    out.print(f'In a study: first = {{ kind = "named_elastic", name = "{found.name}" }}', soft_wrap=True)
+    out.print(f'In a study: first = {{ kind = "named_elastic", name = "{entry.name}" }}', soft_wrap=True)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.saying import say
+from winkler.cli.streams import write_line
 
 __all__ = ["new"]
 
@@ -64,8 +64,8 @@ def new(
 
     for slot, name in (("problem", problem), ("profile", profile), ("medium", medium), ("bed", bed), ("load", load)):
         if name and name not in CATALOGUE[slot]:
-            known = list(CATALOGUE[slot])
-            raise InvalidInput(f"{slot}: '{name}' is not known{suggest(name, known)}; there are {', '.join(known)}.")
+            names = list(CATALOGUE[slot])
+            raise InvalidInput(f"{slot}: '{name}' is not known{suggest(name, names)}; there are {', '.join(names)}.")
     path = output or Path(f"{problem}.toml")
     if path.exists() and not overwrite:
         raise InvalidInput(f"'{path}' exists; add --overwrite to replace it, or give another file with --output.")
@@ -75,4 +75,4 @@ def new(
     except WinklerError as error:
         raise type(error)(f"these kinds do not go together: {error}") from None
     write_whole(path, text.encode())
-    say(f"Written {path}; run it with: winkler run {path}")
+    write_line(f"Written {path}; run it with: winkler run {path}")

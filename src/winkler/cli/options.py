@@ -1,4 +1,4 @@
-"""What commands that solve and write have in common: the study file, and options of their results."""
+"""Options that the commands which solve and write have in common."""
 
 from __future__ import annotations
 

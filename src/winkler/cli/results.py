@@ -10,45 +10,45 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from winkler.cli.saying import safe, say_json
+from winkler.cli.streams import safe, write_json
 
 if TYPE_CHECKING:
-    from winkler.study.batch.checkpoint import Keep
+    from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.outcome import Outcome
 
-__all__ = ["resumed", "say_outcome"]
+__all__ = ["resumed", "write_outcome_json"]
 
 
 @contextlib.contextmanager
 def resumed(
-    folder: Path, journal: Journal, keep: Keep | None = None, *, many: str, overwrite: bool, anew: bool
+    folder: Path, journal: Journal, keep: CheckpointStore | None = None, *, many: str, overwrite: bool, anew: bool
 ) -> Iterator[Path]:
-    """Give an empty folder to write results into; what earlier runs have left is forgotten if they are complete.
+    """Provide an empty folder for the results; the records of earlier runs are removed once the results are complete.
 
     Parameters
     ----------
     folder
         Where the results go.
     journal, keep
-        What an earlier run has left: points or fits, and states of marches.
+        Records of an earlier run: points or fits, and states of marches.
     many
-        How many points, files or curves there are, in words.
+        Number of points, files or curves, as text.
     overwrite
-        Whether results may be replaced; those of a batch that is to go on may always.
+        Whether results may be replaced; those of a batch that is continued may always.
     anew
-        Whether to forget at once what was left.
+        Whether to remove the records of earlier runs first.
 
     Raises
     ------
     InvalidInput
-        If the folder, or the journal, is of no use.
+        If the folder, or the journal, cannot be used.
     Interrupted
-        After Ctrl-C, if something is kept.
+        After Ctrl-C, if points or fits are kept.
     """
     from winkler.errors import Interrupted
-    from winkler.study.batch.stopping import held
+    from winkler.study.batch.stopping import deferred_signals
     from winkler.study.report.reserving import reserved
     from winkler.study.report.writing import holds_results, missing, placed
 
@@ -57,7 +57,7 @@ def resumed(
         if holds_results(folder) and not overwrite and not goes_on:
             overwrite = _may_overwrite(folder)
         if anew:
-            _forget(journal, keep)
+            _remove_records(journal, keep)
         with journal:
             if goes_on and not overwrite:
                 overwrite = journal.count > 0 or _may_overwrite(folder)
@@ -67,21 +67,21 @@ def resumed(
             except KeyboardInterrupt:
                 if not journal.count:
                     raise
-                kept = f"{journal.count} of {many} are kept beside {folder}"
-                raise Interrupted(f"interrupted; {kept}, and the same command goes on from there.") from None
+                kept_text = f"{journal.count} of {many} are kept beside {folder}"
+                raise Interrupted(f"interrupted; {kept_text}, and the same command goes on from there.") from None
             if journal.complete:
-                with held():
-                    _forget(journal, keep)
+                with deferred_signals():
+                    _remove_records(journal, keep)
 
 
-def _forget(journal: Journal, keep: Keep | None) -> None:
+def _remove_records(journal: Journal, keep: CheckpointStore | None) -> None:
     journal.remove()
     if keep is not None:
-        keep.forget()
+        keep.remove()
 
 
 def _may_overwrite(folder: Path) -> bool:
-    """Ask whether the results in `folder` may be replaced; refuse where nobody can answer."""
+    """Ask whether the results in `folder` may be replaced; refuse if stdin is no terminal."""
     from winkler.errors import InvalidInput
 
     if not sys.stdin.isatty():
@@ -94,22 +94,22 @@ def _may_overwrite(folder: Path) -> bool:
     raise InvalidInput(f"output: '{folder}' was kept; give another folder with --output.")
 
 
-def say_outcome(outcome: Outcome | FitOutcome, folder: Path | None, columns: str, more: dict[str, Any]) -> None:
-    """Say an outcome as JSON.
+def write_outcome_json(outcome: Outcome | FitOutcome, folder: Path | None, columns: str, more: dict[str, Any]) -> None:
+    """Write an outcome as JSON.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        The outcome of a study.
     folder
-        Where it was written; None if nowhere.
+        Folder of the results; None if none was written.
     columns
-        What its table is called.
+        Name of its table.
     more
-        What else there is to say.
+        Further entries.
     """
     made = outcome.provenance
-    say_json(
+    write_json(
         {
             "title": outcome.study.title,
             "folder": str(folder) if folder else None,

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from winkler.cli.options import Output, Overwrite, Quiet
-from winkler.cli.results import resumed, say_outcome
-from winkler.cli.saying import read_or_not, say
+from winkler.cli.results import resumed, write_outcome_json
+from winkler.cli.streams import until_closed, write_line
 
 if TYPE_CHECKING:
     from winkler.errors import WinklerError
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["run"]
 
-MISSED = 1
+EXPECTATION_MISSED = 1
 
 
 def run(
@@ -73,21 +73,21 @@ def run(
     if cluster and workers is not None:
         raise InvalidInput("run: both --workers and --cluster are given; leave one of them out.")
     content = _with_figures(read_study(study), figures)
-    who = Cluster(cluster) if cluster else Machine() if workers is None else workers
-    job = _Job(content, study.name, who, started, hidden=quiet or as_json)
+    solvers = Cluster(cluster) if cluster else Machine() if workers is None else workers
+    job = _RunRequest(content, study.name, solvers, started, hidden=quiet or as_json)
     if as_json and output is None:
-        folder, before, outcome = None, 0, _answered(job)
+        folder, before, outcome = None, 0, _solved_alone(job)
         place = "shown on stdout"
     else:
         folder = output or Path(content.output.folder or Path("results") / study.stem)
-        before, outcome = _written(job, folder, overwrite=overwrite, anew=anew)
+        before, outcome = _solved_and_written(job, folder, overwrite=overwrite, anew=anew)
         place = f"in {folder}"
     if as_json:
         _print_json(outcome, folder)
     elif folder is not None and not quiet:
         _print(outcome, folder)
         if before:
-            say(f"{before} of {job.many} points were known from the run before.")
+            write_line(f"{before} of {job.many} points were known from the run before.")
     code = _code(outcome)
     if code == Interrupted.exit_code:
         raise Interrupted(f"interrupted; the points that were reached are {'kept ' if folder else ''}{place}.")
@@ -96,8 +96,8 @@ def run(
     return code
 
 
-class _Job(NamedTuple):
-    """What is to be solved, by whom, and since when."""
+class _RunRequest(NamedTuple):
+    """The study to solve, the workers, and when it began."""
 
     study: Study
     name: str
@@ -122,7 +122,7 @@ def _with_figures(study: Study, given: str) -> Study:
     return dataclasses.replace(study, output=dataclasses.replace(study.output, figures=formats))
 
 
-def _answered(job: _Job) -> Outcome:
+def _solved_alone(job: _RunRequest) -> Outcome:
     """Solve a study, and write nothing."""
     from winkler.cli import terminal
     from winkler.errors import WinklerError
@@ -136,18 +136,18 @@ def _answered(job: _Job) -> Outcome:
         raise named(error, job.name) from None
 
 
-def _written(job: _Job, folder: Path, *, overwrite: bool, anew: bool) -> tuple[int, Outcome]:
+def _solved_and_written(job: _RunRequest, folder: Path, *, overwrite: bool, anew: bool) -> tuple[int, Outcome]:
     """Solve a study and write its results; return how many points an earlier run had solved, and the outcome."""
     from winkler.cli import terminal
     from winkler.errors import Interrupted, WinklerError
-    from winkler.study.batch.checkpoint import Keep
+    from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.journal import Journal
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
     from winkler.study.report.writing import write_outcome
 
     study, many = job.study, job.many
-    journal, keep = Journal.beside(folder, study), Keep.beside(folder)
+    journal, keep = Journal.beside(folder, study), CheckpointStore.beside(folder)
     with resumed(folder, journal, keep, many=f"{many} points", overwrite=overwrite, anew=anew) as partial:
         before = journal.count
         watch = terminal.marching(hidden=job.hidden or many > 1)
@@ -170,7 +170,7 @@ def _code(outcome: Outcome) -> int:
     stopped = [point.code for point in outcome.solved if point.code]
     if stopped:
         return stopped[-1]
-    return 0 if all(verdict.passed for verdict in outcome.verdicts) else MISSED
+    return 0 if all(verdict.passed for verdict in outcome.verdicts) else EXPECTATION_MISSED
 
 
 def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
@@ -187,7 +187,7 @@ def _mistake(name: str, outcome: Outcome, place: str) -> WinklerError:
     )
 
 
-@read_or_not()
+@until_closed()
 def _print(outcome: Outcome, folder: Path) -> None:
     from winkler.cli import terminal
     from winkler.cli.validate import verdict_table
@@ -217,4 +217,4 @@ def _print_json(outcome: Outcome, folder: Path | None) -> None:
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
     }
-    say_outcome(outcome, folder, "answers", more)
+    write_outcome_json(outcome, folder, "answers", more)

@@ -6,12 +6,12 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.saying import read_or_not, say_json
+from winkler.cli.streams import until_closed, write_json
 
 __all__ = ["show"]
 
 
-def known(incomplete: str) -> list[str]:
+def completions(incomplete: str) -> list[str]:
     """Return the names that begin like `incomplete`, for the completion of the shell."""
     from winkler.study.language.catalogue import CATALOGUE, kinds
 
@@ -22,7 +22,7 @@ def show(
     name: Annotated[
         str,
         typer.Argument(
-            help="A kind, a group, a material, 'study' or 'materials'.", autocompletion=known, show_default=False
+            help="A kind, a group, a material, 'study' or 'materials'.", autocompletion=completions, show_default=False
         ),
     ] = "",
     as_json: Annotated[bool, typer.Option("--json", help="Show it as JSON.")] = False,
@@ -58,7 +58,7 @@ def show(
         raise InvalidInput(f"'{name}' is not known{suggest(name, every)}; `winkler show` lists every kind.")
 
 
-@read_or_not()
+@until_closed()
 def _list(only: str) -> None:
     from rich import box
     from rich.table import Table
@@ -78,7 +78,7 @@ def _list(only: str) -> None:
     out.print("`winkler show KIND` tells what a kind takes, `winkler show study` what a study file may say.")
 
 
-@read_or_not()
+@until_closed()
 def _kind(name: str) -> None:
     from rich import box
     from rich.table import Table
@@ -113,7 +113,7 @@ def _kind(name: str) -> None:
         out.print(f"See {text}", soft_wrap=True)
 
 
-@read_or_not()
+@until_closed()
 def _study() -> None:
     from rich import box
     from rich.table import Table
@@ -158,4 +158,4 @@ def _json(name: str) -> None:
         for kind, line in kinds().items()
         if name in ("", kind)
     ]
-    say_json(content)
+    write_json(content)

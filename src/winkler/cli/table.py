@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.saying import say
+from winkler.cli.streams import write_line
 
 __all__ = ["table"]
 
@@ -38,7 +38,7 @@ def table(
     deepest = float(np.max(problem.solve().depth))
     law = ContactLaw(problem.bed, deepest, tolerance).solve()
     write_law(law, output)
-    say(
+    write_line(
         f"{law.depth.size} rows written to {output}; errors of the force: {law.hermite_error:.2g} by cubics, "
         f"at most {law.linear_error:.2g} by straight lines."
     )

@@ -1,4 +1,4 @@
-"""What the commands show: tables with fitting prefixes, notes, and a bar with the time left."""
+"""Output of the commands: tables with fitting prefixes, notes, and a progress bar with the time left."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.outcome import Column, Outcome
 
-from winkler.cli.saying import safe
+from winkler.cli.streams import safe
 
 __all__ = ["add_rows", "answers", "console", "indices", "marching", "notes", "prefixed", "tracked"]
 
@@ -27,14 +27,14 @@ T = TypeVar("T")
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 PREFIXED = ("m", "N", "Pa", "J", "N/m")
 """Units that are shown with a prefix."""
-ROWS = 24
+MOST_ROWS = 24
 """Longer tables are cut in the middle."""
-WIDE = 160
+WIDE_COLUMNS = 160
 """Columns of text where the output is no terminal."""
 
 
 def console(*, stderr: bool = False) -> Console:
-    """Return where to write; texts are shown as they are, but for control characters."""
+    """Return a console that writes texts as they are, except for control characters."""
     from rich.console import Console
 
     class Safe(Console):
@@ -48,7 +48,7 @@ def console(*, stderr: bool = False) -> Console:
             raise BrokenPipeError
 
     stream = sys.stderr if stderr else sys.stdout
-    return Safe(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE)
+    return Safe(stderr=stderr, markup=False, highlight=False, width=None if stream.isatty() else WIDE_COLUMNS)
 
 
 def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
@@ -69,7 +69,7 @@ def prefixed(numbers: np.ndarray, unit: str | None) -> tuple[float, str]:
     return 10.0**-power, f"{PREFIXES[power]}{unit}"
 
 
-def _shown(column: Column, empty: np.ndarray) -> tuple[str, list[str]]:
+def _column_texts(column: Column, empty: np.ndarray) -> tuple[str, list[str]]:
     """Return the unit and the texts of a column; `empty` are rows without any answer."""
     if column.content.dtype.kind not in "fiu":
         return "", [str(item) for item in column.content]
@@ -85,7 +85,7 @@ def _number(number: float, undefined: str) -> str:
 
 
 def answers(outcome: Outcome, out: Console) -> None:
-    """Show what came out: a list for one load, a table for many."""
+    """Show the answers: a list for one load, a table for many."""
     from rich import box
     from rich.table import Table
 
@@ -93,27 +93,27 @@ def answers(outcome: Outcome, out: Console) -> None:
 
     swept = [axis.key for axis in outcome.study.sweep]
     table_ = outcome.table()
-    given = [column.content for column in table_ if column.name in swept]
+    swept_contents = [column.content for column in table_ if column.name in swept]
     columns = [
         column
         for column in table_
-        if column.name in swept or not any(np.array_equal(column.content, content) for content in given)
+        if column.name in swept or not any(np.array_equal(column.content, content) for content in swept_contents)
     ]
     numbers = [column.content for column in table_ if column.content.dtype.kind == "f" and column.name not in swept]
     empty = np.all(np.isnan(numbers), axis=0) if numbers else np.zeros(len(table_[0].content), dtype=bool)
-    shown = [_shown(column, empty) for column in columns]
+    formatted = [_column_texts(column, empty) for column in columns]
     rows = len(columns[0].content)
     if rows == 1:
         table = Table("quantity", "symbol", "value", "unit", "meaning", box=box.SIMPLE_HEAD)
-        for column, (unit, texts) in zip(columns, shown, strict=True):
+        for column, (unit, texts) in zip(columns, formatted, strict=True):
             word = column.word
             table.add_row(column.name, plain_symbol(word.symbol), texts[0], unit, word.meaning)
     else:
         table = Table(box=box.SIMPLE_HEAD)
-        for column, (unit, _) in zip(columns, shown, strict=True):
+        for column, (unit, _) in zip(columns, formatted, strict=True):
             name = column.name.removeprefix("problem.")
             table.add_column(f"{name}\n[{unit}]" if unit else name, justify="left" if not unit else "right")
-        add_rows(table, [texts for _, texts in shown])
+        add_rows(table, [texts for _, texts in formatted])
     out.print(table)
 
 
@@ -121,14 +121,14 @@ def add_rows(table: Table, columns: list[list[str]]) -> None:
     """Fill a table; a long one is cut in the middle."""
     rows = len(columns[0])
     for row, texts in enumerate(zip(*columns, strict=True)):
-        if rows > ROWS and row == ROWS // 2:
+        if rows > MOST_ROWS and row == MOST_ROWS // 2:
             table.add_row("...")
-        if rows <= ROWS or row < ROWS // 2 or row >= rows - ROWS // 2:
+        if rows <= MOST_ROWS or row < MOST_ROWS // 2 or row >= rows - MOST_ROWS // 2:
             table.add_row(*texts)
 
 
 def indices(outcome: Outcome, out: Console) -> None:
-    """Show how much of the scatter of each answer every key makes, if the study asks for it."""
+    """Show the indices of Sobol of each answer for every key, if the study requests them."""
     from rich import box
     from rich.table import Table
 
@@ -140,15 +140,15 @@ def indices(outcome: Outcome, out: Console) -> None:
         for place, axis in enumerate(outcome.study.axes):
             first = (one.first_order, one.first_order_low, one.first_order_high)
             total = (one.total_order, one.total_order_low, one.total_order_high)
-            told = (
+            levels = (
                 f"{level[place]:.3f} ({low[place]:.3f} to {high[place]:.3f})" for level, low, high in (first, total)
             )
-            table.add_row(one.answer, axis.key.removeprefix("problem."), *told)
+            table.add_row(one.answer, axis.key.removeprefix("problem."), *levels)
     out.print(table)
 
 
 def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
-    """Show how far the numbers can be trusted, each statement once."""
+    """Show the validity notes, each statement once."""
     if outcome.validity:
         out.print("How far this can be trusted:")
     for note in outcome.validity:
@@ -156,7 +156,7 @@ def notes(outcome: Outcome | FitOutcome, out: Console) -> None:
 
 
 def marching(*, hidden: bool) -> Callable[[Iterable[T], int | None], Iterator[T]]:
-    """Return what shows a bar over the points of a path."""
+    """Return a function that shows a bar over the points of a path."""
     return functools.partial(_marching, hidden=hidden)
 
 
@@ -164,8 +164,8 @@ def _marching(states: Iterable[T], total: int | None, *, hidden: bool) -> Iterat
     yield from tracked(states, total, hidden=hidden, doing="marching")
 
 
-class _Spoken:
-    """A text that is asked for whenever it is drawn."""
+class _LiveText:
+    """A text that is computed whenever it is drawn."""
 
     def __init__(self, text: Callable[[], str]) -> None:
         self.text = text
@@ -182,20 +182,20 @@ def tracked(
     doing: str | Callable[[], str] = "solving",
     before: int = 0,
 ) -> Iterator[T]:
-    """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if nobody watches.
+    """Yield `points` under a bar with the time left, on stderr; no bar if `hidden` or if stderr is no terminal.
 
     Parameters
     ----------
     points
-        What is waited for.
+        The items that arrive one by one.
     total
-        How many there will be; None if nobody knows: then the bar counts.
+        Their number; None if unknown: then the bar counts.
     hidden
         Whether nothing is shown.
     doing
-        What is said beside the bar; of a single point only if it changes, and a function tells it.
+        Text beside the bar; of a single point only if it is a function, whose text may change.
     before
-        How many of them are known already: they do not count in the time that is left.
+        Number of those that are already known: they do not count in the time left.
     """
     alone = total is not None and total < 2
     if hidden or (alone and not callable(doing)) or not sys.stderr.isatty():
@@ -212,7 +212,7 @@ def tracked(
         TimeRemainingColumn,
     )
 
-    text = RenderableColumn(_Spoken(doing)) if callable(doing) else TextColumn("{task.description}")
+    text = RenderableColumn(_LiveText(doing)) if callable(doing) else TextColumn("{task.description}")
     bar = (text, BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     one = (SpinnerColumn(), text, TimeElapsedColumn())
     with Progress(*(one if alone else bar), console=console(stderr=True), transient=True) as progress:

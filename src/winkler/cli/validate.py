@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.saying import read_or_not, say, say_json
+from winkler.cli.streams import until_closed, write_json, write_line
 
 if TYPE_CHECKING:
     from rich.table import Table
 
     from winkler.study.batch.outcome import Verdict
-    from winkler.study.ledger.ledger import Entry
-    from winkler.study.ledger.ledger_page import Chapter
+    from winkler.study.ledger.ledger import LedgerEntry
+    from winkler.study.ledger.ledger_page import LedgerChapter
 
 __all__ = ["validate", "verdict_json", "verdict_table"]
 
-MISSED = 1
+NUMBER_MISSED = 1
 
 
 def validate(
@@ -47,22 +47,22 @@ def validate(
     hidden = quiet or as_json or as_markdown
     entries = list(terminal.tracked(ledger(files), len(files), hidden=hidden))
     if as_json:
-        say_json([_json(entry) for entry in entries])
+        write_json([_json(entry) for entry in entries])
     elif as_markdown:
-        say(markdown(entries, "" if cases else remarks()), end="")
+        write_line(markdown(entries, "" if cases else remarks()), end="")
     else:
         _print([entry for entry in entries if not (quiet and entry.passed)], entries, quiet)
-    return 0 if all(entry.passed for entry in entries) else MISSED
+    return 0 if all(entry.passed for entry in entries) else NUMBER_MISSED
 
 
-@read_or_not()
-def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
+@until_closed()
+def _print(selected: list[LedgerEntry], entries: list[LedgerEntry], quiet: bool) -> None:
     from winkler.cli.terminal import console
     from winkler.study.ledger.ledger_page import chapters
 
     out = console()
     parts = chapters(entries)
-    for entry in shown:
+    for entry in selected:
         out.print(f"{entry.name} ({entry.grade}): {entry.title}", soft_wrap=True)
         out.print(f"  {entry.source}", soft_wrap=True)
         if entry.failure:
@@ -72,11 +72,11 @@ def _print(shown: list[Entry], entries: list[Entry], quiet: bool) -> None:
     if not quiet:
         out.print(_summary(parts))
         missed = sum(part.missed for part in parts)
-        told = f"{missed} missed" if missed else "none missed"
-        out.print(f"{len(entries)} cases, {sum(part.numbers for part in parts)} numbers, {told}.")
+        missed_text = f"{missed} missed" if missed else "none missed"
+        out.print(f"{len(entries)} cases, {sum(part.numbers for part in parts)} numbers, {missed_text}.")
 
 
-def _summary(parts: tuple[Chapter, ...]) -> Table:
+def _summary(parts: tuple[LedgerChapter, ...]) -> Table:
     """Return a table of all physics: cases, numbers, and which case agrees least."""
     from rich import box
     from rich.table import Table
@@ -90,41 +90,43 @@ def _summary(parts: tuple[Chapter, ...]) -> Table:
 
 
 def verdict_table(verdicts: Iterable[Verdict], points: Iterable[str] = ()) -> Table:
-    """Return a table of what was expected and what came out, with the points of a sweep as text."""
+    """Return a table of expected and computed numbers, with the points of a sweep as text."""
     from rich import box
     from rich.table import Table
 
-    from winkler.study.ledger.ledger_page import digits, shown, where
+    from winkler.study.ledger.ledger_page import digits, number_text, where
 
     table = Table("quantity", "expected", "got", "digits", "tolerance", "", box=box.SIMPLE_HEAD)
-    shown_points = iter(points)
+    point_texts = iter(points)
     for verdict in verdicts:
-        point = next(shown_points, "")
-        asked = verdict.expectation
-        got, passed = shown(verdict.got, asked), "passed" if verdict.passed else "missed"
+        point = next(point_texts, "")
+        item = verdict.expectation
+        got, passed = number_text(verdict.got, item), "passed" if verdict.passed else "missed"
         digits_ = digits(verdict).removesuffix(" (missed)")
-        table.add_row(where(asked, point), shown(asked.expected, asked), got, digits_, f"{asked.tolerance:.0e}", passed)
+        table.add_row(
+            where(item, point), number_text(item.expected, item), got, digits_, f"{item.tolerance:.0e}", passed
+        )
     return table
 
 
 def verdict_json(verdict: Verdict) -> dict[str, Any]:
     """Return a verdict for JSON."""
-    asked = verdict.expectation
+    item = verdict.expectation
     return {
         "index": list(verdict.index),
-        "quantity": asked.quantity,
-        "place": dict(asked.place),
-        "unit": asked.unit,
-        "expected": asked.expected,
+        "quantity": item.quantity,
+        "place": dict(item.place),
+        "unit": item.unit,
+        "expected": item.expected,
         "got": verdict.got,
         "deviation": verdict.deviation,
-        "tolerance": asked.tolerance,
+        "tolerance": item.tolerance,
         "digits": verdict.digits,
         "passed": verdict.passed,
     }
 
 
-def _json(entry: Entry) -> dict[str, Any]:
+def _json(entry: LedgerEntry) -> dict[str, Any]:
     return {
         "case": entry.name,
         "title": entry.title,

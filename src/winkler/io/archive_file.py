@@ -22,11 +22,11 @@ END_SIZE, LOCATOR_SIZE, END64_SIZE = 22, 20, 56
 """their sizes in bytes,"""
 LIST_SIZE, LIST_SIZE64 = slice(12, 16), slice(40, 48)
 """and where they state the size of the list of contents."""
-COMMENT = 2**16
-DENSEST = 1_000_000
-"""Of members that are packed in more bytes, the true size is found by unpacking them piece by piece."""
-PIECE = 2**20
-METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+COMMENT_BYTES = 2**16
+TRUSTED_PACKED_BYTES = 1_000_000
+"""Members packed in more bytes are unpacked piece by piece, to count their true size."""
+PIECE_BYTES = 2**20
+COMPRESSIONS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
 """How members may be packed; `zipfile` unpacks those of other methods at once, whatever size they state."""
 
 
@@ -67,11 +67,11 @@ def archive(
     with sentence_of(name, wrong, remedy), contextlib.ExitStack() as closed:
         file: BinaryIO = io.BytesIO(source) if isinstance(source, bytes) else closed.enter_context(source.open("rb"))
         listed = _list_size(file)
-        if listed > min(LIST_BYTES, 1000 * members + COMMENT):
+        if listed > min(LIST_BYTES, 1000 * members + COMMENT_BYTES):
             raise InvalidInput(f"{name}: the archive has a list of contents of {listed / 1e6:.1f} MB; {remedy}.")
         pack = closed.enter_context(zipfile.ZipFile(file))
         inside = pack.infolist()
-        if any(one.compress_type not in METHODS for one in inside):
+        if any(one.compress_type not in COMPRESSIONS for one in inside):
             raise zipfile.BadZipFile("it is packed by another method than deflating")
         total = sum(one.file_size for one in inside)
         if len(inside) > members or total > size:
@@ -85,7 +85,7 @@ def archive(
 def _list_size(file: BinaryIO) -> int:
     """Return the size of the list of contents [bytes] as the end of the archive states it; it is read at once."""
     end = file.seek(0, os.SEEK_END)
-    file.seek(max(0, end - COMMENT - END_SIZE - LOCATOR_SIZE - END64_SIZE))
+    file.seek(max(0, end - COMMENT_BYTES - END_SIZE - LOCATOR_SIZE - END64_SIZE))
     tail = file.read()
     file.seek(0)
     plain = len(tail) - END_SIZE  # without a comment
@@ -117,7 +117,7 @@ def refuse_large_archive(path: Path, remedy: str) -> None:
     """
     with archive(path, path, remedy=remedy) as pack:
         for stated in pack.infolist():
-            if stated.compress_size > DENSEST:
+            if stated.compress_size > TRUSTED_PACKED_BYTES:
                 with pack.open(stated) as file:
-                    while file.read(PIECE):
+                    while file.read(PIECE_BYTES):
                         pass

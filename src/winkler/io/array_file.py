@@ -1,7 +1,4 @@
-"""Arrays in files of NumPy's kinds ``.npy`` and ``.npz``: read within limits; replaced once the new file is whole.
-
-The version of winkler stands beside them.
-"""
+"""Arrays in NumPy files, ``.npy`` and ``.npz``: read within limits, written atomically with winkler's version."""
 
 from __future__ import annotations
 
@@ -25,13 +22,13 @@ from winkler.numerics.types import Array
 
 __all__ = ["read_arrays", "version_of", "write_arrays"]
 
-MEMBERS = 1000
+MOST_ARRAYS = 1000
 """Arrays in a file."""
-HEADER = 20_000
-"""Bytes of what an array states of itself; numpy refuses more than 10,000, once it has read them."""
-TEXTS = 1000
+HEADER_BYTES = 20_000
+"""Bytes of the header of an array; numpy refuses more than 10,000, but only after it has read them."""
+TEXT_ITEM_BYTES = 1000
 """Bytes of a text in an array."""
-LISTED = 20
+MOST_NAMES_LISTED = 20
 """Names of arrays in a sentence."""
 
 
@@ -46,18 +43,18 @@ def read_arrays(
 ) -> dict[str, Array]:
     """Return the arrays of a file by their names; that of an ``.npy`` file has the name "".
 
-    Their shapes and types stand before them, and are looked at first; objects and tables of records are not read.
+    Shapes and types, which stand in the headers, are checked first; objects and tables of records are refused.
 
     Parameters
     ----------
     path : str or path
-        The file, whose beginning tells its kind.
+        The file; its first bytes state its kind.
     words : iterable of str
-        Those that are wanted, where the file has them.
+        Names of the arrays to read, where the file has them.
     needed : iterable of str, optional
-        Those that it must have.
+        Names that the file must have.
     missing : str, optional
-        What to say if it has not.
+        Error text if one of them is missing.
     wrong, remedy : str
         As for `winkler.io.foreign.sentence_of`.
 
@@ -75,27 +72,27 @@ def read_arrays(
         if not is_archive(path):
             with path.open("rb") as file:
                 return {"": _array(file, path.stat().st_size, path, "it")}
-        with archive(path, path, wrong=wrong, remedy=remedy, members=MEMBERS) as pack:
+        with archive(path, path, wrong=wrong, remedy=remedy, members=MOST_ARRAYS) as pack:
             names = {one.filename.removesuffix(".npy"): one for one in pack.infolist()}
             absent = [word for word in needed if word not in names]
             if absent:
-                listed = ", ".join(list(names)[:LISTED]) or "nothing"
+                listed = ", ".join(list(names)[:MOST_NAMES_LISTED]) or "nothing"
                 raise InvalidInput(f"{path}: it holds {listed}; {missing or f'{wrong} without {absent[0]}; {remedy}'}.")
-            found, left = {}, MOST_NUMBERS
+            contents, left = {}, MOST_NUMBERS
             for word in words:
                 if word in names:
                     with pack.open(names[word]) as stored:
-                        found[word] = _array(stored, names[word].file_size, path, f"'{word}'", left)
-                    left -= found[word].size
-            return found
+                        contents[word] = _array(stored, names[word].file_size, path, f"'{word}'", left)
+                    left -= contents[word].size
+            return contents
 
 
 def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_NUMBERS) -> Array:
-    """Return one array, if what it states of itself fits the size of the file [bytes] and the numbers left."""
+    """Return one array, if its stated shape and type fit the size of the file [bytes] and the numbers still allowed."""
     form = np.lib.format
     if not size:
         raise ValueError("No data left in file")
-    start = io.BytesIO(file.read(HEADER))
+    start = io.BytesIO(file.read(HEADER_BYTES))
     form_version = form.read_magic(start)
     if form_version not in ((1, 0), (2, 0)):
         raise ValueError(f"the version {form_version[0]}.{form_version[1]} of the format is for tables of records")
@@ -103,7 +100,11 @@ def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_N
     count = math.prod(shape)
     if kind.hasobject:
         raise ValueError("Object arrays cannot be loaded")
-    if count > left or count * kind.itemsize > 8 * MOST_NUMBERS or (kind.kind in "SU" and kind.itemsize > TEXTS):
+    if (
+        count > left
+        or count * kind.itemsize > 8 * MOST_NUMBERS
+        or (kind.kind in "SU" and kind.itemsize > TEXT_ITEM_BYTES)
+    ):
         raise InvalidInput(
             f"{path}: {name} has the shape {shape} and the type {kind}; at most {MOST_NUMBERS} numbers are read from "
             "a file: save a part of it."
@@ -115,16 +116,16 @@ def _array(file: IO[bytes], size: int, path: Path, name: str, left: int = MOST_N
 
 
 def version_of(path: Path) -> str:
-    """Return the version of winkler that wrote a file; empty if the file does not tell."""
+    """Return the version of winkler that wrote a file; empty if the file does not state it."""
     try:
-        found = read_arrays(path, ("version",), wrong="no version can be read from it", remedy="give another file")
+        contents = read_arrays(path, ("version",), wrong="no version can be read from it", remedy="give another file")
     except InvalidInput:
         return ""
-    return str(found.get("version", ""))
+    return str(contents.get("version", ""))
 
 
 def write_arrays(path: Path, arrays: Mapping[str, Array]) -> None:
-    """Write arrays beside the file, and then put them in its place.
+    """Write arrays to a temporary file, which then replaces the file.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The state of many contacts, saved and restored: a discrete element run that stops may go on with its memory."""
+"""Save and restore the state of many contacts, so that a stopped discrete element run can be continued."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from winkler.problems.particles.contacts import Contacts
 __all__ = ["read_contacts", "write_contacts"]
 
 FORMAT = "winkler contacts 1"
-WORDS = tuple(field.name for field in dataclasses.fields(Contacts))
+FIELD_NAMES = tuple(field.name for field in dataclasses.fields(Contacts))
 
 
 def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
@@ -25,7 +25,7 @@ def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
     Parameters
     ----------
     contacts : Contacts
-        What is saved, to the last digit.
+        The contacts; saved to the last digit.
     path : str or path
         The file, of NumPy's kind ``.npz``.
 
@@ -39,7 +39,7 @@ def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
         If there is no such folder, or its file cannot be written.
     """
     path = Path(path)
-    write_arrays(path, {"format": np.array(FORMAT), **{word: getattr(contacts, word) for word in WORDS}})
+    write_arrays(path, {"format": np.array(FORMAT), **{word: getattr(contacts, word) for word in FIELD_NAMES}})
     return path
 
 
@@ -61,19 +61,19 @@ def read_contacts(path: str | os.PathLike[str]) -> Contacts:
     InvalidInput
         If the file is missing, broken, or of another kind.
     """
-    found = read_arrays(
+    arrays = read_arrays(
         path,
-        ("format", *WORDS),
-        needed=("format", *WORDS),
+        ("format", *FIELD_NAMES),
+        needed=("format", *FIELD_NAMES),
         wrong="no contacts can be read from it",
         remedy="give a file of write_contacts",
     )
-    if str(found.pop("format")) != FORMAT:
+    if str(arrays.pop("format")) != FORMAT:
         raise InvalidInput(f"{path}: it does not hold '{FORMAT}'; give one that this version wrote.")
-    spoilt = [word for word, content in found.items() if content.dtype.kind != "f" or not np.isfinite(content).all()]
+    spoilt = [word for word, content in arrays.items() if content.dtype.kind != "f" or not np.isfinite(content).all()]
     if spoilt:
         raise InvalidInput(
             f"{path}: no contacts can be read from it ({spoilt[0]} holds what is no finite number); give a file of "
             "write_contacts."
         )
-    return Contacts(**found)
+    return Contacts(**arrays)

@@ -30,10 +30,10 @@ from winkler.values import value
 
 __all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
-HDF5 = ".h5"
-PACKED = (".jpk", ".zip")
-"""Archives, which may begin with something else: their list of contents stands at the end."""
-HEIGHTS = ("height (measured)", "height (piezo)")
+HDF5_ENDING = ".h5"
+ARCHIVE_ENDINGS = (".jpk", ".zip")
+"""Endings of archives, which may not begin as such: their list of contents stands at the end."""
+HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
 
 @value
@@ -44,7 +44,7 @@ class PlacedCurve:
     ----------
     curve : ForceCurve
     x, y : float
-        Place on the sample [m]; nan where the file does not tell it.
+        Place on the sample [m]; nan where the file does not state it.
     """
 
     curve: ForceCurve
@@ -79,7 +79,7 @@ def read_curve(
         A text table (see `winkler.io.tables.curve_table`), or with the extra ``afm`` what afmformats reads: JPK,
         NT-MDT, Asylum, AFM workshop and others.
     spring_constant : float, optional
-        Of the cantilever [N/m]; needed where the file does not tell it, and taken in place of the file's.
+        Of the cantilever [N/m]; needed where the file does not state it; replaces that of the file.
     sensitivity : float, optional
         Deflection per volt [m/V], likewise.
 
@@ -92,12 +92,12 @@ def read_curve(
     InvalidInput
         If the file cannot be read, needs a number that it does not hold, or holds several curves.
     """
-    found = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity))
-    if len(found) > 1:
-        raise InvalidInput(f"{path}: the file holds {len(found)} curves; take read_curves(path), it yields them all.")
-    if not found:
+    curves = list(read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity))
+    if len(curves) > 1:
+        raise InvalidInput(f"{path}: the file holds {len(curves)} curves; take read_curves(path), it yields them all.")
+    if not curves:
         raise InvalidInput(f"{path}: the file holds no curve; give another one.")
-    return found[0].curve
+    return curves[0].curve
 
 
 def read_curves(
@@ -110,10 +110,10 @@ def read_curves(
     InvalidInput
         As `read_curve`; of a curve within a map the message names its number.
     """
-    for found in _each(path, spring_constant, sensitivity):
-        if isinstance(found, UnreadCurve):
-            raise InvalidInput(found.reason)
-        yield found
+    for placed_or_unread in _each(path, spring_constant, sensitivity):
+        if isinstance(placed_or_unread, UnreadCurve):
+            raise InvalidInput(placed_or_unread.reason)
+        yield placed_or_unread
 
 
 def try_curves(
@@ -136,7 +136,7 @@ def _each(
             curve = read_curve_table(file, spring_constant=spring_constant, sensitivity=sensitivity)
             yield PlacedCurve(curve, np.nan, np.nan)
             return
-        yield from _by_afmformats(file, spring_constant, sensitivity)
+        yield from _curves_of_afmformats(file, spring_constant, sensitivity)
 
 
 def _is_text(path: Path) -> bool:
@@ -146,20 +146,20 @@ def _is_text(path: Path) -> bool:
     return b"\x00" not in start and not start.startswith((b"PK", b"\x89HDF"))
 
 
-def _by_afmformats(
+def _curves_of_afmformats(
     path: Path, spring_constant: float | None, sensitivity: float | None
 ) -> Iterator[PlacedCurve | UnreadCurve]:
     try:
         import afmformats
         from afmformats.errors import AFMFileFormatError, MissingMetaDataError
     except ImportError:
-        if _is_text(path):  # a table that lacks something: its reader says what
+        if _is_text(path):  # an incomplete table: its reader raises what is missing
             read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
         raise InvalidInput(
             f"{path}: this is no text table, and the formats of microscopes need the extra afm; install it with "
             "pip install 'winkler[afm]'."
         ) from None
-    known = {
+    overrides = {
         key: number for key, number in (("spring constant", spring_constant), ("sensitivity", sensitivity)) if number
     }
     if path.suffix.lower() not in afmformats.formats.supported_extensions:
@@ -169,18 +169,18 @@ def _by_afmformats(
             f"{path}: files that end in '{path.suffix}' are not known; tables and "
             f"{', '.join(afmformats.formats.supported_extensions)} are read."
         )
-    with _silent(path):
+    with _quiet_and_limited(path):
         try:
             _refuse_large_contents(path)
-            group = afmformats.load_data(path, meta_override=known)
+            group = afmformats.load_data(path, meta_override=overrides)
         except MissingMetaDataError:
             raise InvalidInput(
-                f"{path}: the file does not tell how a deflection becomes a force; give spring_constant in N/m and "
+                f"{path}: the file does not state how a deflection becomes a force; give spring_constant in N/m and "
                 "sensitivity in m/V."
             ) from None
         except (InvalidInput, MemoryError):
             raise
-        except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise all sorts
+        except (Exception, AFMFileFormatError) as error:  # its readers of ten formats raise many types
             if _is_text(path):
                 read_curve_table(path, spring_constant=spring_constant, sensitivity=sensitivity)
             hint = "; unpack the archive first" if path.suffix.lower() == ".zip" else ""
@@ -189,8 +189,11 @@ def _by_afmformats(
         name = path.name if len(group) == 1 else f"{path.name}, curve {number}"
         try:
             remedy = "save it anew, or as a table"
-            with sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)), _silent(path):
-                placed = _translated(data, name, str(path), known)
+            with (
+                sentence_of(path, f"'{name}' cannot be read", remedy, also=(AFMFileFormatError,)),
+                _quiet_and_limited(path),
+            ):
+                placed = _translated(data, name, str(path), overrides)
         except InvalidInput as error:
             yield UnreadCurve(name, str(error))
         else:
@@ -198,28 +201,28 @@ def _by_afmformats(
 
 
 @contextlib.contextmanager
-def _silent(path: Path) -> Iterator[None]:
-    """Keep back what afmformats tells: it prints a traceback of every reader that it tries in vain, and warns.
+def _quiet_and_limited(path: Path) -> Iterator[None]:
+    """Suppress the log and the warnings of afmformats, and limit its memory.
 
-    It also gets a limit of memory.
+    It logs a traceback of every reader that it tries in vain.
     """
-    chatter = logging.getLogger("afmformats")
-    level = chatter.level
-    chatter.setLevel(logging.CRITICAL)
+    logger = logging.getLogger("afmformats")
+    level = logger.level
+    logger.setLevel(logging.CRITICAL)
     try:
         with quiet(), limited_memory(path):
             yield
     finally:
-        chatter.setLevel(level)
+        logger.setLevel(level)
 
 
 def _refuse_large_contents(path: Path) -> None:
     """Refuse a file that unpacks to more than can be read."""
     remedy = "save a part of the map, or single curves"
-    if is_archive(path) or (path.suffix.lower().startswith(PACKED) and zipfile.is_zipfile(path)):
+    if is_archive(path) or (path.suffix.lower().startswith(ARCHIVE_ENDINGS) and zipfile.is_zipfile(path)):
         refuse_large_archive(path, remedy)
     refuse_other_files(path)
-    if path.suffix.lower() == HDF5:
+    if path.suffix.lower() == HDF5_ENDING:
         import h5py
 
         sizes: list[int] = []
@@ -232,25 +235,26 @@ def _refuse_large_contents(path: Path) -> None:
             )
 
 
-def _translated(data: Any, name: str, shown: str, known: dict[str, float]) -> PlacedCurve:
+def _translated(data: Any, name: str, file_name: str, overrides: dict[str, float]) -> PlacedCurve:
     """Return a curve of afmformats in the signs of winkler."""
     columns = set(data.columns)
-    height = next((word for word in HEIGHTS if word in columns), "")
+    height = next((word for word in HEIGHT_COLUMNS if word in columns), "")
     if not height or "force" not in columns:
         raise InvalidInput(
-            f"{shown}: '{name}' has the columns {', '.join(sorted(columns))}; a force curve needs a height and a force."
+            f"{file_name}: '{name}' has the columns {', '.join(sorted(columns))}; a force curve needs a height and a "
+            "force."
         )
     position, force = -np.asarray(data[height], dtype=float), np.asarray(data["force"], dtype=float)
-    stiffness = known.get("spring constant", data.metadata.get("spring constant", np.nan))
+    stiffness = overrides.get("spring constant", data.metadata.get("spring constant", np.nan))
     if not stiffness > 0.0:
         raise InvalidInput(
-            f"{shown}: the file does not tell the spring constant of the cantilever, by which the depth is found; give "
-            "spring_constant in N/m."
+            f"{file_name}: the file does not state the spring constant of the cantilever, from which the depth "
+            "follows; give spring_constant in N/m."
         )
     segment = np.asarray(data["segment"]) if "segment" in columns else np.zeros(0)
     time = np.asarray(data["time"], dtype=float) if "time" in columns else np.zeros(0)
     try:
         curve = ForceCurve(position, force, float(stiffness), time, directions(position, force, segment), name)
     except InvalidInput as error:
-        raise InvalidInput(f"{shown}: {error}") from None
+        raise InvalidInput(f"{file_name}: {error}") from None
     return PlacedCurve(curve, *(float(data.metadata.get(f"position {axis}", np.nan)) for axis in "xy"))

@@ -1,7 +1,7 @@
-"""Errors while a file is read: whatever is raised becomes one sentence of `InvalidInput`.
+"""Errors raised while a file is read, turned into one sentence of `InvalidInput`.
 
-Every reader of files stands behind `reader`, and every call of a library that reads one behind `sentence_of`: what the
-readers of forty formats raise is not known beforehand.
+Every function that reads a file is decorated by `reader`, and every call of a library that reads one is wrapped by
+`sentence_of`, since libraries for some forty formats raise errors of many types.
 """
 
 from __future__ import annotations
@@ -16,24 +16,24 @@ from typing import ParamSpec, TypeVar
 
 from winkler.errors import InvalidInput, WinklerError
 
-__all__ = ["quiet", "reader", "reason_of", "sentence_of", "shown"]
+__all__ = ["path_text", "quiet", "reader", "reason_of", "sentence_of"]
 
 P = ParamSpec("P")
 R = TypeVar("R")
 
-LONGEST = 200
-"""Characters of a reason, and of a path in a sentence."""
+MOST_CHARACTERS = 200
+"""Longest reason, and longest path, in a sentence [characters]."""
 
 
-def shown(path: object) -> str:
-    """Return a path as a sentence names it: the end of one that is very long."""
+def path_text(path: object) -> str:
+    """Return a path for a sentence; of a very long one only its end."""
     text = os.fspath(path) if isinstance(path, str | os.PathLike) else repr(path)
     text = str(text)
-    return text if len(text) <= LONGEST else f"...{text[-LONGEST:]}"
+    return text if len(text) <= MOST_CHARACTERS else f"...{text[-MOST_CHARACTERS:]}"
 
 
 def reason_of(error: BaseException) -> str:
-    r"""Return what an error says in its first line, or what kind of error it is.
+    r"""Return the first line of an error's message, or its type if it has none.
 
     Examples
     --------
@@ -42,7 +42,7 @@ def reason_of(error: BaseException) -> str:
     """
     message = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
     line = next((line.strip() for line in message.splitlines() if line.strip()), "")
-    line = "".join(letter if letter.isprintable() else "?" for letter in line[:LONGEST]).rstrip(".")
+    line = "".join(letter if letter.isprintable() else "?" for letter in line[:MOST_CHARACTERS]).rstrip(".")
     kind = type(error).__name__
     if not line:
         return kind
@@ -67,32 +67,32 @@ def sentence_of(path: object, wrong: str, remedy: str, *, also: tuple[type[BaseE
     Raises
     ------
     InvalidInput
-        For everything but an error of winkler, which says already what is wrong.
+        For every error but those of winkler, which already are such sentences.
     """
     try:
         yield
     except WinklerError:
         raise
-    except MemoryError as error:  # numpy's own words tell how much is needed
+    except MemoryError as error:  # numpy's message states how much is needed
         raise InvalidInput(
-            f"{shown(path)}: it does not fit the memory of this machine ({reason_of(error)}); save a part of it."
+            f"{path_text(path)}: it does not fit the memory of this machine ({reason_of(error)}); save a part of it."
         ) from None
     except BaseException as error:
         if not isinstance(error, (Exception, *also)):
             raise
-        raise InvalidInput(f"{shown(path)}: {wrong} ({reason_of(error)}); {remedy}.") from None
+        raise InvalidInput(f"{path_text(path)}: {wrong} ({reason_of(error)}); {remedy}.") from None
 
 
 @contextlib.contextmanager
 def quiet() -> Iterator[None]:
-    """Keep back the warnings of a library: they are about its own code, not about the file."""
+    """Suppress the warnings of a library: they concern its own code, not the file."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         yield
 
 
 def reader(what: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
-    """Let a function that reads the file ``path`` raise nothing but one sentence.
+    """Decorate a function that reads the file ``path``, so that it raises one sentence and nothing else.
 
     Parameters
     ----------
@@ -100,15 +100,15 @@ def reader(what: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
         What it reads: "a profile".
     """
 
-    def guarded(read: Callable[P, R]) -> Callable[P, R]:
+    def decorated(read: Callable[P, R]) -> Callable[P, R]:
         place = list(inspect.signature(read).parameters).index("path")
 
         @functools.wraps(read)
-        def reading(*args: P.args, **kwargs: P.kwargs) -> R:
+        def wrapped(*args: P.args, **kwargs: P.kwargs) -> R:
             path = kwargs.get("path", args[place] if place < len(args) else "")
             with sentence_of(path, f"{what} cannot be read from it", "check the file, or save it anew"):
                 return read(*args, **kwargs)
 
-        return reading
+        return wrapped
 
-    return guarded
+    return decorated

@@ -1,7 +1,7 @@
-"""HDF5 files: whether what stands in one leads to other files.
+"""HDF5 files: refuse those whose contents lie in other files.
 
-Links, raw data and virtual data of an HDF5 file may lie in any file that this user can read; whoever sees what is read
-would see that file.
+External links, raw data and virtual data sets of an HDF5 file may point to any file that the user can read, whose
+contents would then be disclosed with the results.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ __all__ = ["refuse_other_files"]
 
 
 def refuse_other_files(path: Path) -> None:
-    """Refuse an HDF5 file whose contents lie in other files; files of other formats are passed.
+    """Refuse an HDF5 file whose contents lie in other files; files of other formats are accepted.
 
     Raises
     ------

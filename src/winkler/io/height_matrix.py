@@ -1,4 +1,4 @@
-"""Heights in plain files: a matrix as text, NPY or NPZ, and what such a file tells of its size and unit."""
+"""Height matrices in plain files, as text, NPY or NPZ, with lengths and unit where the file states them."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ from winkler.limits import MOST_NUMBERS
 from winkler.numerics.types import Array
 from winkler.units import comma_hint, comma_readings, quantity
 
-__all__ = ["FoundMap", "array_map", "refuse_many", "text_map"]
+__all__ = ["MapContents", "array_map", "refuse_many", "text_map"]
 
-FEWEST = 4
-"""Rows and columns of a map; less is a scan, or a list of points."""
+LEAST_ROWS = 4
+"""Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
 MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null"})
 HEADER = re.compile(r"#\s*+(Width|Height|Value units)\s*+:(.*)")
-"""What Gwyddion writes above a matrix."""
+"""Header lines that Gwyddion writes above a matrix."""
 
 
-class FoundMap(NamedTuple):
-    """What was found in a file.
+class MapContents(NamedTuple):
+    """Height map as a file holds it.
 
     Parameters
     ----------
     heights
         In the unit below; nan where missing.
     lengths
-        Of both directions, in the same unit; nan where the file does not tell.
+        Of both directions, in the same unit; nan where the file does not state them.
     unit
-        Of lengths; empty where the file does not tell.
+        Of lengths; empty where the file does not state it.
     periodic
-        Whether the file says that the map is repeated for ever.
+        Whether the file states that the map is periodic.
     """
 
     heights: Array
@@ -47,7 +47,7 @@ class FoundMap(NamedTuple):
     periodic: bool = False
 
 
-def text_map(path: Path) -> FoundMap:
+def text_map(path: Path) -> MapContents:
     """Return the matrix of a text: one row in a line, cells apart by tabs, semicolons, commas or spaces.
 
     Raises
@@ -64,11 +64,11 @@ def text_map(path: Path) -> FoundMap:
         raise InvalidInput(f"{path}: there are no heights; give a matrix, one row in a line.")
     separator = next((mark for mark in ("\t", ";", ",") if mark in numbered[0][1].strip()), None)
     heights = _rows(path, numbered, separator)
-    if min(heights.shape) < FEWEST:
+    if min(heights.shape) < LEAST_ROWS:
         rows, columns = heights.shape
         raise InvalidInput(
             f"{path}: a matrix of {rows} x {columns} numbers is no map, but a scan or a list of points; give "
-            f"at least {FEWEST} x {FEWEST} heights."
+            f"at least {LEAST_ROWS} x {LEAST_ROWS} heights."
         )
     if np.isnan(heights[0, 0]) and all(_counts(line) for line in (heights[0, 1:], heights[1:, 0])):
         raise InvalidInput(
@@ -79,7 +79,7 @@ def text_map(path: Path) -> FoundMap:
         for axis, word in enumerate(("Height", "Width")):  # rows are counted along the first direction
             if word in stated:
                 lengths[axis] = quantity(stated[word], unit, what=f"{path}, '# {word}'")
-    return FoundMap(heights, lengths, unit)
+    return MapContents(heights, lengths, unit)
 
 
 def _rows(path: Path, numbered: list[tuple[int, str]], separator: str | None) -> Array:
@@ -138,7 +138,7 @@ def _height(cell: str, where: str) -> float:
     raise InvalidInput(f"{where}: '{cell[:40]}' is no height; give a matrix of numbers, nan where they are missing.")
 
 
-def array_map(path: Path) -> FoundMap:
+def array_map(path: Path) -> MapContents:
     """Return the array of an NPY file, or ``heights``, ``lengths``, ``unit`` and ``periodic`` of an NPZ file.
 
     Raises
@@ -146,7 +146,7 @@ def array_map(path: Path) -> FoundMap:
     InvalidInput
         If the file is none, or holds no map.
     """
-    found = read_arrays(
+    arrays = read_arrays(
         path,
         ("heights", "lengths", "unit", "periodic"),
         needed=("heights",),
@@ -154,21 +154,21 @@ def array_map(path: Path) -> FoundMap:
         wrong="this is no file of numpy's arrays",
         remedy="write it by numpy.save",
     )
-    if "" in found:
-        return FoundMap(_numbers(found[""], "heights", path), np.full(2, np.nan), "")
-    heights = _numbers(found["heights"], "heights", path)
-    lengths = _numbers(found.get("lengths", np.full(2, np.nan)), "lengths", path)
-    unit, periodic = found.get("unit", np.array("")), found.get("periodic", np.array(False))
+    if "" in arrays:
+        return MapContents(_numbers(arrays[""], "heights", path), np.full(2, np.nan), "")
+    heights = _numbers(arrays["heights"], "heights", path)
+    lengths = _numbers(arrays.get("lengths", np.full(2, np.nan)), "lengths", path)
+    unit, periodic = arrays.get("unit", np.array("")), arrays.get("periodic", np.array(False))
     if unit.size != 1 or unit.dtype.kind != "U":
         raise InvalidInput(f"{path}: 'unit' is of the type {unit.dtype} and the shape {unit.shape}; write one text.")
     if periodic.size > 2 or periodic.dtype.kind not in "biu":
         raise InvalidInput(f"{path}: 'periodic' is of the type {periodic.dtype}; write True or False.")
     if lengths.shape != (2,):
         raise InvalidInput(f"{path}: 'lengths' have the shape {lengths.shape}; write both lengths of the map.")
-    return FoundMap(heights, lengths, str(unit.item()), bool(np.any(periodic)))
+    return MapContents(heights, lengths, str(unit.item()), bool(np.any(periodic)))
 
 
-def _numbers(found: Array, word: str, path: Path) -> Array:
-    if found.dtype.kind not in "fiu":
-        raise InvalidInput(f"{path}: '{word}' are of the type {found.dtype}; write real numbers.")
-    return found.astype(float, copy=False)
+def _numbers(content: Array, word: str, path: Path) -> Array:
+    if content.dtype.kind not in "fiu":
+        raise InvalidInput(f"{path}: '{word}' are of the type {content.dtype}; write real numbers.")
+    return content.astype(float, copy=False)

@@ -11,7 +11,7 @@ from winkler.errors import InvalidInput, suggest
 from winkler.io.archive_file import is_archive, refuse_large_archive
 from winkler.io.foreign import quiet, sentence_of
 from winkler.io.hdf5_file import refuse_other_files
-from winkler.io.height_matrix import FoundMap, refuse_many
+from winkler.io.height_matrix import MapContents, refuse_many
 from winkler.io.memory import limited_memory
 from winkler.io.text_file import refuse_large
 from winkler.limits import FILE_BYTES
@@ -20,7 +20,7 @@ from winkler.numerics.types import Array
 __all__ = ["instrument_map"]
 
 
-def instrument_map(path: Path, channel: str) -> FoundMap:
+def instrument_map(path: Path, channel: str) -> MapContents:
     """Return a height map of an instrument's file.
 
     Parameters
@@ -28,7 +28,7 @@ def instrument_map(path: Path, channel: str) -> FoundMap:
     path : path
         The file.
     channel : str
-        Which one of several; the first if empty.
+        Name of one of several channels; the first if empty.
 
     Raises
     ------
@@ -51,13 +51,15 @@ def instrument_map(path: Path, channel: str) -> FoundMap:
         reader = open_topography(str(path))
         # other signals than heights have a pair of units, or none
         maps = [
-            found
-            for found in reader.channels
-            if found.dim == 2 and found.is_height_channel is not False and isinstance(found.unit, str | None)
+            signal
+            for signal in reader.channels
+            if signal.dim == 2 and signal.is_height_channel is not False and isinstance(signal.unit, str | None)
         ]
-        names = [str(found.name) for found in maps]
+        names = [str(signal.name) for signal in maps]
         if not maps:
-            raise InvalidInput(f"{path}: it holds no height map, but {_held(reader.channels)}; give another file.")
+            raise InvalidInput(
+                f"{path}: it holds no height map, but {_contents_text(reader.channels)}; give another file."
+            )
         if channel and channel not in names:
             raise InvalidInput(
                 f"{path}: there is no height channel {channel!r}{suggest(channel, names)}; give one of "
@@ -65,14 +67,14 @@ def instrument_map(path: Path, channel: str) -> FoundMap:
             )
         chosen = maps[names.index(channel) if channel else 0]
         refuse_many(math.prod(int(n) for n in chosen.nb_grid_pts or (0,)), path)
-        found = chosen.topography()
-        heights: Array = np.ma.filled(np.ma.asarray(found.heights(), dtype=float), np.nan)
-        sizes = [np.nan if size is None else float(size) for size in found.physical_sizes or (None, None)]
-    return FoundMap(heights, np.array(sizes), str(found.unit or ""), bool(found.is_periodic))
+        surface = chosen.topography()
+        heights: Array = np.ma.filled(np.ma.asarray(surface.heights(), dtype=float), np.nan)
+        sizes = [np.nan if size is None else float(size) for size in surface.physical_sizes or (None, None)]
+    return MapContents(heights, np.array(sizes), str(surface.unit or ""), bool(surface.is_periodic))
 
 
-def _held(channels: list[object]) -> str:
-    lines = sum(getattr(found, "dim", 0) == 1 for found in channels)
+def _contents_text(channels: list[object]) -> str:
+    lines = sum(getattr(signal, "dim", 0) == 1 for signal in channels)
     if not channels:
         return "nothing"
     return "line scans" if lines == len(channels) else "other signals"

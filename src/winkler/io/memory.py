@@ -1,9 +1,9 @@
-"""How much memory a library may take to read a file, which it unpacks on its own and without end.
+"""Limit of the memory that a library may use to read a file.
 
-The space of addresses of this process is limited while the library reads (setrlimit, RLIMIT_AS); beyond it, what is
-asked for is refused, and the library raises `MemoryError`.  The limit is one of the process: while one thread reads,
-all of them share it, and processes that are started meanwhile inherit it.  Linux alone says how much is in use and
-holds the limit; elsewhere there is none.
+The address space of this process is limited while the library reads (setrlimit, RLIMIT_AS); allocations beyond the
+limit fail, and the library raises `MemoryError`.  The limit is one of the process: while one thread reads,
+all of them share it, and processes started meanwhile inherit it.  Only Linux states how much is in
+use and enforces the limit; on other systems there is none.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.limits import READING_BYTES
 
 __all__ = ["limited_memory"]
 
-IN_USE = Path("/proc/self/statm")
-"""Begins with the pages of the space of addresses (proc(5))."""
+MEMORY_FILE = Path("/proc/self/statm")
+"""Its first number is the size of the address space in pages (proc(5))."""
 
 
 class _Limit:
@@ -29,7 +29,7 @@ class _Limit:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._readers, self._before, self._set = 0, 0, 0
+        self._readers, self._previous_limit, self._own_limit = 0, 0, 0
 
     def __enter__(self) -> None:
         with self._lock:
@@ -44,26 +44,26 @@ class _Limit:
                 self._restore()
 
     def _lower(self) -> None:
-        self._set = 0
+        self._own_limit = 0
         if sys.platform != "linux":
             return
         import resource
 
         soft, hard = resource.getrlimit(resource.RLIMIT_AS)
         with contextlib.suppress(OSError, ValueError):
-            most = int(IN_USE.read_text().split()[0]) * resource.getpagesize() + READING_BYTES
-            if soft == resource.RLIM_INFINITY or most < soft:  # never above what is given
-                resource.setrlimit(resource.RLIMIT_AS, (most, hard))
-                self._before, self._set = soft, most
+            address_limit = int(MEMORY_FILE.read_text().split()[0]) * resource.getpagesize() + READING_BYTES
+            if soft == resource.RLIM_INFINITY or address_limit < soft:  # never above the limit in force
+                resource.setrlimit(resource.RLIMIT_AS, (address_limit, hard))
+                self._previous_limit, self._own_limit = soft, address_limit
 
     def _restore(self) -> None:
-        if not self._set:
+        if not self._own_limit:
             return
         import resource
 
         soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-        if soft == self._set:  # else somebody else has set another one
-            resource.setrlimit(resource.RLIMIT_AS, (self._before, hard))
+        if soft == self._own_limit:  # else other code has set another limit
+            resource.setrlimit(resource.RLIMIT_AS, (self._previous_limit, hard))
 
 
 _LIMIT = _Limit()
@@ -71,7 +71,7 @@ _LIMIT = _Limit()
 
 @contextlib.contextmanager
 def limited_memory(path: object) -> Iterator[None]:
-    """Limit what is allocated inside.
+    """Limit the memory allocated inside the block.
 
     Parameters
     ----------
@@ -88,6 +88,6 @@ def limited_memory(path: object) -> Iterator[None]:
             yield
     except MemoryError:
         raise InvalidInput(
-            f"{shown(path)}: to read it takes more memory than there is, or than the {READING_BYTES / 1e6:.0f} MB that "
-            "a file may take; save a part of it."
+            f"{path_text(path)}: to read it takes more memory than there is, or than the {READING_BYTES / 1e6:.0f} MB "
+            "that a file may take; save a part of it."
         ) from None

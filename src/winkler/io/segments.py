@@ -1,4 +1,4 @@
-"""Segments of a measurement: on which the tip goes in, is held, and comes out."""
+"""Directions of the segments of a measurement: the tip approaches, is held, or retracts."""
 
 from __future__ import annotations
 
@@ -9,38 +9,38 @@ from winkler.numerics.types import Array
 
 __all__ = ["directions"]
 
-FEWEST = 10
-"""Of a segment of fewer points the ends are compared."""
-FAR = 0.5
-"""Part of the whole way that no tip goes while it is held."""
-TRAVELLED = 0.1
-"""Part of the whole way between the ends of such a segment, if the tip is not held."""
-STEADY = 0.02
-"""A force that changes by less of itself is held."""
+LEAST_POINTS = 10
+"""Of a segment with fewer points only its ends are compared."""
+LARGEST_HOLD_TRAVEL = 0.5
+"""Largest travel during a hold, relative to the whole travel."""
+LEAST_TRAVEL = 0.1
+"""Least travel between the ends of a short segment in which the tip is not held, relative to the whole travel."""
+STEADY_FORCE_CHANGE = 0.02
+"""Relative change of force below which the force is held."""
 
 
 def directions(position: Array, force: Array, segment: Array) -> Array:
-    """Return +1 where the tip goes in, 0 where it is held and -1 where it comes out ``(n,)``.
+    """Return +1 where the tip approaches, 0 where it is held and -1 where it retracts ``(n,)``.
 
     Parameters
     ----------
     position, force : ndarray, (n,)
         [m] and [N].
     segment : ndarray, (n,) or (0,)
-        A number for each segment: what most of its points do counts for all of them.  Where segments are not told, the
-        tip is held if the force or the position is steady all the time, and nothing is returned otherwise.
+        The segment number of each point; the direction of most points of a segment holds for all of them.  Without
+        segments the tip is held if the force or the position is constant throughout, else an empty array is returned.
     """
     if not segment.size:
-        steady = np.ptp(force) < STEADY * np.abs(force).max(initial=0.0) or np.ptp(position) == 0.0
+        steady = np.ptp(force) < STEADY_FORCE_CHANGE * np.abs(force).max(initial=0.0) or np.ptp(position) == 0.0
         return np.full(position.size, HELD) if steady else np.zeros(0)
-    found, direction, span = np.zeros(0), np.empty(position.size), np.ptp(position)
+    point_directions, direction, span = np.zeros(0), np.empty(position.size), np.ptp(position)
     for part in np.unique(segment):
-        (mine,) = np.nonzero(segment == part)
-        travel = position[mine[-1]] - position[mine[0]]
-        if mine.size < FEWEST or abs(travel) > FAR * span:
-            direction[mine] = np.sign(travel) if abs(travel) > TRAVELLED * span else HELD
+        (inside,) = np.nonzero(segment == part)
+        travel = position[inside[-1]] - position[inside[0]]
+        if inside.size < LEAST_POINTS or abs(travel) > LARGEST_HOLD_TRAVEL * span:
+            direction[inside] = np.sign(travel) if abs(travel) > LEAST_TRAVEL * span else HELD
             continue
-        found = found if found.size else found_directions(position, force)
-        ways = [np.count_nonzero(found[mine] == way) for way in (IN, OUT, HELD)]
-        direction[mine] = (IN, OUT, HELD)[int(np.argmax(ways))]
+        point_directions = point_directions if point_directions.size else found_directions(position, force)
+        counts = [np.count_nonzero(point_directions[inside] == sign) for sign in (IN, OUT, HELD)]
+        direction[inside] = (IN, OUT, HELD)[int(np.argmax(counts))]
     return direction

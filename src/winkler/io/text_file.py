@@ -1,7 +1,6 @@
-"""Files that are given: whether they are there, what is written in them, or one sentence that says why not.
+"""Text files: check that they exist, and read them within limits of size.
 
-Devices, pipes and sockets are refused, since some of them never end; nothing is read beyond the sizes of
-`winkler.limits`.
+Devices, pipes and sockets are refused, since some of them never end; the limits stand in `winkler.limits`.
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ import re
 from pathlib import Path
 
 from winkler.errors import InvalidInput, suggest
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
 __all__ = ["content_of", "existing", "head_of", "headed", "lines_of", "refuse_large"]
@@ -24,12 +23,12 @@ SIGNATURES = (
     (b"PK\x03\x04", SPREADSHEET),
     (b"\xd0\xcf\x11", SPREADSHEET),
 )
-NEIGHBOURS = 1000
-"""Among so many files of a folder a similar name is looked for."""
+MOST_NAMES_COMPARED = 1000
+"""Files of a folder among which a similar name is searched."""
 
 
 def existing(given: str | os.PathLike[str], what: str) -> Path:
-    """Return the path of a file that is there, with contents.
+    """Return the path of an existing regular file.
 
     Parameters
     ----------
@@ -48,45 +47,45 @@ def existing(given: str | os.PathLike[str], what: str) -> Path:
     path = Path(given)
     try:
         if path.is_dir():
-            raise InvalidInput(f"{shown(path)}: this is a folder; give a file in it.")
+            raise InvalidInput(f"{path_text(path)}: this is a folder; give a file in it.")
         if not path.exists():
-            raise InvalidInput(f"{shown(path)}: {_not_there(path)}; give the path of {what}.")
+            raise InvalidInput(f"{path_text(path)}: {_not_there(path)}; give the path of {what}.")
         if not path.is_file():
-            raise InvalidInput(f"{shown(path)}: this is not a file with contents; give the path of {what}.")
+            raise InvalidInput(f"{path_text(path)}: this is not a file with contents; give the path of {what}.")
     except OSError as error:
-        raise InvalidInput(f"{shown(path)}: the file cannot be read ({error.strerror}).") from None
+        raise InvalidInput(f"{path_text(path)}: the file cannot be read ({error.strerror}).") from None
     return path
 
 
-def content_of(path: Path, most: int, *, start: int | None = None) -> bytes:
-    """Return the bytes of a file that is there.
+def content_of(path: Path, most_bytes: int, *, start: int | None = None) -> bytes:
+    """Return the bytes of an existing file.
 
     Parameters
     ----------
     path : path
         As `existing` returns it.
-    most : int
-        Bytes; a file with more is refused, whatever size it states.
+    most_bytes : int
+        Largest size; a larger file is refused, whatever size it states.
     start : int, optional
-        Only so many bytes from the beginning.
+        Number of bytes to read from the beginning; all if None.
 
     Raises
     ------
     InvalidInput
         If the file cannot be read, or is too large.
     """
-    refuse_large(path, most)
+    refuse_large(path, most_bytes)
     try:
         with path.open("rb") as file:
-            content = file.read(start if start is not None else most + 1)
+            content = file.read(start if start is not None else most_bytes + 1)
     except OSError as error:
-        raise InvalidInput(f"{shown(path)}: the file cannot be read ({error.strerror}); check it.") from None
-    if len(content) > most:  # it states less, as files of the system do
-        raise InvalidInput(f"{shown(path)}: its contents are too much; at most {most / 1e6:.0f} MB are read.")
+        raise InvalidInput(f"{path_text(path)}: the file cannot be read ({error.strerror}); check it.") from None
+    if len(content) > most_bytes:  # it states less, as files of the system do
+        raise InvalidInput(f"{path_text(path)}: its contents are too much; at most {most_bytes / 1e6:.0f} MB are read.")
     return content
 
 
-def refuse_large(path: Path, most: int) -> None:
+def refuse_large(path: Path, most_bytes: int) -> None:
     """Refuse a file of more than so many bytes.
 
     Raises
@@ -96,9 +95,11 @@ def refuse_large(path: Path, most: int) -> None:
     try:
         size = path.stat().st_size
     except OSError as error:
-        raise InvalidInput(f"{shown(path)}: the file cannot be read ({error.strerror}); check it.") from None
-    if size > most:
-        raise InvalidInput(f"{shown(path)}: {size / 1e6:.0f} MB are too much; at most {most / 1e6:.0f} MB are read.")
+        raise InvalidInput(f"{path_text(path)}: the file cannot be read ({error.strerror}); check it.") from None
+    if size > most_bytes:
+        raise InvalidInput(
+            f"{path_text(path)}: {size / 1e6:.0f} MB are too much; at most {most_bytes / 1e6:.0f} MB are read."
+        )
 
 
 def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
@@ -120,7 +121,7 @@ def lines_of(given: str | os.PathLike[str], needs: str) -> list[str]:
     content = content_of(path, TEXT_BYTES)
     count = content.count(b"\n") + content.count(b"\r")
     if count > TEXT_LINES and count - content.count(b"\r\n") > TEXT_LINES:
-        raise InvalidInput(f"{shown(path)}: the file has more than {TEXT_LINES} lines; thin it out.")
+        raise InvalidInput(f"{path_text(path)}: the file has more than {TEXT_LINES} lines; thin it out.")
     return _decoded(path, content, needs)
 
 
@@ -136,7 +137,7 @@ def head_of(given: str | os.PathLike[str], needs: str) -> list[str]:
     content = content_of(path, TEXT_BYTES, start=HEADER_LETTERS)
     if len(content) == HEADER_LETTERS:  # cut somewhere, perhaps within a letter
         content = content[: max(content.rfind(b"\n"), content.rfind(b"\r")) + 1] or content
-    return headed(_decoded(path, content, needs), shown(path))
+    return headed(_decoded(path, content, needs), path_text(path))
 
 
 def headed(lines: list[str], where: str) -> list[str]:
@@ -168,21 +169,21 @@ def _decoded(path: Path, content: bytes, needs: str) -> list[str]:
     """Return the lines of a text; every line by itself, so that no second copy of all is needed."""
     for start, what in SIGNATURES:
         if content.startswith(start):
-            raise InvalidInput(f"{shown(path)}: {what}.")
+            raise InvalidInput(f"{path_text(path)}: {what}.")
     if re.search(rb"[\x00-\x08\x0e-\x1f\x7f]", content):
-        raise InvalidInput(f"{shown(path)}: the file is not a text; save the table as text (CSV) in UTF-8.")
+        raise InvalidInput(f"{path_text(path)}: the file is not a text; save the table as text (CSV) in UTF-8.")
     raw = content.removeprefix(b"\xef\xbb\xbf").splitlines()
     try:
         lines = [line.decode("utf-8") for line in raw]
     except UnicodeDecodeError:
         lines = [line.decode("latin-1") for line in raw]
     if not any(line.strip() for line in lines):
-        raise InvalidInput(f"{shown(path)}: the file is empty; it needs {needs}.")
+        raise InvalidInput(f"{path_text(path)}: the file is empty; it needs {needs}.")
     return lines
 
 
 def _not_there(path: Path) -> str:
     if not path.parent.is_dir():
-        return f"there is no folder '{shown(path.parent)}'"
-    near = [item.name for item in itertools.islice(path.parent.iterdir(), NEIGHBOURS)]
-    return f"there is no such file in '{shown(path.parent)}'{suggest(path.name, near)}"
+        return f"there is no folder '{path_text(path.parent)}'"
+    near = [item.name for item in itertools.islice(path.parent.iterdir(), MOST_NAMES_COMPARED)]
+    return f"there is no such file in '{path_text(path.parent)}'{suggest(path.name, near)}"

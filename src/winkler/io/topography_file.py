@@ -9,7 +9,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.io.foreign import reader
-from winkler.io.height_matrix import FoundMap, array_map, text_map
+from winkler.io.height_matrix import MapContents, array_map, text_map
 from winkler.io.instrument_map import instrument_map
 from winkler.io.text_file import content_of, existing
 from winkler.limits import TEXT_BYTES
@@ -18,20 +18,20 @@ from winkler.units import scale
 
 __all__ = ["read_topography"]
 
-ARRAYS = {".npy", ".npz"}
-TEXTS = {".csv", ".txt", ".asc", ".dat", ".tsv"}
-IMPOSSIBLE = 1e4
-"""Root mean square height over the size of a pixel: only mistaken units reach it."""
-TRIED = 400_000
-"""Lines of a text that every reader of SurfaceTopography is tried on; some take 20 us for a line."""
-UNKNOWN = (float("nan"), float("nan"))
+ARRAY_ENDINGS = {".npy", ".npz"}
+TEXT_ENDINGS = {".csv", ".txt", ".asc", ".dat", ".tsv"}
+STEEPEST_RATIO = 1e4
+"""Largest ratio of root mean square height to pixel size; only mistaken units exceed it."""
+MOST_LINES_TRIED = 400_000
+"""Most lines of a text on which the readers of SurfaceTopography are tried; some take 20 us per line."""
+UNSTATED_LENGTHS = (float("nan"), float("nan"))
 
 
 @reader("a height map")
 def read_topography(
     path: str | os.PathLike[str],
     *,
-    lengths: tuple[float, float] = UNKNOWN,
+    lengths: tuple[float, float] = UNSTATED_LENGTHS,
     unit: str = "",
     periodic: bool = False,
     channel: str = "",
@@ -42,17 +42,17 @@ def read_topography(
     ----------
     path : str or path
         A matrix of heights as text (tabs, semicolons, commas or spaces between them; every line runs along the second
-        direction; nan or nothing where heights are missing; what Gwyddion writes above a matrix is understood); an NPY
+        direction; nan or nothing where heights are missing; header lines of Gwyddion above a matrix are read); an NPY
         file; an NPZ file with ``heights`` and, if they are known, ``lengths``, ``unit`` and ``periodic``; or a file
         that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf, Zygo, Gwyddion, X3P and some forty
         others.
     lengths : tuple of float, optional
-        Lengths [m] of the map; needed where the file does not tell them, and taken before what it tells.
+        Lengths [m] of the map; needed where the file does not state them; they replace those of the file.
     unit : str, optional
         Of heights, and of lengths that stand in the file as well, where it does not name one: any unit of length, such
         as um or nm.
     periodic : bool, optional
-        Whether the map is repeated for ever, where the file does not say so.
+        Whether the map is periodic, where the file does not state it.
     channel : str, optional
         Which one of several height channels of an instrument's file; the first by default.
 
@@ -63,53 +63,54 @@ def read_topography(
     Raises
     ------
     InvalidInput
-        If the file cannot be read or holds no height map, or a length or unit is missing or told twice.
+        If the file cannot be read or holds no height map, or a length or unit is missing or given twice.
     """
     file = existing(path, "a height map")
     suffix = file.suffix.lower()
-    if channel and suffix in ARRAYS:
+    if channel and suffix in ARRAY_ENDINGS:
         raise InvalidInput(f"{file}: an array has no channels; leave channel {channel!r} out.")
-    if suffix in ARRAYS:
-        found = array_map(file)
-    elif suffix in TEXTS and not channel:
+    if suffix in ARRAY_ENDINGS:
+        contents = array_map(file)
+    elif suffix in TEXT_ENDINGS and not channel:
         try:
-            found = text_map(file)
+            contents = text_map(file)
         except InvalidInput as reason:
-            found = _other_text(file, reason)
+            contents = _other_text(file, reason)
     else:
-        found = instrument_map(file, channel)
+        contents = instrument_map(file, channel)
     if not isinstance(unit, str):
         raise InvalidInput(f"{file}: unit is {unit!r}; give the name of a unit, such as 'nm' or 'um'.")
-    if not (found.unit or unit):
-        raise InvalidInput(f"{file}: the file does not tell the unit of its heights; give unit, such as 'nm' or 'um'.")
-    parts = _parts(found.unit or unit, f"{file}, unit")
-    if unit and _parts(unit, "unit") != parts:
-        raise InvalidInput(f"{file}: the file tells its unit, {found.unit}, and {unit} was given; leave it out.")
+    if not (contents.unit or unit):
+        raise InvalidInput(f"{file}: the file does not state the unit of its heights; give unit, such as 'nm' or 'um'.")
+    per_metre = _per_metre(contents.unit or unit, f"{file}, unit")
+    if unit and _per_metre(unit, "unit") != per_metre:
+        raise InvalidInput(f"{file}: the file states its unit, {contents.unit}, and {unit} was given; leave it out.")
     try:
-        given = np.array(lengths, dtype=float)
+        stated_lengths = np.array(lengths, dtype=float)
     except (TypeError, ValueError):
-        given = np.empty(0)
-    if given.shape != (2,):
+        stated_lengths = np.empty(0)
+    if stated_lengths.shape != (2,):
         raise InvalidInput(f"{file}: lengths are {lengths!r}; give two numbers, in m.")
-    known = np.where(np.isnan(given), found.lengths / parts, given)
-    if np.any(np.isnan(known)):
-        raise InvalidInput(f"{file}: the file does not tell the lengths of the map; give lengths=(x, y) in m.")
+    map_lengths = np.where(np.isnan(stated_lengths), contents.lengths / per_metre, stated_lengths)
+    if np.any(np.isnan(map_lengths)):
+        raise InvalidInput(f"{file}: the file does not state the lengths of the map; give lengths=(x, y) in m.")
     try:
-        rough = Topography(found.heights / parts, known, periodic or found.periodic)
+        rough = Topography(contents.heights / per_metre, map_lengths, periodic or contents.periodic)
     except InvalidInput as error:
         raise InvalidInput(f"{file}: {error}") from None
     steep = rough.rms_height / min(rough.pixel)
-    if steep > IMPOSSIBLE:
+    if steep > STEEPEST_RATIO:
         raise InvalidInput(
             f"{file}: heights of {rough.rms_height:.3g} m on pixels of {min(rough.pixel):.3g} m are no surface; check "
-            f"the unit of the heights ({found.unit or unit}), and the lengths ({known[0]:.3g} m, {known[1]:.3g} m)."
+            f"the unit of the heights ({contents.unit or unit}), and the lengths ({map_lengths[0]:.3g} m, "
+            f"{map_lengths[1]:.3g} m)."
         )
     return rough
 
 
-def _other_text(file: Path, reason: InvalidInput) -> FoundMap:
-    """Return the map of a text that is no matrix: some instruments write texts too; else say why it is no matrix."""
-    if content_of(file, TEXT_BYTES).count(b"\n") > TRIED:
+def _other_text(file: Path, reason: InvalidInput) -> MapContents:
+    """Return the map of a text that is no matrix: some instruments write texts too; else raise why it is no matrix."""
+    if content_of(file, TEXT_BYTES).count(b"\n") > MOST_LINES_TRIED:
         raise reason
     try:
         return instrument_map(file, "")
@@ -117,7 +118,7 @@ def _other_text(file: Path, reason: InvalidInput) -> FoundMap:
         raise reason from None
 
 
-def _parts(unit: str, what: str) -> float:
-    """Return how many of a unit are a metre: dividing by it rounds once."""
-    scale(unit, "m", what=what)  # says what is wrong with the unit
+def _per_metre(unit: str, what: str) -> float:
+    """Return the number of units in a metre: dividing by it rounds once."""
+    scale(unit, "m", what=what)  # raises what is wrong with the unit
     return scale("m", unit)

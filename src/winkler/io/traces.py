@@ -1,7 +1,7 @@
-"""Reference traces: a solution over its steps, in a text that tells a discrete element code all it must agree on.
+"""Reference traces: a solution over its steps as text, for comparison with a discrete element code.
 
-The file begins with the conventions in words, then says what was asked, with every number in SI units, then holds the
-columns, to the last digit.  CSV has the first two as comments; YAML has them as entries.
+The file states the conventions in words, then all inputs in SI units, then the columns, to the last
+digit.  CSV has the first two as comments; YAML has them as entries.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from winkler.numerics.types import Array
 from winkler.problems.answer import is_solution
 from winkler.vocabulary import GLOSSARY, Word, word
 
-__all__ = ["CONVENTIONS", "asked_of", "write_trace"]
+__all__ = ["CONVENTIONS", "inputs_of", "write_trace"]
 
 CONVENTIONS = (
     "SI units throughout: m, s, kg, N, Pa, J, rad.",
@@ -34,7 +34,7 @@ CONVENTIONS = (
     "interface; JKR pull-off is 3/2 pi w R.",
     "Energies are in J since the beginning; dissipation never falls.",
 )
-ENDINGS = (".csv", ".yaml", ".yml")
+TRACE_ENDINGS = (".csv", ".yaml", ".yml")
 
 
 def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
@@ -43,10 +43,10 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
     Parameters
     ----------
     solution
-        An answer with a problem and with columns over its steps, such as those of Indentation, Tangential, Impact,
+        A solution with its problem and with columns over its steps, such as that of Indentation, Tangential, Impact,
         AdhesiveCycle and ElasticPlasticParticle.
     path : str or path
-        The file; its ending, ``.csv``, ``.yaml`` or ``.yml``, says which kind.
+        The file; its ending, ``.csv``, ``.yaml`` or ``.yml``, states its kind.
 
     Returns
     -------
@@ -55,10 +55,10 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     InvalidInput
-        If the ending is another one, the file cannot be written, or what is given has no columns.
+        If the ending is another one, the file cannot be written, or the solution has no columns.
     """
     path = Path(path)
-    if path.suffix not in ENDINGS:
+    if path.suffix not in TRACE_ENDINGS:
         raise InvalidInput(f"{path}: the ending is {path.suffix!r}; give .csv, .yaml or .yml.")
     if not is_solution(solution):
         raise InvalidInput(f"write_trace: a {type(solution).__name__} is no solution; give what solve() returns.")
@@ -67,51 +67,51 @@ def write_trace(solution: Any, path: str | os.PathLike[str]) -> Path:
         raise InvalidInput(
             f"write_trace: the {type(solution).__name__} has no columns; solve for many loads, or along a path."
         )
-    asked = asked_of(solution.problem)
-    text = _csv(columns, asked) if path.suffix == ".csv" else _yaml(columns, asked)
+    inputs = inputs_of(solution.problem)
+    text = _csv(columns, inputs) if path.suffix == ".csv" else _yaml(columns, inputs)
     write_whole_text(path, text)
     return path
 
 
-def asked_of(problem: Any) -> dict[str, str | float]:
-    """Return what a problem holds, by dotted names; rows are left out."""
-    return dict(_told(problem, "problem"))
+def inputs_of(problem: Any) -> dict[str, str | float]:
+    """Return the inputs of a problem by dotted names; arrays are left out."""
+    return dict(_inputs(problem, "problem"))
 
 
 def _columns(solution: Any) -> dict[str, tuple[Word, Array]]:
-    """Return the columns over the steps, with what the glossary says; those in the plane as two."""
-    found: dict[str, tuple[Word, Array]] = {}
+    """Return the columns over the steps with their glossary entries; a vector in the plane gives two columns."""
+    rows: dict[str, tuple[Word, Array]] = {}
     steps = 0
     for field in dataclasses.fields(solution):
         numbers = getattr(solution, field.name)
         if not isinstance(numbers, np.ndarray) or numbers.dtype.kind != "f":
             continue
         steps = steps or len(numbers)
-        known = word(type(solution).__name__, field.name)
+        entry = word(type(solution).__name__, field.name)
         if numbers.shape == (steps,):
-            found[field.name] = (known, numbers)
+            rows[field.name] = (entry, numbers)
         elif numbers.shape == (steps, 2):
-            found[f"{field.name}_x"], found[f"{field.name}_y"] = (known, numbers[:, 0]), (known, numbers[:, 1])
-    return found
+            rows[f"{field.name}_x"], rows[f"{field.name}_y"] = (entry, numbers[:, 0]), (entry, numbers[:, 1])
+    return rows
 
 
-def _told(thing: Any, name: str) -> Iterator[tuple[str, str | float]]:
-    """Yield what a value holds, by dotted names; rows are columns or paths and are left out."""
+def _inputs(thing: Any, name: str) -> Iterator[tuple[str, str | float]]:
+    """Yield the texts and numbers of a value by dotted names; arrays are left out."""
     if dataclasses.is_dataclass(thing) and not isinstance(thing, type):
         yield name, type(thing).__name__
         for field in dataclasses.fields(thing):
-            yield from _told(getattr(thing, field.name), f"{name}.{field.name}")
+            yield from _inputs(getattr(thing, field.name), f"{name}.{field.name}")
     elif isinstance(thing, bool | str):
         yield name, str(thing)
     elif isinstance(thing, int | float):
         yield name, float(thing)
     elif isinstance(thing, tuple):
         for index, part in enumerate(thing):
-            yield from _told(part, f"{name}.{index}")
+            yield from _inputs(part, f"{name}.{index}")
 
 
 def _number(number: float) -> str:
-    """Return a number to the last digit, so that every reader takes it for one."""
+    """Return a number to the last digit, in a form that every YAML reader takes for a number."""
     if math.isnan(number):
         return ".nan"
     if math.isinf(number):
@@ -120,31 +120,33 @@ def _number(number: float) -> str:
     return (mantissa if "." in mantissa else f"{mantissa}.0") + e + exponent
 
 
-def _unit(known: Word) -> str:
-    return known.unit or "-"
+def _unit(entry: Word) -> str:
+    return entry.unit or "-"
 
 
-def _csv(columns: dict[str, tuple[Word, Array]], asked: dict[str, str | float]) -> str:
+def _csv(columns: dict[str, tuple[Word, Array]], inputs: dict[str, str | float]) -> str:
     lines = [f"# {sentence}" for sentence in CONVENTIONS]
-    for name, thing in asked.items():
-        known = GLOSSARY.get(name.rpartition(".")[2])
-        told = f"{_number(thing)} {known.unit if known and known.unit else ''}" if isinstance(thing, float) else thing
-        lines.append(f"# {name} = {told}".rstrip())
-    lines += [f"# {name} [{_unit(known)}]: {known.meaning}" for name, (known, _) in columns.items()]
-    lines.append(", ".join(f"{name} [{_unit(known)}]" for name, (known, _) in columns.items()))
+    for name, thing in inputs.items():
+        entry = GLOSSARY.get(name.rpartition(".")[2])
+        content = (
+            f"{_number(thing)} {entry.unit if entry and entry.unit else ''}" if isinstance(thing, float) else thing
+        )
+        lines.append(f"# {name} = {content}".rstrip())
+    lines += [f"# {name} [{_unit(entry)}]: {entry.meaning}" for name, (entry, _) in columns.items()]
+    lines.append(", ".join(f"{name} [{_unit(entry)}]" for name, (entry, _) in columns.items()))
     rows = zip(*(numbers.tolist() for _, numbers in columns.values()), strict=True)
     lines += [", ".join(map(repr, row)) for row in rows]
     return "\n".join(lines) + "\n"
 
 
-def _yaml(columns: dict[str, tuple[Word, Array]], asked: dict[str, str | float]) -> str:
+def _yaml(columns: dict[str, tuple[Word, Array]], inputs: dict[str, str | float]) -> str:
     lines = ["conventions:", *(f"  - {json.dumps(sentence)}" for sentence in CONVENTIONS), "asked:"]
-    for name, thing in asked.items():
+    for name, thing in inputs.items():
         lines.append(f"  {json.dumps(name)}: {_number(thing) if isinstance(thing, float) else json.dumps(thing)}")
     lines.append("columns:")
-    for name, (known, numbers) in columns.items():
+    for name, (entry, numbers) in columns.items():
         lines.append(f"  {name}:")
-        lines.append(f"    unit: {json.dumps(_unit(known))}")
-        lines.append(f"    meaning: {json.dumps(known.meaning)}")
+        lines.append(f"    unit: {json.dumps(_unit(entry))}")
+        lines.append(f"    meaning: {json.dumps(entry.meaning)}")
         lines.append(f"    values: [{', '.join(map(_number, numbers.tolist()))}]")
     return "\n".join(lines) + "\n"

@@ -1,8 +1,8 @@
-r"""Fields inside the bodies as VTK files, for ParaView, VisIt, PyVista and their kin.
+r"""Fields inside the bodies as VTK files, for ParaView, VisIt and PyVista.
 
 The file is a structured grid in VTK's legacy format, version 3.0, binary (big-endian doubles): no library is needed to
-write it, and every reader of VTK knows it.  Lengths are in m and stresses in Pa; x and y lie along the surface, z
-points into the first body.  An axisymmetric field is turned about the axis:
+write it, and every VTK program reads it.  Lengths are in m and stresses in Pa; x and y lie along the surface, z
+points into the first body.  An axisymmetric field is rotated about the axis:
 
 .. math:: \sigma_{xx} = \sigma_r\cos^2\varphi + \sigma_\theta\sin^2\varphi, \quad
           \sigma_{xy} = (\sigma_r - \sigma_\theta)\sin\varphi\cos\varphi, \quad
@@ -29,12 +29,12 @@ from winkler.problems.conduction.fields import CurrentFields, HeatFields
 
 __all__ = ["write_vtk"]
 
-MERIDIAN = 1
-"""Turned so often, an axisymmetric field is the half-plane y = 0, x > 0."""
+HALF_PLANE = 1
+"""Number of planes for which an axisymmetric field is written in the half-plane y = 0, x > 0 alone."""
 
 
 class _Grid(NamedTuple):
-    """Points `(3, n1, n2, n3)`, and what is known there: scalars, vectors `(3, ...)` and tensors `(3, 3, ...)`."""
+    """Points `(3, n1, n2, n3)`, and the fields there: scalars, vectors `(3, ...)` and tensors `(3, 3, ...)`."""
 
     points: Array
     scalars: dict[str, Array]
@@ -46,7 +46,7 @@ def write_vtk(
     fields: SubsurfaceFields | BodyFields | CurrentFields | HeatFields,
     path: str | os.PathLike[str],
     *,
-    around: int = MERIDIAN,
+    around: int = HALF_PLANE,
 ) -> Path:
     """Write fields inside the bodies as a structured grid of VTK.
 
@@ -83,30 +83,30 @@ def write_vtk(
     target = Path(path)
     if target.suffix != ".vtk":
         raise InvalidInput(f"{target}: the ending is {target.suffix!r}; give .vtk.")
-    if isinstance(around, bool) or not isinstance(around, int) or not (around == MERIDIAN or 3 <= around <= 10_000):
+    if isinstance(around, bool) or not isinstance(around, int) or not (around == HALF_PLANE or 3 <= around <= 10_000):
         raise InvalidInput(f"write_vtk: around is {around!r}; give 1 for a half-plane, or 3 to 10000 planes.")
     if isinstance(fields, SubsurfaceFields | CurrentFields | HeatFields):
         affordable("write_vtk", "places", (around + 1) * np.broadcast(fields.r, fields.z).size, MOST_NUMBERS // 16)
     match fields:
         case SubsurfaceFields():
-            grid = _turned(_stressed(fields), around)
+            grid = _revolved(_stress_half_plane(fields), around)
         case CurrentFields() | HeatFields():
-            grid = _turned(_flowing(fields), around)
+            grid = _revolved(_flux_half_plane(fields), around)
         case BodyFields():
-            if around != MERIDIAN:
+            if around != HALF_PLANE:
                 raise InvalidInput("write_vtk: BodyFields are not axisymmetric; leave around out.")
-            grid = _body(fields)
+            grid = _body_grid(fields)
         case _:
             raise InvalidInput(
                 f"write_vtk: a {type(fields).__name__} is no field inside the bodies; give what restore(solution, r, "
                 "z), restore_body(solution, x, y, z) or restore_conduction(solution, r, z) returns."
             )
     with written_whole(target) as file:
-        file.write(_written(grid, type(fields).__name__))
+        file.write(_file_content(grid, type(fields).__name__))
     return target
 
 
-class _Meridian(NamedTuple):
+class _HalfPlane(NamedTuple):
     """A field in the half-plane of r and z: radial, hoop, axial and shear parts `(n1, n2)`."""
 
     r: Array
@@ -123,9 +123,9 @@ def _plane(numbers: Array) -> Array:
     return numbers.reshape(numbers.shape + (1,) * (2 - numbers.ndim))
 
 
-def _stressed(fields: SubsurfaceFields) -> _Meridian:
+def _stress_half_plane(fields: SubsurfaceFields) -> _HalfPlane:
     sign = np.where(_plane(fields.z) < 0.0, -1.0, 1.0)  # each body has its own axis, into itself
-    return _Meridian(
+    return _HalfPlane(
         _plane(fields.r),
         _plane(fields.z),
         {"von_mises": _plane(fields.von_mises), "max_shear": _plane(fields.max_shear)},
@@ -141,44 +141,44 @@ def _stressed(fields: SubsurfaceFields) -> _Meridian:
     )
 
 
-def _flowing(fields: CurrentFields | HeatFields) -> _Meridian:
+def _flux_half_plane(fields: CurrentFields | HeatFields) -> _HalfPlane:
     r, z = (_plane(numbers) for numbers in np.broadcast_arrays(fields.r, fields.z))
     if isinstance(fields, CurrentFields):
         density = (_plane(fields.radial_current_density), _plane(fields.axial_current_density))
         scalars = {"potential": _plane(fields.potential), "temperature": _plane(fields.temperature)}
-        return _Meridian(r, z, scalars, {"current_density": density}, {})
+        return _HalfPlane(r, z, scalars, {"current_density": density}, {})
     flux = (_plane(fields.radial_heat_flux), _plane(fields.axial_heat_flux))
-    return _Meridian(r, z, {"excess_temperature": _plane(fields.excess_temperature)}, {"heat_flux": flux}, {})
+    return _HalfPlane(r, z, {"excess_temperature": _plane(fields.excess_temperature)}, {"heat_flux": flux}, {})
 
 
-def _turned(half: _Meridian, around: int) -> _Grid:
-    """Return the field of a half-plane turned about the axis."""
-    angles = np.linspace(0.0, 2.0 * math.pi, around + 1) if around != MERIDIAN else np.zeros(1)
+def _revolved(half: _HalfPlane, around: int) -> _Grid:
+    """Return the field of a half-plane rotated about the axis."""
+    angles = np.linspace(0.0, 2.0 * math.pi, around + 1) if around != HALF_PLANE else np.zeros(1)
     cos, sin = np.cos(angles)[:, None], np.sin(angles)[:, None]
     flat = np.zeros((half.r.shape[0], angles.size, half.r.shape[1]))
 
     def full(numbers: Array) -> Array:
         return numbers[:, None, :] + flat
 
-    def turned(radial: Array, factor: Array) -> Array:
+    def times(radial: Array, factor: Array) -> Array:
         return radial[:, None, :] * factor[None] + flat
 
     vectors = {
-        name: np.stack([turned(radial, cos), turned(radial, sin), full(axial)])
+        name: np.stack([times(radial, cos), times(radial, sin), full(axial)])
         for name, (radial, axial) in half.vectors.items()
     }
     tensors = {}
     for name, (radial, hoop, axial, shear) in half.tensors.items():
-        xx = turned(radial, cos**2) + turned(hoop, sin**2)
-        yy = turned(radial, sin**2) + turned(hoop, cos**2)
-        xy = turned(radial - hoop, sin * cos)
-        xz, yz = turned(shear, cos), turned(shear, sin)
+        xx = times(radial, cos**2) + times(hoop, sin**2)
+        yy = times(radial, sin**2) + times(hoop, cos**2)
+        xy = times(radial - hoop, sin * cos)
+        xz, yz = times(shear, cos), times(shear, sin)
         tensors[name] = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, full(axial)]])
-    points = np.stack([turned(half.r, cos), turned(half.r, sin), full(half.z)])
+    points = np.stack([times(half.r, cos), times(half.r, sin), full(half.z)])
     return _Grid(points, {name: full(numbers) for name, numbers in half.scalars.items()}, vectors, tensors)
 
 
-def _body(fields: BodyFields) -> _Grid:
+def _body_grid(fields: BodyFields) -> _Grid:
     shape = np.shape(fields.x)
     if len(shape) > 3:
         raise InvalidInput(f"write_vtk: the places have the shape {shape}; give a grid of at most three axes.")
@@ -188,16 +188,16 @@ def _body(fields: BodyFields) -> _Grid:
         getattr(fields, f"{name}_stress").reshape(whole) for name in ("xx", "yy", "zz", "xy", "xz", "yz")
     )
     xz, yz = sign * xz, sign * yz
-    moved = [getattr(fields, f"{name}_displacement").reshape(whole) for name in "xyz"]
+    displacement = [getattr(fields, f"{name}_displacement").reshape(whole) for name in "xyz"]
     return _Grid(
         np.stack([fields.x.reshape(whole), fields.y.reshape(whole), fields.z.reshape(whole)]),
         {"von_mises": fields.von_mises.reshape(whole), "max_shear": fields.max_shear.reshape(whole)},
-        {"displacement": np.stack([moved[0], moved[1], sign * moved[2]])},
+        {"displacement": np.stack([displacement[0], displacement[1], sign * displacement[2]])},
         {"stress": np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])},
     )
 
 
-def _written(grid: _Grid, title: str) -> bytes:
+def _file_content(grid: _Grid, title: str) -> bytes:
     """Return the bytes of a legacy file; the first axis runs fastest in it."""
     shape = grid.points.shape[1:]
     count = math.prod(shape)

@@ -1,4 +1,4 @@
-"""States of wear, kept in a file: a march that was stopped goes on from the last, with the same numbers."""
+"""Save and read states of wear: a stopped march is continued from the last one, with the same numbers."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ from winkler.problems.wear.states import FrettingState, WearState
 __all__ = ["read_wear", "write_wear"]
 
 FORMAT = "winkler wear 1"
-NONE = np.array("")
+ABSENT = np.array("")
 KINDS: dict[str, type[WearState]] = {"sliding": WearState, "fretting": FrettingState}
 
 
-def _words(kind: type[WearState]) -> tuple[str, ...]:
+def _field_names(kind: type[WearState]) -> tuple[str, ...]:
     return tuple(field.name for field in dataclasses.fields(kind) if field.name != "bed")
 
 
 def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[str]) -> int:
-    """Return how many states there are, if all rows agree on it."""
-    count, nodes = (*rows.get("radii", NONE).shape, 0, 0)[:2]
+    """Return the number of states, if all arrays agree on it."""
+    count, nodes = (*rows.get("radii", ABSENT).shape, 0, 0)[:2]
     types = typing.get_type_hints(kind)
-    for word in _words(kind):
-        row, wanted = rows.get(word, NONE), (count,) if types[word] is float else (count, nodes)
+    for word in _field_names(kind):
+        row, wanted = rows.get(word, ABSENT), (count,) if types[word] is float else (count, nodes)
         if row.dtype.kind != "f" or row.shape != wanted or np.isnan(row).any():
             raise InvalidInput(
                 f"{path}: no wear can be read from it ({word} is not numbers of the shape {wanted}); give a file "
@@ -43,7 +43,7 @@ def _count(kind: type[WearState], rows: dict[str, Any], path: str | os.PathLike[
 
 
 def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Path:
-    """Keep states of wear; a file of that name is replaced only once the new one is whole.
+    """Save states of wear; a file of that name is replaced only once the new one is whole.
 
     Parameters
     ----------
@@ -63,16 +63,18 @@ def write_wear(states: Sequence[WearState], path: str | os.PathLike[str]) -> Pat
     """
     path = Path(path)
     if not states:
-        raise InvalidInput(f"{path}: there is no state to keep; give at least one.")
+        raise InvalidInput(f"{path}: there is no state to save; give at least one.")
     kind = next(name for name, cls in KINDS.items() if type(states[0]) is cls)
-    rows: dict[str, Any] = {word: np.array([getattr(state, word) for state in states]) for word in _words(KINDS[kind])}
+    rows: dict[str, Any] = {
+        word: np.array([getattr(state, word) for state in states]) for word in _field_names(KINDS[kind])
+    }
     write_arrays(path, {"format": np.array(FORMAT), "kind": np.array(kind), **rows})
     return path
 
 
 @reader("wear")
 def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState, ...]:
-    """Return states of wear as they were kept.
+    """Return states of wear as they were saved.
 
     Parameters
     ----------
@@ -84,14 +86,14 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
     Returns
     -------
     tuple of WearState or FrettingState
-        The last is the one to go on from: ``problem.steps(start=states[-1])``.
+        The last is the one to continue from: ``problem.steps(start=states[-1])``.
 
     Raises
     ------
     InvalidInput
         If the file is missing, broken, or of another kind.
     """
-    wanted = {word for kind in KINDS.values() for word in _words(kind)}
+    wanted = {word for kind in KINDS.values() for word in _field_names(kind)}
     rows: dict[str, Any] = read_arrays(
         path,
         ("format", "kind", *sorted(wanted)),
@@ -106,7 +108,7 @@ def read_wear(bed: Foundation, path: str | os.PathLike[str]) -> tuple[WearState,
     count = _count(kind, rows, path)
 
     def state(i: int) -> WearState:
-        rows_of = {word: rows[word] for word in _words(kind)}
+        rows_of = {word: rows[word] for word in _field_names(kind)}
         content: dict[str, Any] = {word: float(row[i]) if row.ndim == 1 else row[i] for word, row in rows_of.items()}
         return kind(bed, **content)
 

@@ -1,4 +1,4 @@
-"""Files that stand there whole, or as they were before: written under a hidden name, which then takes their own."""
+"""Atomic writing: a file is written under a hidden temporary name and then renamed to its own."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ __all__ = ["write_whole_text", "written_whole"]
 
 @contextlib.contextmanager
 def written_whole(path: Path) -> Iterator[IO[bytes]]:
-    """Give a file to write into, which takes its name when the block ends without an error.
+    """Open a temporary file for writing, renamed to `path` when the block ends without an error.
 
     Parameters
     ----------
     path
-        What it is called at last; a file that is there stays as it is until then.
+        Final name; an existing file of this name stays as it is until then.
 
     Raises
     ------
     InvalidInput
         If it cannot be written.
     """
-    target = Path(os.path.realpath(path))  # where a link leads
+    target = Path(os.path.realpath(path))  # the target of a link
     partial = target.with_name(f".{target.name}.{os.getpid()}.part")
     try:
         try:

@@ -53,7 +53,7 @@ def spoilt(draw, text: str) -> bytes:
     return content
 
 
-def told(read, path, content: bytes) -> None:
+def read_or_refused(read, path, content: bytes) -> None:
     path.write_bytes(content)
     try:
         read(path)
@@ -75,7 +75,7 @@ def test_the_table_itself_is_read(name, tmp_path):
 @given(data=st.data())
 def test_a_spoilt_table(name, data, tmp_path_factory):
     read, text = READERS[name]
-    told(read, tmp_path_factory.getbasetemp() / "table.csv", data.draw(spoilt(text)))
+    read_or_refused(read, tmp_path_factory.getbasetemp() / "table.csv", data.draw(spoilt(text)))
 
 
 SUFFIXES = [".csv", ".txt", ".npz", ".jpk-force", ".h5", ""]
@@ -89,7 +89,7 @@ SUFFIXES = [".csv", ".txt", ".npz", ".jpk-force", ".h5", ""]
     start=st.sampled_from([b"", b"PK\x03\x04", b"\x93NUMPY"]),
 )
 def test_any_bytes(name, content, suffix, start, tmp_path_factory):
-    told(READERS[name][0], tmp_path_factory.getbasetemp() / f"any{suffix}", start + content)
+    read_or_refused(READERS[name][0], tmp_path_factory.getbasetemp() / f"any{suffix}", start + content)
 
 
 @pytest.mark.parametrize("name", ["contacts", "wear"])
@@ -99,16 +99,16 @@ def test_an_archive_that_was_cut_or_holds_something_else(name, tmp_path):
     np.savez(path, anything=np.arange(3.0), words=np.array(["a"]))
     whole = path.read_bytes()
     for length in (0, 1, 10, len(whole) // 2, len(whole) - 1):
-        told(read, path, whole[:length])
-    told(read, path, whole)
+        read_or_refused(read, path, whole[:length])
+    read_or_refused(read, path, whole)
     np.savez(path, objects=np.array([{"a": 1}], dtype=object))  # pickles inside are never loaded
-    told(read, path, path.read_bytes())
+    read_or_refused(read, path, path.read_bytes())
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr(
             "version.npy",
             b"\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999,), }\n",
         )
-    told(read, path, path.read_bytes())
+    read_or_refused(read, path, path.read_bytes())
 
 
 def test_a_folder_a_missing_file_and_no_path(tmp_path):
@@ -152,4 +152,4 @@ def test_an_archive_with_one_wrong_array(name, wrong, whole, tmp_path):
         content = dict(stored)
     for word in content:
         np.savez(tmp_path / "spoilt.npz", **{**content, word: WRONG[wrong]})
-        told(READERS[name][0], tmp_path / "spoilt.npz", (tmp_path / "spoilt.npz").read_bytes())
+        read_or_refused(READERS[name][0], tmp_path / "spoilt.npz", (tmp_path / "spoilt.npz").read_bytes())

@@ -61,16 +61,16 @@ def each(path, *besides: str) -> dict[str, str]:
     """Return how what every reader says of a path ends."""
 
     def all_of_them() -> None:
-        told = []
+        message = []
         for name, read in READERS.items():
             if name in besides:
                 continue
             try:
                 read(path)
-                told.append(f"{name}: read")
+                message.append(f"{name}: read")
             except WinklerError as error:
-                told.append(f"{name}: {str(error)[-160:]}")
-        raise InvalidInput("\n".join(told))
+                message.append(f"{name}: {str(error)[-160:]}")
+        raise InvalidInput("\n".join(message))
 
     return dict(line.split(": ", 1) for line in sentence_within(all_of_them).split("\n"))
 
@@ -87,16 +87,16 @@ def test_devices_and_pipes_are_not_read(place, tmp_path):
     if place == "pipe":
         place = str(tmp_path / "pipe.csv")
         os.mkfifo(place)
-    told = each(place)
-    assert set(told) == set(READERS)
-    assert {name: sentence for name, sentence in told.items() if "not a file with contents" not in sentence} == {}
+    message = each(place)
+    assert set(message) == set(READERS)
+    assert {name: sentence for name, sentence in message.items() if "not a file with contents" not in sentence} == {}
 
 
 @pytest.mark.parametrize("name", ["a" * 5000, "a" * 300 + ".npz", "b/" * 3000 + "c.csv"])
 def test_names_that_no_system_takes(name):
-    told = each(name)
-    assert set(told) == set(READERS)
-    assert {name: sentence for name, sentence in told.items() if "File name too long" not in sentence} == {}
+    message = each(name)
+    assert set(message) == set(READERS)
+    assert {name: sentence for name, sentence in message.items() if "File name too long" not in sentence} == {}
 
 
 @pytest.mark.parametrize("error", [RuntimeError("boom"), struct.error("boom"), zlib.error("boom"), IndexError("boom")])
@@ -170,7 +170,7 @@ ARRAYS = {
     "lengths of texts": (packed(heights=MAP, lengths=saved(np.array(["1 um", "1 um"]))), "'lengths' are of the type"),
     "tiny lengths": (packed(heights=MAP, lengths=saved(np.full(2, 1e-320))), "Topography: lengths"),
     "huge lengths": (packed(heights=MAP, lengths=saved(np.full(2, 1e308))), "Topography: "),
-    "missing lengths": (packed(heights=MAP, lengths=saved(np.full(2, np.nan))), "does not tell the lengths"),
+    "missing lengths": (packed(heights=MAP, lengths=saved(np.full(2, np.nan))), "does not state the lengths"),
     "periodic of records": (packed(heights=MAP, periodic=RECORD), "'periodic' is of the type"),
     "periodic of texts": (packed(heights=MAP, periodic=saved(np.array("yes"))), "'periodic' is of the type"),
     "units in a row": (packed(heights=MAP, unit=saved(np.array(["nm", "um"]))), "'unit' is of the type"),
@@ -186,9 +186,9 @@ def test_arrays_made_to_harm(case, tmp_path):
     path = tmp_path / "map.npz"
     path.write_bytes(content)
     lengths = {} if "lengths" in case else {"lengths": SIZES["lengths"]}
-    told = sentence_within(lambda: wk.read_topography(path, **lengths, **({} if "unit" in case else {"unit": "nm"})))
-    assert sentence in told
-    assert "raised" not in told
+    message = sentence_within(lambda: wk.read_topography(path, **lengths, **({} if "unit" in case else {"unit": "nm"})))
+    assert sentence in message
+    assert "raised" not in message
     for name in ("contacts", "wear"):
         assert sentence_within(lambda name=name: READERS[name](path)).startswith(str(path))
 
@@ -254,11 +254,11 @@ def test_archives_of_instruments_that_unpack_to_gigabytes(name, tmp_path):
     content = packed(header=bytes(1_000_000), data=b"")
     stated = content.replace(struct.pack("<I", 1_000_000), struct.pack("<I", 3_000_000_000))
     path.write_bytes(stated)
-    told = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
-    assert "2 files of 3000 MB" in told
+    message = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
+    assert "2 files of 3000 MB" in message
     path.write_bytes(b"something else" + stated)
-    told = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
-    assert ("2 files of 3000 MB" if "curve" in name else "SurfaceTopography cannot read this file") in told
+    message = sentence_within(lambda: READERS["curve" if "curve" in name else "map"](path))
+    assert ("2 files of 3000 MB" if "curve" in name else "SurfaceTopography cannot read this file") in message
 
 
 # ------------------------------------------------------------------------------------------------------------- texts
@@ -285,9 +285,9 @@ LINES = {
 def test_texts_made_to_harm(case, tmp_path):
     path = tmp_path / "table.csv"
     path.write_text(LINES[case])
-    told = each(path, *() if "width" in case else ("map",))
-    assert {*told, "map"} == set(READERS), told
-    assert [name for name, sentence in told.items() if sentence == "read" and name not in ("curve", "curves")] == []
+    message = each(path, *() if "width" in case else ("map",))
+    assert {*message, "map"} == set(READERS), message
+    assert [name for name, sentence in message.items() if sentence == "read" and name not in ("curve", "curves")] == []
 
 
 def test_a_table_of_too_many_lines(tmp_path, monkeypatch):

@@ -35,7 +35,7 @@ AT_IMPORTS, IN_CALLBACKS = "sys.addaudithook(imported)", "sys.setprofile(left)"
 @pytest.mark.skipif(os.name == "nt", reason="a process cannot send itself Ctrl-C there")
 @pytest.mark.parametrize(
     ("how", "where"),
-    [(AT_IMPORTS, "winkler.cli"), (AT_IMPORTS, "winkler.cli.saying"), (IN_CALLBACKS, "")],
+    [(AT_IMPORTS, "winkler.cli"), (AT_IMPORTS, "winkler.cli.streams"), (IN_CALLBACKS, "")],
     ids=["the command line", "inside it", "a callback, where Python would report it and go on"],
 )
 def test_ctrl_c_before_the_command_begins(how, where, tmp_path):

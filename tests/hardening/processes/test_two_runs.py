@@ -48,9 +48,9 @@ def hidden(folder):
 def test_two_runs_at_once_leave_the_results_of_one(tmp_path):
     output = tmp_path / "results"
     runs = [started(study(tmp_path, f"run{force}", force), output) for force in (1, 2)]
-    told = [(run.communicate(timeout=120)[1], run.returncode) for run in runs]
-    assert 0 in [code for _, code in told], told
-    for sentence, code in told:
+    message = [(run.communicate(timeout=120)[1], run.returncode) for run in runs]
+    assert 0 in [code for _, code in message], message
+    for sentence, code in message:
         assert code in (0, 2), sentence
         assert "Traceback" not in sentence
     assert whole(output) in (1.0, 2.0)

@@ -48,7 +48,7 @@ def put(content, way, size):
     return dataclasses.replace(content, **{key: new})
 
 
-def told(answer) -> None:
+def text(answer) -> None:
     """Ask a solution for everything that it tells without a question."""
     for name in dir(type(answer)):
         if isinstance(getattr(type(answer), name), property | functools.cached_property) and name[0] != "_":
@@ -63,7 +63,7 @@ def faults(name: str) -> list[str]:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
-                told(put(example, way, size).solve())
+                text(put(example, way, size).solve())
         except WinklerError as error:
             if "\n" in str(error) or not str(error).rstrip().endswith((".", ")")):
                 wrong.append(f"{where}: {error}")
@@ -130,8 +130,8 @@ def test_the_command_line_says_one_sentence(tmp_path, capfd):
     study.write_text(study.read_text(encoding="utf-8").replace('"100 N"', '"1e300 N"'), encoding="utf-8")
     capfd.readouterr()
     assert main(["run", str(study)]) != 0
-    told = capfd.readouterr().err.strip()
-    assert told.endswith(
+    text = capfd.readouterr().err.strip()
+    assert text.endswith(
         "problem.load.force is 1e+300; numbers in SI units are between 1e-60 and 1e+60 in size: check the unit."
     )
-    assert "\n" not in told
+    assert "\n" not in text

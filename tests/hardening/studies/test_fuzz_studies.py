@@ -112,10 +112,10 @@ def answered(text: str) -> None:
     try:
         study = parse_study(text, file="study.toml")
     except WinklerError as error:
-        told = str(error)
-        assert told.startswith("study.toml")
-        assert told.rstrip().endswith((".", ". "))
-        assert "Traceback" not in told
+        message = str(error)
+        assert message.startswith("study.toml")
+        assert message.rstrip().endswith((".", ". "))
+        assert "Traceback" not in message
         return
     assert parse_study(study_text(study), file="study.toml").problem == study.problem
 
@@ -147,10 +147,10 @@ def test_any_bytes(tmp_path_factory, content, start):
     try:
         read_study(path)
     except WinklerError as error:
-        told = str(error)
+        message = str(error)
     else:
-        told = "."
-    assert told.endswith(".")
+        message = "."
+    assert message.endswith(".")
 
 
 DEEP = {

@@ -47,10 +47,12 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="bounds are set as Li
     ],
 )
 def test_a_key_beside_a_kind_of_its_name_where_no_kind_is(text):
-    with pytest.raises(InvalidInput) as told:
+    with pytest.raises(InvalidInput) as message:
         parse_study(text, file="study.toml")
-    assert "kind is not known; " in str(told.value)
-    assert any(word in str(told.value) for word in ("force is not known", "sphere is not known", "cone is not known"))
+    assert "kind is not known; " in str(message.value)
+    assert any(
+        word in str(message.value) for word in ("force is not known", "sphere is not known", "cone is not known")
+    )
 
 
 TEXTS = {
@@ -72,9 +74,9 @@ TEXTS = {
 @pytest.mark.parametrize("case", TEXTS)
 def test_texts_made_to_harm(case):
     text, sentence = TEXTS[case]
-    told = sentence_within(lambda: parse_study(text, file="study.toml"))
-    assert told.startswith("study.toml") if sentence else told == ""
-    assert sentence in told
+    message = sentence_within(lambda: parse_study(text, file="study.toml"))
+    assert message.startswith("study.toml") if sentence else message == ""
+    assert sentence in message
 
 
 LONG = "9" * 5000
@@ -130,9 +132,9 @@ def test_folders_of_results_with_long_names(swept, tmp_path, capsys, monkeypatch
     study.write_text(PRESSED + sweep)
     for more in ((), ("--output", "o" * 255), ("--output", "o" * 300), ("--output", "o/" * 2500 + "o")):
         assert main(["run", str(study), *more]) == 2
-        told = capsys.readouterr().err
-        assert told.count("\n") == 1
-        assert "give a" in told
+        message = capsys.readouterr().err
+        assert message.count("\n") == 1
+        assert "give a" in message
     (tmp_path / "s.toml").write_text(PRESSED + sweep + '\n[output]\nfolder = "x\\u0000y"\n')
     assert main(["run", str(tmp_path / "s.toml")]) == 2
     for words in (["validate", "q" * 300], ["new", "indentation", "--output", "q" * 300]):
@@ -177,9 +179,9 @@ def test_counts_that_no_machine_has(kind, field):
 
     given = [10**11, 10**11] if field == "shape" else 10**11
     table = completed({"kind": kind}) | {field: given}
-    told = sentence_within(lambda: build(table, slot_of(kind)))
-    assert "raised" not in told
-    assert "10000000" in told
+    message = sentence_within(lambda: build(table, slot_of(kind)))
+    assert "raised" not in message
+    assert "10000000" in message
 
 
 def test_fractional_solids_that_hardly_relax_are_refused():
@@ -240,8 +242,8 @@ def test_a_body_of_rotation_of_too_many_places(tmp_path):
 
 def test_the_manual_tells_the_limits():
     page = (Path(__file__).parents[3] / "docs" / "exchange.md").read_text(encoding="utf-8")
-    told = {int(number) for number in re.findall(r"\d+", page.partition("| at most |")[2])}
+    message = {int(number) for number in re.findall(r"\d+", page.partition("| at most |")[2])}
     units = dict.fromkeys(("TEXT_BYTES", "STUDY_BYTES", "FILE_BYTES", "READING_BYTES"), 10**6)
     inner = {"LIST_BYTES", "UNIT_LETTERS", "MEASURED_PLACES", "SLOWEST"}
     stated = {getattr(limits, name) // units.get(name, 1) for name in limits.__all__ if name not in inner}
-    assert stated <= told
+    assert stated <= message

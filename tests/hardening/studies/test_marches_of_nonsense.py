@@ -128,7 +128,7 @@ class Losing:
 
 
 @pytest.mark.parametrize("way", [lambda problem: problem.solve(), lambda problem: list(problem.steps())])
-def test_what_overflows_in_a_kernel_is_told_by_both_ways(way):
+def test_what_overflows_in_a_kernel_is_stated_by_both_ways(way):
     with pytest.raises(
         OutsideValidity, match=r"^Losing: .* cannot be computed \(the force comes out undefined\); check"
     ):

@@ -57,14 +57,14 @@ def test_radii_stiffnesses_and_depths_in_any_order_of_columns(file):
             "depth [nm], force [mN]",
             (DEPTH, FORCE),
             {},
-            "curve.csv: a force curve alone does not tell the contact radius; give modulus = E* of the medium, such as "
+            "curve.csv: a force curve alone does not give the contact radius; give modulus = E* of the medium, such as "
             "115 GPa for a hard tip on steel.",
         ),
         (
             "radius [m], stiffness [N/m], depth [m]",
             (RADII, STIFFNESS, DEPTHS),
             {"modulus": 1e9},
-            "curve.csv: the table holds contact radii and stiffnesses, so that modulus = 1e+09 Pa has nothing to tell; "
+            "curve.csv: the table holds contact radii and stiffnesses, so that modulus = 1e+09 Pa is not needed; "
             "leave it out.",
         ),
         (

@@ -75,6 +75,6 @@ def test_what_is_refused(file, header, width, options, sentence):
     assert str(caught.value).startswith(sentence)
 
 
-def test_what_is_no_grading_is_told_with_its_file(file):
+def test_what_is_no_grading_is_stated_with_its_file(file):
     with pytest.raises(InvalidInput, match=r"^case.csv: TabulatedGrading: depths"):
         read_grading(file("depth [um], young [GPa], nu", ROWS[::-1]))

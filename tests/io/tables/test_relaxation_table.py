@@ -98,6 +98,6 @@ def test_what_is_refused(file, read, header, options, sentence):
         read(file(header, rows), **options)
 
 
-def test_what_is_no_solid_is_told_with_its_file(file):
+def test_what_is_no_solid_is_stated_with_its_file(file):
     with pytest.raises(InvalidInput, match=r"^solid\.csv: CreepData: time has 2 numbers; give a row of at least 4"):
         wk.read_creep(file("time [s], compliance [1/Pa]", [(1.0, 2.0), (2.0, 3.0)]))

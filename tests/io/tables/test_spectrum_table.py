@@ -87,16 +87,16 @@ def test_an_unknown_count_is_refused(file):
 
 
 @pytest.mark.parametrize("hurst", [0.3, 0.8, 1.0])
-def test_line_scans_are_told_by_their_unit(file, hurst):
+def test_line_scans_are_stated_by_their_unit(file, hurst):
     """Lines on a surface with C = q^(-2 (H + 1)): sqrt(pi) Gamma(H + 1/2) / Gamma(H + 1) q^(-2 H - 1)."""
     line = math.sqrt(math.pi) * math.gamma(hurst + 0.5) / math.gamma(hurst + 1.0) * Q ** (-2.0 * hurst - 1.0)
-    told = [
+    text = [
         read_spectrum(file("q [1/um], psd [um^3]", Q, line)),
         read_spectrum(file("q [rad/um], psd [um^3]", Q[::-1], line[::-1])),
         read_spectrum(file("f [1/um], psd [um^3]", Q / (2.0 * np.pi), line * 2.0 * np.pi)),
         read_spectrum(file("q [1/um], psd [um^3]", Q, line * 2.0 * np.pi), per="frequency"),
     ]
-    for spectrum in told:
+    for spectrum in text:
         np.testing.assert_allclose(spectrum.wave_numbers, Q * 1e6, rtol=1e-14)
         np.testing.assert_allclose(spectrum.densities, 1e-24 * Q ** (-2.0 * hurst - 2.0), rtol=1e-12)
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from winkler.study.ledger.ledger import examined, remarks
+from winkler.study.ledger.ledger import remarks, run_case
 
 CASE = Path(__file__).parents[1] / "measured" / "chiaro_bead.toml"
 
@@ -27,7 +27,7 @@ def test_a_bead_on_a_soft_sample(tmp_path, shared_data):
         "E[v=0.500] (Pa)": 117.007,
     }
     shutil.copy(CASE, tmp_path)
-    entry = examined(tmp_path / CASE.name)
+    entry = run_case(tmp_path / CASE.name)
     assert entry.grade == "measured"
     assert entry.passed
     (verdict,) = entry.verdicts

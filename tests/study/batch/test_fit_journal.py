@@ -57,7 +57,7 @@ def kept(path, study=STUDY, todo=MAP, count=None):
     """Fit the first curves with a journal; return what is known before, and all that came."""
     with Journal(path, study) as journal:
         known = recalled_fits(study, todo, journal)
-        stream = fit_curves(study, todo, known=known, journal=journal)
+        stream = fit_curves(study, todo, earlier=known, journal=journal)
         return known, dict(stream) if count is None else dict(next(stream) for _ in range(count))
 
 
@@ -170,7 +170,7 @@ def test_when_workers_die_it_is_said_what_is_kept(before, sentence, tmp_path, mo
 
 
 def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_path):
-    plain = fit_run._found
+    plain = fit_run._fit_of
 
     def broken(study, measured, watch):
         if "curve 2" in measured.name:
@@ -178,7 +178,7 @@ def test_a_mistake_of_ours_costs_one_curve_and_is_tried_again(monkeypatch, tmp_p
         return plain(study, measured, watch)
 
     with monkeypatch.context() as patch:
-        patch.setattr(fit_run, "_found", broken)
+        patch.setattr(fit_run, "_fit_of", broken)
         _, found = kept(tmp_path / "x")
     assert found[2][0].reason == "an unexpected error, ZeroDivisionError: float division by zero"
     assert found[2][0].code == 70

@@ -111,7 +111,7 @@ def test_no_signal_is_lost(when, how, sign, here, monkeypatch, capsys):
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     assert signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
     assert sys.unraisablehook is hook
-    stopping.look()  # what was heard is not left to the next run
+    stopping.raise_pending()  # what was heard is not left to the next run
 
 
 def test_a_point_that_failed_of_an_interrupt_is_not_kept_as_a_failed_one(here, monkeypatch, capsys):
@@ -148,8 +148,8 @@ def test_the_two_renamings_are_not_torn_apart(sign, here, monkeypatch, capsys):
 
     monkeypatch.setattr(writing.os, "rename", rename)
     assert main(["run", "ball.toml", "--quiet", "--overwrite"]) == CODES[sign]
-    told = f"winkler: interrupted; the results in {os.path.join('results', 'ball')} are complete.\n"
-    assert capsys.readouterr().err == (told if sign == signal.SIGINT else "")
+    message = f"winkler: interrupted; the results in {os.path.join('results', 'ball')} are complete.\n"
+    assert capsys.readouterr().err == (message if sign == signal.SIGINT else "")
     assert (here / "results/ball/provenance.json").stat().st_ino != old
     assert [path.name for path in (here / "results").iterdir()] == ["ball"]
 
@@ -174,10 +174,10 @@ def test_whoever_listens_already_goes_on_listening(here):
     heard = []
     signal.signal(signal.SIGINT, lambda *_: heard.append(1))
     signal.signal(signal.SIGTERM, lambda *_: heard.append(2))
-    with stopping.listening() as end:
+    with stopping.receiving_signals() as end:
         os.kill(os.getpid(), signal.SIGINT)
         os.kill(os.getpid(), signal.SIGTERM)
-        stopping.look()
+        stopping.raise_pending()
     assert heard == [1, 2]
     assert end.code == 0
 
@@ -186,13 +186,13 @@ def test_a_held_signal_is_raised_after_the_statements(here):
     done = []
 
     def three():
-        with stopping.held():
-            with stopping.held():
+        with stopping.deferred_signals():
+            with stopping.deferred_signals():
                 os.kill(os.getpid(), signal.SIGINT)
                 done.append("inner")
             done.append("outer")
         done.append("after")
 
-    with pytest.raises(KeyboardInterrupt), stopping.listening():
+    with pytest.raises(KeyboardInterrupt), stopping.receiving_signals():
         three()
     assert done == ["inner", "outer"]

@@ -101,11 +101,11 @@ def test_a_cluster_whose_last_worker_died_is_given_up_and_goes_on_with_another(t
             points = solve_points(ONE_BY_ONE, journal, workers=cluster)
             next(points)
             local.sync(local.workers[0].close)
-            with pytest.raises(NotConverged) as told:
+            with pytest.raises(NotConverged) as message:
                 list(points)
         kept = journal.count
         assert 0 < kept < 100
-        assert str(told.value) == (
+        assert str(message.value) == (
             f"cluster: '{cluster.address}' has had no worker for 0.2 s; start some with "
             f"`dask worker {cluster.address}` and run again. {kept} of 100 points are kept in '{path}', "
             "and the same run goes on from there."
@@ -134,7 +134,7 @@ def test_what_dask_raises_becomes_a_sentence(monkeypatch):
                 run(ONE_BY_ONE, workers=Cluster(local.scheduler_address))
 
 
-def test_how_long_a_cluster_may_be_without_a_worker_is_told():
+def test_how_long_a_cluster_may_be_without_a_worker_is_stated():
     assert Cluster("tcp://host:8786").patience == 60.0
     option = typing.get_type_hints(cli_run, include_extras=True)["cluster"].__metadata__[0]
     assert "given up after 60 s without a worker" in option.help
@@ -178,6 +178,6 @@ def test_an_address_is_text(address):
 @pytest.mark.slow
 def test_nobody_answers(monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    monkeypatch.setattr(cluster, "SCHEDULER_TIMEOUT", 0.5)
     with pytest.raises(InvalidInput, match=r"nobody answers at 'tcp://127\.0\.0\.1:9'"):
         run(STUDY, workers=Cluster("tcp://127.0.0.1:9"))

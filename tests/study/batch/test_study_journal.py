@@ -181,8 +181,8 @@ def test_another_version_of_winkler_does_not_go_on(tmp_path, monkeypatch):
     first(STUDY, path, 4)
     mine = version("winkler")
     monkeypatch.setattr("winkler.study.batch.checkpoint.version", lambda _: "99.0")
-    told = rf"was begun by version {re.escape(mine)} of winkler, and this is 99\.0: .*; add --anew to begin again"
-    with pytest.raises(InvalidInput, match=told), Journal(path, STUDY):
+    text = rf"was begun by version {re.escape(mine)} of winkler, and this is 99\.0: .*; add --anew to begin again"
+    with pytest.raises(InvalidInput, match=text), Journal(path, STUDY):
         pass
 
 
@@ -227,7 +227,7 @@ def test_a_line_for_every_point_as_soon_as_it_is_solved(tmp_path):
 
 
 def test_of_long_sweeps_solutions_are_not_kept(monkeypatch, tmp_path):
-    monkeypatch.setattr(sweep, "WHOLE", 4)
+    monkeypatch.setattr(sweep, "MOST_KEPT_SOLUTIONS", 4)
     points = list(solve_points(STUDY))
     assert {type(point) for point in points} == {Recalled, Failed}
     light = gather(STUDY, points, started=0.0)

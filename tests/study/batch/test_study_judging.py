@@ -13,7 +13,7 @@ from winkler.study.batch.outcome import Verdict
 from winkler.study.batch.run import run
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation, Study
-from winkler.study.ledger.ledger import CASES, case_files, examined, ledger
+from winkler.study.ledger.ledger import CASES, case_files, ledger, run_case
 from winkler.study.ledger.ledger_page import markdown
 
 # Hertz: E* = 1, R = 1, a = 1/2
@@ -140,11 +140,11 @@ tolerance = 1e-12
 
 def test_a_case_is_examined(tmp_path):
     (tmp_path / "case.toml").write_text(CASE)
-    entry = examined(tmp_path / "case.toml")
+    entry = run_case(tmp_path / "case.toml")
     assert entry.passed
     assert entry.digits > 12.0
     (tmp_path / "case.toml").write_text(CASE.replace("0.25", "0.26"))
-    assert not examined(tmp_path / "case.toml").passed
+    assert not run_case(tmp_path / "case.toml").passed
 
 
 @pytest.mark.parametrize("key", ["source", "grade", "[[expect]]"])
@@ -153,13 +153,13 @@ def test_a_case_needs_source_grade_and_expectations(key, tmp_path):
     text = "\n".join(line for line in lines.splitlines() if not line.startswith(f"{key} ="))
     (tmp_path / "case.toml").write_text(text)
     with pytest.raises(InvalidInput) as caught:
-        examined(tmp_path / "case.toml")
+        run_case(tmp_path / "case.toml")
     assert str(caught.value).startswith(f"case.toml: a case needs {key}")
 
 
 def test_a_case_that_cannot_be_answered_is_missed(tmp_path):
     (tmp_path / "case.toml").write_text(CASE.replace('"radius", radius = "0.5 m"', '"force", force = "-1 N"'))
-    entry = examined(tmp_path / "case.toml")
+    entry = run_case(tmp_path / "case.toml")
     assert not entry.passed
     assert "tensile" in entry.failure
     assert "Not answered: force -1 N is tensile" in markdown([entry])
@@ -186,7 +186,7 @@ LONG = {"coated_substrate_limit", "coated_winkler_paraboloid", "coated_winkler_p
     [pytest.param(path, marks=[pytest.mark.slow] if path.stem in LONG else [], id=path.stem) for path in case_files()],
 )
 def test_every_case_of_the_package_passes(path):
-    entry = examined(path)
+    entry = run_case(path)
     assert entry.failure == ""
     assert [verdict for verdict in entry.verdicts if not verdict.passed] == []
 

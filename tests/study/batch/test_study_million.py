@@ -13,7 +13,7 @@ from winkler.errors import InvalidInput
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.outcome import Failed
 from winkler.study.batch.sweep import solve_points
-from winkler.study.batch.tasks import ASKED, tasks
+from winkler.study.batch.tasks import MOST_CHECKED, tasks
 from winkler.study.language.designs import LatinHypercube
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
@@ -51,7 +51,7 @@ def test_no_more_points_are_made_than_are_looked_at(made):
     points = solve_points(CROSSED)
     for place in range(5):
         assert next(points).index == (0, place)
-    assert len(made) <= ASKED + 2 * 5
+    assert len(made) <= MOST_CHECKED + 2 * 5
 
 
 def test_a_journal_of_a_million_points_goes_on_in_little_memory(tmp_path):

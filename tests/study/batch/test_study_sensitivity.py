@@ -15,7 +15,7 @@ from winkler.study.batch.sensitivity import sensitivity
 from winkler.study.language.designs import Sensitivity, Sobol
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Range
-from winkler.study.report.archive import dataset, write
+from winkler.study.report.archive import dataset, write_archive
 from winkler.study.report.report import page
 from winkler.study.report.sweep_figures import clouds, parts
 
@@ -86,7 +86,7 @@ def test_every_output_has_them(outcome, tmp_path):
     assert data["first_order"].dims == ("answer", "key")
     np.testing.assert_array_equal(data["total_order"].sel(answer="depth").values, depth.total_order)
     assert data["key"].values.tolist() == [line.key for line in KEYS]
-    write(outcome, tmp_path)
+    write_archive(outcome, tmp_path)
     rows = list(csv.DictReader((tmp_path / "sensitivity.csv").open()))
     assert [float(row["total_order [-]"]) for row in rows[:3]] == depth.total_order.tolist()
     assert rows[1]["key"] == KEYS[1].key

@@ -14,7 +14,7 @@ import pytest
 import winkler as wk
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.study.batch.outcome import Failed, Solved
-from winkler.study.batch.pool import ONE_THREAD, Machine
+from winkler.study.batch.pool import THREAD_VARIABLES, Machine
 from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import tasks
@@ -175,10 +175,10 @@ def test_a_pool_gives_the_same_numbers():
 
 
 def test_a_pool_keeps_failures_and_leaves_the_environment_alone():
-    before = {name: os.environ.get(name) for name in ONE_THREAD}
+    before = {name: os.environ.get(name) for name in THREAD_VARIABLES}
     study = Study("x", PROBLEM, sweep=(Axis("problem.load.force", (1.0, -1.0, 2.0, 3.0)),))
     assert run(study, workers=3).points == run(study).points
-    assert {name: os.environ.get(name) for name in ONE_THREAD} == before
+    assert {name: os.environ.get(name) for name in THREAD_VARIABLES} == before
 
 
 SCRIPT = """
@@ -202,11 +202,11 @@ def test_a_script_without_a_guard_is_told_so(tmp_path):
 
 WORKER = """
 import json, os, sys
-from winkler.study.batch.pool import ONE_THREAD, _quiet_start
+from winkler.study.batch.pool import THREAD_VARIABLES, _quiet_start
 import multiprocessing, signal
 def look():
     deaf = signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())
-    print(json.dumps([os.environ.get(name) for name in ONE_THREAD] + [deaf]))
+    print(json.dumps([os.environ.get(name) for name in THREAD_VARIABLES] + [deaf]))
 if __name__ == "__main__":
     worker = multiprocessing.get_context("spawn").Process(target=look)
     with _quiet_start():
@@ -219,7 +219,7 @@ if __name__ == "__main__":
 def test_workers_have_one_thread_and_are_deaf_to_interrupts_from_the_start(tmp_path):
     (tmp_path / "script.py").write_text(WORKER)
     answer = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert json.loads(answer.stdout) == ["1"] * len(ONE_THREAD) + [True]
+    assert json.loads(answer.stdout) == ["1"] * len(THREAD_VARIABLES) + [True]
 
 
 def test_the_machine_takes_over_when_a_sweep_lasts():

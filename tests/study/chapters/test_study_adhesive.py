@@ -138,8 +138,8 @@ def test_jumps_branches_and_limits_are_kept(tmp_path):
         (tmp_path / f"{name}.toml").write_text(study_text(Study("kept", problem, output=BARE)), encoding="utf-8")
         assert main(["run", str(tmp_path / f"{name}.toml"), "--quiet", "--output", str(folder)]) == 0
         solution = problem.solve()
-        told = getattr(solution, name)
-        items = told if isinstance(told, tuple) else (told,)
+        message = getattr(solution, name)
+        items = message if isinstance(message, tuple) else (message,)
         with (folder / f"{name}.csv").open(encoding="utf-8") as file:
             rows = list(csv.reader(file))
         events = events_of(solution, name)
@@ -180,7 +180,7 @@ def test_a_cycle_that_never_touches_shows_no_contact():
 def quiet(monkeypatch):
     """Draw nothing: what is asked for is the page."""
     monkeypatch.setattr(
-        figures, "drawn", lambda name, title, sentence, picture: figures.Shown(name, title, sentence, None)
+        figures, "drawn", lambda name, title, sentence, picture: figures.ReportFigure(name, title, sentence, None)
     )
 
 
@@ -217,10 +217,10 @@ def test_a_load_below_the_pull_off_is_refused_by_name(tmp_path, capsys):
     load = 'load = { kind = "force", force = ["0 N", "-300 uN"] }'
     (tmp_path / "study.toml").write_text(text("adhesive_indentation", load), encoding="utf-8")
     assert main(["run", str(tmp_path / "study.toml"), "--output", str(tmp_path / "answer")]) == 4
-    told = capsys.readouterr().err
-    assert "below the pull-off" in told
-    assert "-0.000235619" in told  # 3/2 pi R w
-    assert "index 1" in told
+    message = capsys.readouterr().err
+    assert "below the pull-off" in message
+    assert "-0.000235619" in message  # 3/2 pi R w
+    assert "index 1" in message
     assert not (tmp_path / "answer").exists()
 
 
@@ -229,5 +229,5 @@ def test_a_sweep_keeps_what_holds(tmp_path, capsys):
     sweep = '[sweep]\n"problem.law.work" = ["20 mJ/m^2", "50 mJ/m^2"]\n[output]\nfigures = []\nreport = false\n'
     (tmp_path / "study.toml").write_text(text("adhesive_indentation", load) + sweep, encoding="utf-8")
     assert main(["run", str(tmp_path / "study.toml"), "--json", "--output", str(tmp_path / "answer")]) == 4
-    told = {one["name"]: one["values"] for one in json.loads(capsys.readouterr().out)["answers"]}
-    assert told["stable"][1] == 1.0
+    message = {one["name"]: one["values"] for one in json.loads(capsys.readouterr().out)["answers"]}
+    assert message["stable"][1] == 1.0

@@ -1,4 +1,4 @@
-"""Friction in study files: paths told in steps, sweeps over them, marches that end early, tables, figures, reports."""
+"""Friction in study files: paths given in steps, sweeps over them, marches that end early, tables, figures, reports."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from winkler.cli import main
 from winkler.errors import InvalidInput, OutsideValidity
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.friction.torsion import Torsion
-from winkler.study.batch.marching import marched
+from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.batch.stopping import INTERRUPTED
@@ -163,7 +163,7 @@ PULLED = dataclasses.replace(
 
 
 def test_what_was_reached_before_an_error_is_kept():
-    march = marched(PULLED)
+    march = solve_march(PULLED)
     assert march.code == OutsideValidity("").exit_code
     assert march.stopped.startswith("After 3 of 5 points of the path, which are kept, the march ended: Tangential: at")
     assert np.allclose(march.solution.shear_force, [0.0, 5.0, 10.0], rtol=1e-12)
@@ -194,10 +194,10 @@ def test_nothing_is_kept_of_a_march_that_did_not_begin():
         yield
 
     with pytest.raises(KeyboardInterrupt):
-        marched(RUBBED, watch)
+        solve_march(RUBBED, watch)
     first = dataclasses.replace(PULLED, path=wk.Path.through(wk.Force(100.0), wk.ShearForce(np.array([25.0, 5.0]))))
     with pytest.raises(OutsideValidity):
-        marched(first)
+        solve_march(first)
 
 
 def test_the_command_line_writes_what_was_reached(tmp_path, monkeypatch, capsys):
@@ -253,18 +253,18 @@ def test_every_kind_is_cited_told_and_has_formulas(name):
         for one in formulas_of(problem):
             assert formula(one.latex).startswith("<math")
         assert len(formulas_of(problem)) >= 4
-        told = in_words(study)
-        assert "Unchanged" not in told
-        assert "kept" not in told
-    assert all(given.told for given in inputs(study))
+        message = in_words(study)
+        assert "Unchanged" not in message
+        assert "kept" not in message
+    assert all(given.text for given in inputs(study))
 
 
 def test_the_inputs_of_a_path_are_its_steps():
-    told = [(given.group, given.name, given.told) for given in inputs(Study("", RUBBED))]
-    assert ("step 2: ramp", "count", "2") in told
-    assert ("step 3: oscillate", "cycles", "1.25") in told
-    assert any("0.4 µm" in content or "400 nm" in content for _, name, content in told if name == "shift")
-    assert not any(name in ("time", "normal") for _, name, _ in told)
+    message = [(given.group, given.name, given.message) for given in inputs(Study("", RUBBED))]
+    assert ("step 2: ramp", "count", "2") in message
+    assert ("step 3: oscillate", "cycles", "1.25") in message
+    assert any("0.4 µm" in content or "400 nm" in content for _, name, content in message if name == "shift")
+    assert not any(name in ("time", "normal") for _, name, _ in message)
 
 
 def test_figures_of_a_sweep_lay_loops_side_by_side():
@@ -319,6 +319,6 @@ def test_the_command_says_what_an_interrupted_march_kept(tmp_path, monkeypatch, 
     study, folder = tmp_path / "loop.toml", tmp_path / "loop"
     assert main(["new", "tangential", "--output", str(study)]) == 0
     assert main(["run", str(study), "--output", str(folder)]) == 130
-    told = capsys.readouterr().err.splitlines()[-1]
-    assert told == f"winkler: interrupted; the points that were reached are kept in {folder}."
+    message = capsys.readouterr().err.splitlines()[-1]
+    assert message == f"winkler: interrupted; the points that were reached are kept in {folder}."
     assert len((folder / "results.csv").read_text(encoding="utf-8").splitlines()) >= 4

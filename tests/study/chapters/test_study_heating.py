@@ -53,9 +53,9 @@ def test_many_speeds_in_one_study():
 def test_the_example_is_a_problem_with_formulas_and_papers(kind):
     problem = build(example_study(kind)["problem"], "problem")
     assert build(unbuild(problem), "problem") == problem
-    told = formulas_of(problem)
-    assert len(told) > 3
-    for one in told:
+    text = formulas_of(problem)
+    assert len(text) > 3
+    for one in text:
         assert formula(one.latex).startswith("<math")
     assert "jaeger_1942" in {paper.key for paper in cite(problem)}
 
@@ -68,7 +68,7 @@ def test_fretting_answers_with_numbers_of_one_cycle():
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "text"),
     [
         ('["1 cm/s", "1 m/s"]', '"1 m"', "is a length, not a speed"),
         ('diffusivity = "12 mm^2/s"', 'diffusivity = "12 m/s"', "diffusivity"),
@@ -77,6 +77,6 @@ def test_fretting_answers_with_numbers_of_one_cycle():
         ("coefficient = 0.3", "coefficient = -0.3", "law.coefficient is -0.3"),
     ],
 )
-def test_what_a_study_is_told(old, new, told):
-    with pytest.raises(InvalidInput, match=told):
+def test_what_a_study_is_stated(old, new, text):
+    with pytest.raises(InvalidInput, match=text):
         parse_study(TEXT.replace(old, new, 1))

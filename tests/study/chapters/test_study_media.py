@@ -147,10 +147,10 @@ def test_the_formula_of_the_layered_profile_is_the_one_that_is_computed():
 
 def test_layers_are_asked_for_in_words_and_rows():
     study = Study("x", ball_on(STACK))
-    told = in_words(study)
-    assert "The coating, from the surface down: layer (" in told
-    assert "thickness = 2 µm) + layer (" in told
-    assert "What carries them is elastic (Young's modulus = 210 GPa" in told
+    message = in_words(study)
+    assert "The coating, from the surface down: layer (" in message
+    assert "thickness = 2 µm) + layer (" in message
+    assert "What carries them is elastic (Young's modulus = 210 GPa" in message
     groups = list(dict.fromkeys(row.group for row in inputs(study)))
     assert [group for group in groups if "layer" in group] == [
         "layer 1",

@@ -196,27 +196,27 @@ def test_a_reduced_bed_shows_the_surface_it_stands_for():
     assert shown == ["answer_surface"]
 
 
-def test_large_maps_are_told_by_their_hash():
+def test_large_maps_are_stated_by_their_hash():
     big = np.add.outer(np.arange(70.0), np.arange(70.0)) * 1e-9
     rough = wk.Topography(big, [1e-3, 1e-3])
     steel = wk.HalfSpace(wk.Elastic(210e9, 0.3))
-    told = canonical(Study("", wk.SurfaceContact(rough, steel, wk.Force(1.0))))
-    assert len(told) < 1000
+    message = canonical(Study("", wk.SurfaceContact(rough, steel, wk.Force(1.0))))
+    assert len(message) < 1000
     other = big.copy()
     other[3, 4] += 1e-12
     changed = wk.SurfaceContact(wk.Topography(other, [1e-3, 1e-3]), steel, wk.Force(1.0))
     assert digest(Study("", changed)) != digest(Study("", wk.SurfaceContact(rough, steel, wk.Force(1.0))))
     again = wk.SurfaceContact(wk.Topography(big - 0.0, [1e-3, 1e-3]), steel, wk.Force(1.0))
-    assert canonical(Study("", again)) == told
+    assert canonical(Study("", again)) == message
 
 
 def test_a_report_tells_what_a_random_surface_is_made_of():
     study = Study("", build(example_study("surface_contact")["problem"]))
-    told = {row.name: row.told for row in inputs(study)}
-    assert told["shape"] == "64 × 64"
-    assert told["lengths"] == "1 mm, 1 mm"
-    assert told["hurst"] == "0.8"
-    assert "heights" not in told  # they follow from the others
+    message = {row.name: row.text for row in inputs(study)}
+    assert message["shape"] == "64 × 64"
+    assert message["lengths"] == "1 mm, 1 mm"
+    assert message["hurst"] == "0.8"
+    assert "heights" not in message  # they follow from the others
 
 
 def test_maps_of_other_sizes_share_the_corner():

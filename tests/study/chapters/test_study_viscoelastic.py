@@ -12,7 +12,7 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.study.batch.marching import marched
+from winkler.study.batch.marching import solve_march
 from winkler.study.batch.outcome import answers_of
 from winkler.study.batch.run import run
 from winkler.study.batch.stopping import INTERRUPTED
@@ -27,7 +27,7 @@ from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Study
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs
-from winkler.study.report.figures import Shown, figures_of
+from winkler.study.report.figures import ReportFigure, figures_of
 from winkler.study.report.mathml import formula
 from winkler.study.report.report import page
 
@@ -154,7 +154,7 @@ def test_a_march_that_breaks_off_keeps_what_it_reached():
     """A dashpot alongside takes no sudden step of depth."""
     bed = dataclasses.replace(BED, medium=wk.ViscoelasticHalfSpace(wk.KelvinVoigt(1e6, 1e5)))
     path = wk.Path([0.0, 0.1, 0.2, 0.2], wk.Depth([0.0, 1e-5, 2e-5, 3e-5]))
-    march = marched(wk.ViscoelasticIndentation(bed, path, count=40))
+    march = solve_march(wk.ViscoelasticIndentation(bed, path, count=40))
     assert march.code == OutsideValidity("").exit_code
     assert march.stopped.startswith("After 3 of 4 points of the path, which are kept, the march ended: Viscoelastic")
     assert march.solution.time.tolist() == [0.0, 0.1, 0.2]
@@ -189,12 +189,12 @@ def test_every_problem_is_cited_told_and_has_formulas(name):
     for one in found:
         assert formula(one.latex).startswith("<math")
     assert "standard solid" in in_words(Study("", problem))
-    assert all(given.told for given in inputs(Study("", problem)))
+    assert all(given.message for given in inputs(Study("", problem)))
 
 
 def test_the_law_of_temperature_is_among_the_formulas():
-    told = [one.says for one in formulas_of(parse_study(TEXT + GEL).problem)]
-    assert "which follows the law of Arrhenius" in told
+    message = [one.says for one in formulas_of(parse_study(TEXT + GEL).problem)]
+    assert "which follows the law of Arrhenius" in message
     assert unbuild(parse_study(TEXT + GEL).problem.bed.medium.first)["temperature"] == "323.15 K"
 
 
@@ -203,7 +203,7 @@ def unprinted(monkeypatch):
     """Leave figures as they are, without their SVG, where only their names matter."""
 
     def plain(name, title, sentence, picture):
-        return Shown(name, title, sentence, picture)
+        return ReportFigure(name, title, sentence, picture)
 
     monkeypatch.setattr("winkler.study.report.figures.drawn", plain)
 

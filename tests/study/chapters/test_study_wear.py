@@ -1,4 +1,4 @@
-"""Studies of wear: kept while they run, taken up again, and told in tables, figures and formulas."""
+"""Studies of wear: stored while they run, continued, and shown in tables, figures and formulas."""
 
 import numpy as np
 import pytest
@@ -6,8 +6,8 @@ import pytest
 from winkler.errors import InvalidInput, NotConverged
 from winkler.problems.wear import march as wear_march
 from winkler.problems.wear.fretting import FrettingSolution
-from winkler.study.batch.checkpoint import Keep
-from winkler.study.batch.marching import marched
+from winkler.study.batch.checkpoint import CheckpointStore
+from winkler.study.batch.marching import solve_march
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
 
@@ -50,18 +50,18 @@ def stopping(after):
     return watch
 
 
-def test_rates_are_read_as_they_are_told():
+def test_rates_are_read_as_they_are_stated():
     assert study().problem.wear.rate == pytest.approx(1e-14)
 
 
 def test_a_run_that_was_killed_goes_on_with_the_same_numbers(tmp_path, monkeypatch):
     problem = study().problem
-    keep = Keep.beside(tmp_path / "results")
+    keep = CheckpointStore.beside(tmp_path / "results")
     with pytest.raises(Stopped):
-        marched(problem, stopping(3), keep)
-    assert len(keep.reached(problem)) == 3
+        solve_march(problem, stopping(3), keep)
+    assert len(keep.stored_states(problem)) == 3
     whole = problem.solve()
-    assert keep.reached(problem) == list(whole.states[:3])
+    assert keep.stored_states(problem) == list(whole.states[:3])
     taken = []
     advance = wear_march._advance
 
@@ -70,34 +70,34 @@ def test_a_run_that_was_killed_goes_on_with_the_same_numbers(tmp_path, monkeypat
         return advance(*arguments)
 
     monkeypatch.setattr(wear_march, "_advance", counted)
-    again = marched(problem, keep=keep)
+    again = solve_march(problem, keep=keep)
     assert len(taken) == 1
     assert again.solution == whole
     assert keep.path(problem).exists()
-    keep.forget()
+    keep.remove()
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_spoilt_file_is_no_reason_to_stop(tmp_path):
-    problem, keep = study().problem, Keep.beside(tmp_path / "results")
+    problem, keep = study().problem, CheckpointStore.beside(tmp_path / "results")
     keep.path(problem).write_bytes(b"half")
-    assert keep.reached(problem) == []
+    assert keep.stored_states(problem) == []
 
 
-@pytest.mark.parametrize(("made", "told"), [("99.0", "version 99.0"), (None, "an unknown version")])
-def test_states_of_another_version_are_refused(made, told, tmp_path, monkeypatch):
-    problem, keep = study().problem, Keep.beside(tmp_path / "results")
+@pytest.mark.parametrize(("made", "text"), [("99.0", "version 99.0"), (None, "an unknown version")])
+def test_states_of_another_version_are_refused(made, text, tmp_path, monkeypatch):
+    problem, keep = study().problem, CheckpointStore.beside(tmp_path / "results")
     with pytest.raises(Stopped):
-        marched(problem, stopping(3), keep)
+        solve_march(problem, stopping(3), keep)
     path = keep.path(problem)
     with np.load(path) as stored:
         arrays = {name: stored[name] for name in stored.files if name != "version"}
     assert len(arrays) < len(np.load(path).files)
     np.savez(path, **arrays, **({} if made is None else {"version": np.array(made)}))
-    with pytest.raises(InvalidInput, match=rf"^states: .* was begun by {told} of winkler, and this is .*; add --anew"):
-        marched(problem, keep=keep)
-    keep.forget()
-    assert keep.reached(problem) == []
+    with pytest.raises(InvalidInput, match=rf"^states: .* was begun by {text} of winkler, and this is .*; add --anew"):
+        solve_march(problem, keep=keep)
+    keep.remove()
+    assert keep.stored_states(problem) == []
 
 
 def test_a_march_that_ends_early_keeps_its_states(monkeypatch):
@@ -109,7 +109,7 @@ def test_a_march_that_ends_early_keeps_its_states(monkeypatch):
         return advance(problem, moment, goal, everywhere)
 
     monkeypatch.setattr(wear_march, "_advance", ends)
-    march = marched(study().problem)
+    march = solve_march(study().problem)
     assert march.code == 3
     assert "After 3 of 4 points" in march.stopped
     assert isinstance(march.solution, FrettingSolution)

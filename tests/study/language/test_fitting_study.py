@@ -115,11 +115,11 @@ def test_the_load_of_the_model_does_not_matter(here):
 )
 def test_mistakes_get_one_sentence(here, before, after, why):
     assert before in STUDY
-    with pytest.raises(InvalidInput) as told:
+    with pytest.raises(InvalidInput) as message:
         parse_fit_study(STUDY.replace(before, after, 1), file="gel.toml", folder=here)
-    assert why in str(told.value)
-    assert str(told.value).startswith("gel.toml: ")
-    assert "\n" not in str(told.value)
+    assert why in str(message.value)
+    assert str(message.value).startswith("gel.toml: ")
+    assert "\n" not in str(message.value)
 
 
 def test_run_sends_to_fit_and_fit_to_run(here):
@@ -183,7 +183,7 @@ def test_no_answer_at_all_is_the_error_of_the_first(here):
         fit_study(parse_fit_study(STUDY, file="gel.toml", folder=here))
 
 
-def test_corrections_are_made_in_their_order_and_told(here):
+def test_corrections_are_made_in_their_order_and_stated(here):
     way = np.linspace(-1e-6, 1e-6, 200)
     there_and_back = np.concatenate([way, way[::-1]])
     drag, tilt = 0.4e-9, 2e-5

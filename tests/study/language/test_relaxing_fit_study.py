@@ -48,13 +48,13 @@ def test_the_loop_gives_what_is_known(studies, tmp_path):
     direct = fit(
         read_curve(studies.parents[1] / "data" / "cell_loop.csv"),
         study.problem,
-        free={free.path: free.asked for free in study.free},
+        free={free.path: free.start_or_bounds for free in study.free},
     )
     assert direct.values.tolist() == result.fit.values.tolist()
     comes_back(outcome)
     write_outcome(outcome, tmp_path)
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
-    for words in ("The measured motion drives", "the way in, the hold and the way out", "Lee", "exponent"):
+    for words in ("The measured motion drives", "the approach, the hold and the retraction", "Lee", "exponent"):
         assert words in page
     with (tmp_path / "curves" / "data_cell_loop.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.reader(file))
@@ -112,11 +112,11 @@ def test_creep_gives_what_is_known_with_units_of_positions(studies, tmp_path):
 def test_mistakes_get_one_sentence(studies, name, before, after, why):
     text = (studies / f"{name}.toml").read_text(encoding="utf-8")
     assert before in text
-    with pytest.raises(InvalidInput) as told:
+    with pytest.raises(InvalidInput) as message:
         parse_fit_study(text.replace(before, after, 1), file="study.toml", folder=studies)
-    assert why in str(told.value)
-    assert str(told.value).startswith("study.toml: ")
-    assert "\n" not in str(told.value)
+    assert why in str(message.value)
+    assert str(message.value).startswith("study.toml: ")
+    assert "\n" not in str(message.value)
 
 
 def test_the_path_of_the_model_does_not_matter(studies):
@@ -154,7 +154,7 @@ def test_fits_are_drawn_with_labels_and_units(studies):
     ):
         (result,) = fit_study(read_fit_study(studies / f"{name}.toml")).fitted
         figure = draw(result.fit)
-        told = {axes.get_ylabel() for axes in figure.axes} | {axes.get_xlabel() for axes in figure.axes}
-        assert set(labels) <= told
+        message = {axes.get_ylabel() for axes in figure.axes} | {axes.get_xlabel() for axes in figure.axes}
+        assert set(labels) <= message
     with pytest.raises(wk.InvalidInput, match="no extent"):
         draw(result.fit, extent=1.0)

@@ -15,7 +15,7 @@ from winkler.study.language.designs import Crossed, LatinHypercube, Sensitivity,
 from winkler.study.language.reading import parse_study, study_text
 from winkler.study.language.study import Axis, Study
 from winkler.study.language.varied import Range
-from winkler.study.report.archive import dataset, write
+from winkler.study.report.archive import dataset, write_archive
 from winkler.study.report.describe import in_words, inputs
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))
@@ -83,7 +83,7 @@ def test_drawn_points_are_solved_and_laid_out(study, tmp_path):
     assert found["depth"].dims == ("point",)
     assert found["problem.load.force"].attrs["units"] == "N"
     np.testing.assert_array_equal(found["problem.load.force"].values, forces)
-    write(outcome, tmp_path)
+    write_archive(outcome, tmp_path)
     rows = list(csv.DictReader((tmp_path / "results.csv").open()))
     assert [float(row["problem.load.force [N]"]) for row in rows] == forces.tolist()
     assert (tmp_path / "sensitivity.csv").exists() is (study.design.kind == "sensitivity")
@@ -107,12 +107,12 @@ def test_the_hash_tells_designs_apart():
     assert digest(Study("y", PROBLEM, sweep=(FORCE,), design=Sobol(8))) == digest(studies[3])
 
 
-def test_what_is_drawn_is_told():
-    told = in_words(DRAWN["sobol"])
-    assert "load.force = 1 N to 3 N" in told
-    assert "young = 1 GPa to 100 GPa, evenly in its logarithm" in told
-    assert "scrambled Sobol sequence" in told
-    assert "varied: 1 N to 3 N" in {given.told for given in inputs(DRAWN["sobol"])}
+def test_what_is_drawn_is_stated():
+    message = in_words(DRAWN["sobol"])
+    assert "load.force = 1 N to 3 N" in message
+    assert "young = 1 GPa to 100 GPa, evenly in its logarithm" in message
+    assert "scrambled Sobol sequence" in message
+    assert "varied: 1 N to 3 N" in {given.text for given in inputs(DRAWN["sobol"])}
 
 
 @pytest.mark.parametrize(

@@ -71,8 +71,8 @@ def test_unknown_keys(key, sentence):
     ],
 )
 def test_words_come_from_the_glossary(key, symbol, unit):
-    told = keys.word_at(PROBLEM, key)
-    assert (told.symbol, told.unit) == (symbol, unit)
+    message = keys.word_at(PROBLEM, key)
+    assert (message.symbol, message.unit) == (symbol, unit)
 
 
 def test_labels_are_short():

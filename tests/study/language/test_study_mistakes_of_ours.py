@@ -110,9 +110,9 @@ def test_too_little_memory_is_tried_again_and_no_mistake(monkeypatch, tmp_path):
 def test_none_has_an_answer(broken):
     with pytest.raises(
         Mistake, match="none of the 2 points of the sweep has an answer; the first: winkler made"
-    ) as told:
+    ) as message:
         run(Study("x", STUDY.problem, sweep=(Axis("problem.load.force", (-1.0, 2.0)),)))
-    assert "in solve\n    raise LookupError(" in told.value.__notes__[0]
+    assert "in solve\n    raise LookupError(" in message.value.__notes__[0]
 
 
 def test_a_point_that_cannot_be_asked_by_our_mistake(monkeypatch):
@@ -144,15 +144,15 @@ def test_the_command_line_tells(broken, tmp_path, monkeypatch, capsys):
     text = study_text(STUDY) + "\n[output]\nfigures = []\nreport = false\n"
     (tmp_path / "x.toml").write_text(text, encoding="utf-8")
     assert main(["run", "x.toml", "--quiet"]) == 70
-    told = capsys.readouterr()
-    assert told.out == ""
+    message = capsys.readouterr()
+    assert message.out == ""
     folder = Path("results") / "x"
-    assert told.err.startswith(
+    assert message.err.startswith(
         "winkler: x.toml: at 1 of 4 points winkler is at fault, not the study; what the others answer is in "
         f"{folder}. The first: {SENTENCE}"
     )
-    assert told.err.endswith("report it with this study.\n")
-    assert told.err.count("\n") == 1
+    assert message.err.endswith("report it with this study.\n")
+    assert message.err.count("\n") == 1
     table = (folder / "results.csv").read_text(encoding="utf-8")
     assert "winkler made a mistake (LookupError" in table
     assert not list(Path("results").glob(".x*"))

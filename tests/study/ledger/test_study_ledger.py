@@ -15,7 +15,7 @@ from winkler.study.language.study import Study
 from winkler.study.ledger.fit_case import is_fit, read_fit_case
 from winkler.study.ledger.function_case import is_function, read_function_case
 from winkler.study.ledger.functions import FUNCTIONS
-from winkler.study.ledger.ledger import CASES, case_files, examined
+from winkler.study.ledger.ledger import CASES, case_files, run_case
 from winkler.study.ledger.ledger_page import chapters, markdown
 from winkler.study.ledger.physics import CHAPTERS, FITS, physics_of
 from winkler.vocabulary import GLOSSARY
@@ -108,9 +108,9 @@ def outside(source):
     """Return the sources that are not our own: first author and year of what was published, and other codes."""
     found = {code for code in ("CONTACT", "LAMMPS") if source.startswith(code)}
     for part in source.split(";"):
-        told = re.search(r"(?:[A-Z]\.[ -]?)+ ?([A-Z][a-z][\w-]+).*?\b((?:18|19|20)\d\d)\b", part)
-        if told:
-            found.add(" ".join(told.groups()))
+        message = re.search(r"(?:[A-Z]\.[ -]?)+ ?([A-Z][a-z][\w-]+).*?\b((?:18|19|20)\d\d)\b", part)
+        if message:
+            found.add(" ".join(message.groups()))
     return found
 
 
@@ -148,9 +148,9 @@ def test_no_case_says_the_same_as_another():
     seen: dict[str, str] = {}
     for path in case_files():
         content = tomllib.loads(path.read_text(encoding="utf-8"))
-        told = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
-        assert told not in seen, (path.stem, seen[told])
-        seen[told] = path.stem
+        message = repr([content.get(key) for key in ("problem", "function", "sweep", "fit", "expect")])
+        assert message not in seen, (path.stem, seen[message])
+        seen[message] = path.stem
 
 
 @pytest.mark.parametrize(
@@ -199,15 +199,15 @@ def test_what_no_table_knows_is_another_contact():
 
 def test_a_sweep_is_judged_point_by_point(tmp_path):
     (tmp_path / "swept.toml").write_text(SWEPT, encoding="utf-8")
-    entry = examined(tmp_path / "swept.toml")
+    entry = run_case(tmp_path / "swept.toml")
     assert entry.passed
     assert [float(verdict.expectation.expected) for verdict in entry.verdicts] == [0.25, 0.5, 0.125, 0.5]
     assert entry.points == ("curvature_radius = 1 m",) * 2 + ("curvature_radius = 2 m",) * 2
     assert "| depth at curvature_radius = 2 m | 0.125 m | 0.125 m |" in markdown([entry])
     (tmp_path / "swept.toml").write_text(SWEPT.replace("0.125]", "0.126]"), encoding="utf-8")
-    assert [verdict.passed for verdict in examined(tmp_path / "swept.toml").verdicts] == [True, True, False, True]
+    assert [verdict.passed for verdict in run_case(tmp_path / "swept.toml").verdicts] == [True, True, False, True]
     (tmp_path / "swept.toml").write_text(SWEPT.replace("0.125]", "0.125, 0.1]"), encoding="utf-8")
-    assert "expect: depth has 1 values, but 3 are expected" in examined(tmp_path / "swept.toml").failure
+    assert "expect: depth has 1 values, but 3 are expected" in run_case(tmp_path / "swept.toml").failure
 
 
 def written(tmp_path, text):
@@ -217,11 +217,11 @@ def written(tmp_path, text):
 
 
 def test_a_fit_is_judged(tmp_path):
-    entry = examined(written(tmp_path, FITTED))
+    entry = run_case(written(tmp_path, FITTED))
     assert entry.passed
     assert entry.physics == FITS
     assert entry.digits > 6.0
-    assert not examined(written(tmp_path, FITTED.replace("4000.0", "4001.0"))).passed
+    assert not run_case(written(tmp_path, FITTED.replace("4000.0", "4001.0"))).passed
 
 
 @pytest.mark.parametrize(
@@ -242,20 +242,20 @@ def test_a_fit_is_judged(tmp_path):
 def test_wrong_fits_are_refused(tmp_path, old, new, sentence):
     assert old in FITTED
     with pytest.raises(InvalidInput) as caught:
-        examined(written(tmp_path, FITTED.replace(old, new)))
+        run_case(written(tmp_path, FITTED.replace(old, new)))
     assert sentence in str(caught.value)
 
 
 def test_a_function_is_judged(tmp_path):
     path = tmp_path / "spin.toml"
     path.write_text(ASKED.replace("[0.25]", "0.25"), encoding="utf-8")
-    entry = examined(path)
+    entry = run_case(path)
     assert entry.passed
     assert (entry.physics, entry.verdicts[0].got) == ("rolling", 1.47)
     path.write_text(ASKED.replace("[0.25]", "0.25").replace("1.47", "1.48"), encoding="utf-8")
-    assert not examined(path).passed
+    assert not run_case(path).passed
     path.write_text(ASKED.replace("[0.25]", "0.7"), encoding="utf-8")
-    assert "Poisson's ratio is 0.7; the table goes from 0 to 0.5" in examined(path).failure
+    assert "Poisson's ratio is 0.7; the table goes from 0 to 0.5" in run_case(path).failure
     with pytest.raises(InvalidInput, match=r"a section \[function\]: it is a case of the ledger; `winkler validate"):
         read_study(path)
 
@@ -282,7 +282,7 @@ def test_a_function_is_judged(tmp_path):
 def test_wrong_functions_are_refused(tmp_path, old, new, sentence):
     (tmp_path / "spin.toml").write_text(ASKED.replace(old, new).replace("[0.25]", "0.25"), encoding="utf-8")
     with pytest.raises(InvalidInput) as caught:
-        examined(tmp_path / "spin.toml")
+        run_case(tmp_path / "spin.toml")
     assert sentence in str(caught.value)
 
 
@@ -290,7 +290,7 @@ def test_a_curve_that_cannot_be_fitted_is_missed(tmp_path):
     path = written(tmp_path, FITTED)
     lines = (tmp_path / "curve.csv").read_text(encoding="utf-8").splitlines()
     (tmp_path / "curve.csv").write_text("\n".join(lines[:5]) + "\n", encoding="utf-8")
-    entry = examined(path)
+    entry = run_case(path)
     assert not entry.passed
     assert entry.failure
     (part,) = chapters([entry])

@@ -28,7 +28,7 @@ def outcomes():
 @pytest.fixture
 def reopened(outcomes, tmp_path):
     def reopen(name):
-        archive.write(outcomes[name], tmp_path)
+        archive.write_archive(outcomes[name], tmp_path)
         with xarray.open_dataset(tmp_path / archive.NETCDF, engine="h5netcdf") as data:
             return data.load()
 
@@ -57,10 +57,10 @@ def test_the_file_is_the_one_that_xarray_writes(name, outcomes, reopened, tmp_pa
     with xarray.open_dataset(other, engine="h5netcdf") as data:
         assert reopened(name).identical(data.load())
     with h5netcdf.File(tmp_path / archive.NETCDF) as one, h5netcdf.File(other) as two:
-        told, wanted = (
+        text, wanted = (
             {key: str(sorted(item.attrs.items())) for key, item in file.variables.items()} for file in (one, two)
         )
-        assert told == wanted
+        assert text == wanted
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -112,7 +112,7 @@ def test_loads_have_an_axis_where_there_are_many(reopened):
     assert reopened("many loads, varied")["force"].dims == ("problem.bed.profile.curvature_radius", "load")
 
 
-def test_what_is_no_number_is_told_by_name(reopened):
+def test_what_is_no_number_is_stated_by_name(reopened):
     data = reopened("shapes")
     shapes = data["problem.bed.profile"]
     assert "units" not in shapes.attrs
@@ -164,21 +164,21 @@ def test_fields_at_lengths(outcomes, reopened, tmp_path):
 
 
 def test_a_table_of_surface_fields_names_what_was_varied(outcomes, tmp_path):
-    archive.write(outcomes["fields"], tmp_path)
+    archive.write_archive(outcomes["fields"], tmp_path)
     table = rows(tmp_path / archive.SURFACE)
     assert table[0][:2] == ["problem.load.force [N]", "r [m]"]
     assert [row[0] for row in table[1::4]] == ["1.0", "10.0", "100.0", "1000.0"]
 
 
 def test_no_fields_no_table_of_fields(outcomes, tmp_path):
-    archive.write(outcomes["one load"], tmp_path)
+    archive.write_archive(outcomes["one load"], tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == [archive.CSV, archive.NETCDF]
 
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_csv_has_units_and_all_digits(name, outcomes, tmp_path):
     outcome = outcomes[name]
-    archive.write(outcome, tmp_path)
+    archive.write_archive(outcome, tmp_path)
     table = rows(tmp_path / archive.CSV)
     columns = outcome.table()
     assert table[0] == [archive.heading(column.name, column.word) for column in columns]
@@ -201,15 +201,15 @@ def test_archives_of_equal_studies_agree(tmp_path):
     study = Study("Twice", pressed(), sweep=(Axis("problem.load.force", (1.0, 2.0)),))
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
-        archive.write(run(study), tmp_path / name)
+        archive.write_archive(run(study), tmp_path / name)
     one, two = ((tmp_path / name / archive.CSV).read_bytes() for name in ("one", "two"))
     assert one == two
     assert b"\r" not in one
 
 
 def test_writing_again_replaces(outcomes, tmp_path):
-    archive.write(outcomes["two keys"], tmp_path)
-    archive.write(outcomes["one load"], tmp_path)
+    archive.write_archive(outcomes["two keys"], tmp_path)
+    archive.write_archive(outcomes["one load"], tmp_path)
     with xarray.open_dataset(tmp_path / archive.NETCDF, engine="h5netcdf") as data:
         assert data.attrs["title"] == "A ball"
         assert dict(data.sizes) == {}

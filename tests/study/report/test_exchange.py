@@ -138,7 +138,7 @@ def test_an_outcome_is_its_archive():
 @pytest.mark.parametrize(
     "given", [3.0, None, "sphere", wk.Sphere, wk.Sphere(1.0), BED, wk.Indentation(BED, wk.Force(1.0))]
 )
-def test_what_is_no_answer_is_told(given):
+def test_what_is_no_answer_is_stated(given):
     for verb in (wk.to_xarray, wk.to_pandas):
         with pytest.raises(wk.InvalidInput, match="give what solve"):
             verb(given)

@@ -73,7 +73,7 @@ def written(tmp_path_factory):
         with pytest.MonkeyPatch.context() as patch:
             if name not in FULL:
                 patch.setattr(figures, "pictures_of", lambda contact: ("springs",))
-            report.write(outcome, folder)
+            report.write_report(outcome, folder)
         found[name] = outcome, folder
     return found
 
@@ -120,7 +120,7 @@ def test_every_chapter_is_there(name, page):
 
 
 @pytest.mark.parametrize("name", REPORTED)
-def test_validity_citations_and_provenance_are_told(name, written, page):
+def test_validity_citations_and_provenance_are_stated(name, written, page):
     outcome, _ = written[name]
     text = Page(page(name)).text
     assert outcome.validity
@@ -164,7 +164,7 @@ def test_without_a_report_there_are_figures_only(written):
 
 
 def test_without_figures_there_is_a_report_only(tmp_path):
-    report.write(run(Study("Plain", pressed(), output=Output(figures=()))), tmp_path)
+    report.write_report(run(Study("Plain", pressed(), output=Output(figures=()))), tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [REPORT]
 
 
@@ -178,7 +178,7 @@ def test_what_a_reader_wrote_is_escaped(page):
 
 def test_every_picture_of_the_method_is_on_the_page(page):
     parsed = Page(page("one load"))
-    shown = [told for name, told in CAPTIONS.items() if name != "medium"]  # which is homogeneous
+    shown = [message for name, message in CAPTIONS.items() if name != "medium"]  # which is homogeneous
     for title, sentence in shown:
         assert title in parsed.text
         assert sentence in parsed.text
@@ -191,7 +191,7 @@ def test_every_picture_of_the_method_is_on_the_page(page):
         assert "width" not in attributes
 
 
-def test_one_load_is_told_in_large_letters(page):
+def test_one_load_is_stated_in_large_letters(page):
     parsed = Page(page("one load"))
     assert "1.191 µm" in parsed.text
     assert "20 N" in parsed.text
@@ -199,7 +199,7 @@ def test_one_load_is_told_in_large_letters(page):
     assert "indentation depth: how far the bodies have approached since first touch" in parsed.text
 
 
-def test_the_study_is_told_in_words(page):
+def test_the_study_is_written_in_words(page):
     text = Page(page("one load")).text
     assert (
         "A body pressed into another one. The shape is a paraboloid (curvature radius = 10\u00a0mm). The body below is "
@@ -208,7 +208,7 @@ def test_the_study_is_told_in_words(page):
     ).replace("\u00a0", " ") in text.replace("\u00a0", " ")
 
 
-def test_what_was_varied_is_told(page):
+def test_what_was_varied_is_stated(page):
     text = Page(page("two keys")).text.replace("\u00a0", " ")
     assert "Prescribed: force varied." in text
     assert "Varied: load.force = 1 N, 10 N, 100 N, 1 kN." in text
@@ -217,7 +217,7 @@ def test_what_was_varied_is_told(page):
     assert "Shown is force = 1 kN, curvature radius = 10 mm." in text
 
 
-def test_shapes_are_told_by_name_not_by_class(page):
+def test_shapes_are_stated_by_name_not_by_class(page):
     text = Page(page("shapes")).text
     assert "cone (half angle = 85.9437°)" in text
     assert "flat punch (radius = 1 mm)" in text

@@ -14,11 +14,11 @@ import winkler as wk
 from winkler.errors import InvalidInput
 from winkler.study import chapters
 from winkler.study.batch.run import run
-from winkler.study.chapters.answer import Formula
+from winkler.study.chapters.answer import Equation
 from winkler.study.language.study import Axis, Study
-from winkler.study.report.describe import content_label, in_words, inputs, values_told
+from winkler.study.report.describe import content_label, in_words, inputs, values_text
 from winkler.study.report.figures import answers_over, svg_element
-from winkler.study.report.markup import kept, safe, table
+from winkler.study.report.markup import safe, table, with_fixed_units
 from winkler.study.report.mathml import formula, inline, symbol
 from winkler.vocabulary import GLOSSARY, OWNED
 
@@ -26,7 +26,7 @@ FORMULAS = [
     item
     for module in pkgutil.iter_modules(chapters.__path__)
     for item in vars(importlib.import_module(f"{chapters.__name__}.{module.name}")).values()
-    if isinstance(item, Formula)
+    if isinstance(item, Equation)
 ]
 
 
@@ -78,7 +78,7 @@ def test_a_name_that_is_no_formula_is_shown_as_it_is():
 
 def test_inputs_are_told_part_by_part():
     found = inputs(SAMPLES["one load"])
-    assert [(row.group, row.name, row.told) for row in found] == [
+    assert [(row.group, row.name, row.text) for row in found] == [
         ("profile: paraboloid", "curvature radius", "10 mm"),
         ("body below (z > 0): elastic", "Young's modulus", "210 GPa"),
         ("body below (z > 0): elastic", "Poisson's ratio", "0.3"),
@@ -90,28 +90,28 @@ def test_inputs_are_told_part_by_part():
 
 
 def test_inputs_of_every_kind_of_content():
-    def told(problem, **sweep):
-        return {row.name: row.told for row in inputs(Study("x", problem, **sweep))}
+    def message(problem, **sweep):
+        return {row.name: row.text for row in inputs(Study("x", problem, **sweep))}
 
-    assert told(pressed(wk.AreaFunction([24.5, 2e-6, 3e-9])))["coefficients"] == "24.5, 2 µm, 3·10⁻⁹ m^1.5"
-    found = told(pressed(wk.Formula("r**2/(2*R)", R=1e-2)))
+    assert message(pressed(wk.AreaFunction([24.5, 2e-6, 3e-9])))["coefficients"] == "24.5, 2 µm, 3·10⁻⁹ m^1.5"
+    found = message(pressed(wk.Formula("r**2/(2*R)", R=1e-2)))
     assert found["expression"] == "r**2/(2*R)"
     assert found["constants"] == "R = 0.01"
-    assert told(pressed(wk.PowerLaw(1e3, 3.0)))["coefficient"] == "1000 m⁻²"
-    assert told(pressed(load=wk.Force(np.geomspace(1.0, 1e3, 20))))["force"] == "20 values from 1 N to 1 kN"
+    assert message(pressed(wk.PowerLaw(1e3, 3.0)))["coefficient"] == "1000 m⁻²"
+    assert message(pressed(load=wk.Force(np.geomspace(1.0, 1e3, 20))))["force"] == "20 values from 1 N to 1 kN"
     rigid = inputs(Study("x", pressed(medium=wk.HalfSpace(wk.Elastic(1e9, 0.3)))))
-    assert ("body above (z < 0): rigid", "nothing to give") in [(row.group, row.told) for row in rigid]
+    assert ("body above (z < 0): rigid", "nothing to give") in [(row.group, row.text) for row in rigid]
     both = inputs(Study("x", pressed(wk.Paraboloid(1e-2) + wk.Wavy(1e-8, 1e-3))))
     assert [row.group for row in both][:3] == ["parts 1: paraboloid", "parts 2: wavy", "parts 2: wavy"]
-    swept = told(pressed(), sweep=(Axis("problem.bed.profile", (wk.Cone(1.5), wk.FlatPunch(1e-3))),))
+    swept = message(pressed(), sweep=(Axis("problem.bed.profile", (wk.Cone(1.5), wk.FlatPunch(1e-3))),))
     assert swept["profile"] == "varied: cone (half angle = 85.9437°), flat punch (radius = 1 mm)"
 
 
-def test_values_are_told_with_one_unit_where_it_suits():
-    assert values_told(np.linspace(1e-6, 5e-6, 9), "m") == "9 values from 1 to 5 µm"
-    assert values_told(np.geomspace(1e-9, 1e-3, 9), "m") == "9 values from 1 nm to 1 mm"
-    assert values_told(np.array([1.0, 2.0]), "N") == "1 N, 2 N"
-    assert values_told(0.3, "") == "0.3"
+def test_values_are_stated_with_one_unit_where_it_suits():
+    assert values_text(np.linspace(1e-6, 5e-6, 9), "m") == "9 values from 1 to 5 µm"
+    assert values_text(np.geomspace(1e-9, 1e-3, 9), "m") == "9 values from 1 nm to 1 mm"
+    assert values_text(np.array([1.0, 2.0]), "N") == "1 N, 2 N"
+    assert values_text(0.3, "") == "0.3"
 
 
 def test_a_study_in_words_for_every_sample():
@@ -132,7 +132,7 @@ def test_labels_of_what_is_no_number():
 
 def test_markup_escapes_and_keeps_numbers_with_their_units():
     assert safe("<&>") == "&lt;&amp;&gt;"
-    assert kept("a force of 20 N, 3 values") == "a force of 20\u00a0N, 3 values"
+    assert with_fixed_units("a force of 20 N, 3 values") == "a force of 20\u00a0N, 3 values"
     assert table([], ["<tr></tr>"]).count("<thead>") == 0
 
 

@@ -133,7 +133,7 @@ def test_a_lock_that_was_removed_while_it_was_waited_for_is_asked_for_anew(tmp_p
         assert path.exists()
 
 
-def test_a_folder_that_cannot_be_written_is_told(tmp_path, monkeypatch):
+def test_a_folder_that_cannot_be_written_is_stated(tmp_path, monkeypatch):
     def refused(path):
         raise PermissionError(13, "Permission denied")
 

@@ -1,6 +1,6 @@
 r"""Measured beds in tables: a force curve, or contact radius, stiffness and depth side by side.
 
-A force curve F(d) and the modulus of the medium are enough, since its slope tells the contact radius,
+A force curve F(d) and the modulus of the medium are enough, since its slope gives the contact radius,
 :math:`a = \frac{1}{2E^*}\frac{\mathrm dF}{\mathrm dd}`.  Where the radius was measured as well, no modulus is needed.
 """
 
@@ -44,20 +44,20 @@ def read_bed(path: str | os.PathLike[str], *, modulus: float = 0.0, mindlin_rati
     InvalidInput
         If the file cannot be read, or what it holds is no bed; or if the modulus is missing or not needed.
     """
-    whole = names_columns(path, (RADIUS, STIFFNESS, DEPTH))
-    if whole and modulus != 0.0:
+    has_radii = names_columns(path, (RADIUS, STIFFNESS, DEPTH))
+    if has_radii and modulus != 0.0:
         raise InvalidInput(
-            f"{path}: the table holds contact radii and stiffnesses, so that modulus = {modulus:g} Pa has nothing to "
-            "tell; leave it out."
+            f"{path}: the table holds contact radii and stiffnesses, so that modulus = {modulus:g} Pa is not "
+            "needed; leave it out."
         )
-    table = read_table(path, (RADIUS, STIFFNESS, DEPTH) if whole else (DEPTH, FORCE))
-    if not whole and modulus == 0.0:
+    table = read_table(path, (RADIUS, STIFFNESS, DEPTH) if has_radii else (DEPTH, FORCE))
+    if not has_radii and modulus == 0.0:
         raise InvalidInput(
-            f"{path}: a force curve alone does not tell the contact radius; give modulus = E* of the medium, such as "
+            f"{path}: a force curve alone does not give the contact radius; give modulus = E* of the medium, such as "
             "115 GPa for a hard tip on steel."
         )
     try:
-        if whole:
+        if has_radii:
             radii, stiffnesses, depths = table.values.T
             return MeasuredBed(radii, stiffnesses, depths, mindlin_ratio=mindlin_ratio)
         depth, force = table.values.T

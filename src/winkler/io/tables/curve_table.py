@@ -29,7 +29,9 @@ DEFLECTION = Column("deflection", ("deflection", "cantilever"), "m", "nm")
 VOLTAGE = Column("deflection", ("deflection", "voltage", "vertical deflection"), "V")
 TIME = Column("time", ("time", "t"), "s")
 SEGMENT = Column("segment", ("segment",), "")
-CANTILEVER = re.compile(r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+")
+SPRING_CONSTANT_LINE = re.compile(
+    r"\s*+(?:k|spring constant)\s*+[\[(]N/m[\])]\s*+(?:[:=]\s*+)?([0-9.,eE+-]{1,100}+)\s*+"
+)
 
 
 def is_curve_table(path: str | os.PathLike[str]) -> bool:
@@ -54,8 +56,8 @@ def read_curve_table(
     ----------
     path : str or path
         The file; its header names columns and units, as in ``piezo [nm], force [nN], time [s]``.  A column ``segment``
-        counts the stretches on which the tip goes in, is held, and comes out; without it the tip goes in up to the
-        largest position, and then comes out.
+        numbers the segments in which the tip approaches, is held, and retracts; without it the tip approaches up to the
+        largest position, and then retracts.
     spring_constant : float, optional
         Of the cantilever [N/m].  With a column ``depth`` it is not needed: that is the travel of the tip itself.
     sensitivity : float, optional
@@ -77,9 +79,9 @@ def read_curve_table(
             f"({', '.join(DEPTH.names)}) or {POSITION.word} ({', '.join(POSITION.names)}) and a {FORCE.word} "
             f"({', '.join(FORCE.names)}) with units, as in '{DEPTH.example}, {FORCE.example}', and numbers below."
         )
-    timed = names_columns(path, (place, load, TIME))
-    parted = names_columns(path, (place, load, SEGMENT))
-    table = read_table(path, (place, load, *(TIME,) * timed, *(SEGMENT,) * parted))
+    has_time = names_columns(path, (place, load, TIME))
+    has_segments = names_columns(path, (place, load, SEGMENT))
+    table = read_table(path, (place, load, *(TIME,) * has_time, *(SEGMENT,) * has_segments))
     stiffness = _stiffness(path, spring_constant)
     force = table.values[:, 1]
     if load is not FORCE:
@@ -98,8 +100,8 @@ def read_curve_table(
         )
     machine = stiffness if place is POSITION and stiffness is not None else math.inf
     position = table.values[:, 0]
-    time = table.values[:, 2] if timed else np.zeros(0)
-    segment = table.values[:, -1] if parted else np.zeros(0)
+    time = table.values[:, 2] if has_time else np.zeros(0)
+    segment = table.values[:, -1] if has_segments else np.zeros(0)
     try:
         return ForceCurve(position, force, machine, time, directions(position, force, segment), Path(path).name)
     except InvalidInput as error:
@@ -107,7 +109,7 @@ def read_curve_table(
 
 
 def _place(path: str | os.PathLike[str], *, prefer_position: bool = False) -> Column | None:
-    """Return what says where the tip is; an instrument's own depth gives way to the piezo of a known cantilever."""
+    """Return the column of the tip's position; a piezo with a stated cantilever precedes the instrument's own depth."""
     position, depth = (names_columns(path, (column,)) for column in (POSITION, DEPTH))
     if position and (prefer_position or not depth or _stated_cantilever(path) is not None):
         return POSITION
@@ -137,15 +139,19 @@ def _stiffness(path: str | os.PathLike[str], given: float | None) -> float | Non
 
 def _stated_cantilever(path: str | os.PathLike[str]) -> float | None:
     """Return the spring constant [N/m] that stands above the table, if one does."""
-    found = next((match for line in head_of(path, "a table") if (match := CANTILEVER.fullmatch(line))), None)
-    if found is None:
+    stated_line = next(
+        (match for line in head_of(path, "a table") if (match := SPRING_CONSTANT_LINE.fullmatch(line))), None
+    )
+    if stated_line is None:
         return None
-    if "," in found[1]:
-        raise InvalidInput(f"{path}: the spring constant '{found[1]}' has {comma_hint(found[1])}.")
+    if "," in stated_line[1]:
+        raise InvalidInput(f"{path}: the spring constant '{stated_line[1]}' has {comma_hint(stated_line[1])}.")
     try:
-        stated = float(found[1])
+        stated = float(stated_line[1])
     except ValueError:
         stated = math.nan
     if not 0.0 < stated < math.inf:
-        raise InvalidInput(f"{path}: the spring constant '{found[1]}' is no positive number; correct it in the file.")
+        raise InvalidInput(
+            f"{path}: the spring constant '{stated_line[1]}' is no positive number; correct it in the file."
+        )
     return stated

@@ -38,22 +38,22 @@ def read_grading(path: str | os.PathLike[str], *, poisson: float = math.nan) -> 
     Raises
     ------
     InvalidInput
-        If the file cannot be read, what it holds is no grading, or poisson is told twice or not at all.
+        If the file cannot be read, what it holds is no grading, or poisson is given twice or not at all.
     """
-    told = names_columns(path, (DEPTH, YOUNG, POISSON))
-    if told and not math.isnan(poisson):
+    has_poisson = names_columns(path, (DEPTH, YOUNG, POISSON))
+    if has_poisson and not math.isnan(poisson):
         raise InvalidInput(
             f"{path}: the table has a column of Poisson's ratios, and poisson = {poisson:g} was given "
             "as well; leave one of them out."
         )
-    table = read_table(path, (DEPTH, YOUNG, POISSON) if told else (DEPTH, YOUNG))
-    if not told and math.isnan(poisson):
+    table = read_table(path, (DEPTH, YOUNG, POISSON) if has_poisson else (DEPTH, YOUNG))
+    if not has_poisson and math.isnan(poisson):
         raise InvalidInput(
             f"{path}: the table has no column of Poisson's ratios (poisson, nu); add it, or give "
             "poisson, which then holds at every depth."
         )
     depths, youngs = table.values[:, 0], table.values[:, 1]
-    poissons = table.values[:, 2] if told else np.full(depths.shape, poisson)
+    poissons = table.values[:, 2] if has_poisson else np.full(depths.shape, poisson)
     try:
         return TabulatedGrading(depths, youngs, poissons)
     except InvalidInput as error:

@@ -1,6 +1,6 @@
 """Contact laws as look-up tables for other programs: the conventions in words, then the rows.
 
-``.csv`` has the words as comments behind #, ``.json`` as entries::
+``.csv`` has the conventions as comments behind #, ``.json`` as entries::
 
     {"conventions": [...], "asked": {...}, "hermite_error": ..., "linear_error": ...,
      "columns": {"depth": {"unit": "m", "meaning": "...", "values": [...]}, ...}}
@@ -14,7 +14,7 @@ import os
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.io.traces import CONVENTIONS, asked_of
+from winkler.io.traces import CONVENTIONS, inputs_of
 from winkler.io.whole_file import write_whole_text
 from winkler.problems.particles.contact_law import ContactLawSolution
 from winkler.vocabulary import word
@@ -22,7 +22,7 @@ from winkler.vocabulary import word
 __all__ = ["write_law"]
 
 COLUMNS = ("depth", "force", "radius", "stiffness", "shear_stiffness", "energy")
-RULES = (
+LAW_CONVENTIONS = (
     "One curve for loading and unloading: the contact has no friction, no adhesion and no memory; below depth 0 all "
     "columns are zero, beyond the last row the law is not known.",
     "Between two rows the force is the cubic with their forces and stiffnesses (Hermite), or a straight line; the "
@@ -40,7 +40,7 @@ def write_law(law: ContactLawSolution, path: str | os.PathLike[str]) -> Path:
     law : ContactLawSolution
         What ``ContactLaw(...).solve()`` returns.
     path : str or path
-        The file; its ending, ``.csv`` or ``.json``, says which kind.
+        The file; its ending, ``.csv`` or ``.json``, states its kind.
 
     Returns
     -------
@@ -49,7 +49,7 @@ def write_law(law: ContactLawSolution, path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     InvalidInput
-        If the ending is another one, the file cannot be written, or what is given is no law.
+        If the ending is another one, the file cannot be written, or ``law`` is no contact law.
     """
     if not isinstance(law, ContactLawSolution):
         raise InvalidInput(f"write_law: a {type(law).__name__} is no contact law; give ContactLaw(...).solve().")
@@ -61,8 +61,8 @@ def write_law(law: ContactLawSolution, path: str | os.PathLike[str]) -> Path:
 
 
 def _csv(law: ContactLawSolution) -> str:
-    lines = [f"# {sentence}" for sentence in (*CONVENTIONS, *RULES)]
-    lines += [f"# {name} = {number!r}" for name, number in asked_of(law.problem).items()]
+    lines = [f"# {sentence}" for sentence in (*CONVENTIONS, *LAW_CONVENTIONS)]
+    lines += [f"# {name} = {number!r}" for name, number in inputs_of(law.problem).items()]
     lines += [f"# {name} = {getattr(law, name)!r}" for name in ("hermite_error", "linear_error")]
     lines.append(",".join(f"{name} [{word('ContactLawSolution', name).unit}]" for name in COLUMNS))
     rows = zip(*(getattr(law, name).tolist() for name in COLUMNS), strict=True)
@@ -71,8 +71,8 @@ def _csv(law: ContactLawSolution) -> str:
 
 def _json(law: ContactLawSolution) -> str:
     content = {
-        "conventions": [*CONVENTIONS, *RULES],
-        "asked": {name: "infinite" if part == math.inf else part for name, part in asked_of(law.problem).items()},
+        "conventions": [*CONVENTIONS, *LAW_CONVENTIONS],
+        "asked": {name: "infinite" if part == math.inf else part for name, part in inputs_of(law.problem).items()},
         "hermite_error": law.hermite_error,
         "linear_error": law.linear_error,
         "columns": {

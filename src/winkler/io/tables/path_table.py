@@ -1,4 +1,4 @@
-"""Paths in tables: a time in every row, and beside it what is prescribed across and along the surface."""
+"""Paths in tables: a time in every row, with the prescribed normal and tangential load or displacement."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from winkler.path import Path
 __all__ = ["read_path"]
 
 TIME = Column("time", ("time", "t"), "s", "ms")
-NORMAL: dict[type[Depth] | type[Force], tuple[Column, ...]] = {
+NORMAL_COLUMNS: dict[type[Depth] | type[Force], tuple[Column, ...]] = {
     Depth: (Column("depth", ("depth", "d"), "m", "um"),),
     Force: (Column("normal force", ("force", "normal_force", "normal force", "f_n"), "N"),),
 }
-LATERAL: dict[type[Shift] | type[ShearForce] | type[Angle] | type[Torque], tuple[Column, ...]] = {
+LATERAL_COLUMNS: dict[type[Shift] | type[ShearForce] | type[Angle] | type[Torque], tuple[Column, ...]] = {
     Shift: (Column("shift", ("shift", "u_x", "ux"), "m", "um"),),
     ShearForce: (Column("shear force", ("shear_force", "shear force", "f_x", "fx"), "N"),),
     Angle: (Column("angle", ("angle", "phi"), "rad", "deg"),),
     Torque: (Column("torque", ("torque", "m_z", "mz"), "N m"),),
 }
-SECOND: dict[type, Column] = {
+SECOND_COLUMNS: dict[type, Column] = {
     Shift: Column("shift along y", ("shift_y", "shift y", "u_y", "uy"), "m", "um"),
     ShearForce: Column("shear force along y", ("shear_force_y", "shear force y", "f_y", "fy"), "N"),
 }
@@ -49,30 +49,30 @@ def read_path(path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     InvalidInput
-        If the file cannot be read, a load is missing or told in two ways, or what it holds is no path.
+        If the file cannot be read, a load is missing or given twice, or what it holds is no path.
     """
-    normals = [kind for kind, columns in NORMAL.items() if names_columns(path, columns)]
-    laterals = [kind for kind, columns in LATERAL.items() if names_columns(path, columns)]
+    normals = [kind for kind, columns in NORMAL_COLUMNS.items() if names_columns(path, columns)]
+    laterals = [kind for kind, columns in LATERAL_COLUMNS.items() if names_columns(path, columns)]
     if len(normals) != 1:
-        told = "both a depth and a normal force" if normals else "neither a depth nor a normal force"
+        stated = "both a depth and a normal force" if normals else "neither a depth nor a normal force"
         raise InvalidInput(
-            f"{path}: the table has {told}; a path needs one of both, such as '{TIME.example}, "
-            f"{NORMAL[Force][0].example}, {LATERAL[Shift][0].example}'."
+            f"{path}: the table has {stated}; a path needs one of both, such as '{TIME.example}, "
+            f"{NORMAL_COLUMNS[Force][0].example}, {LATERAL_COLUMNS[Shift][0].example}'."
         )
     if len(laterals) > 1:
-        words = " and ".join(LATERAL[kind][0].word for kind in laterals)
+        words = " and ".join(LATERAL_COLUMNS[kind][0].word for kind in laterals)
         raise InvalidInput(f"{path}: the table has columns of {words}; only one of them can drive the bodies sideways.")
-    columns = [TIME, *NORMAL[normals[0]]]
+    columns = [TIME, *NORMAL_COLUMNS[normals[0]]]
     for kind in laterals:
-        columns += LATERAL[kind]
-        if kind in SECOND and names_columns(path, (SECOND[kind],)):
-            columns.append(SECOND[kind])
+        columns += LATERAL_COLUMNS[kind]
+        if kind in SECOND_COLUMNS and names_columns(path, (SECOND_COLUMNS[kind],)):
+            columns.append(SECOND_COLUMNS[kind])
     table = read_table(path, columns)
     normal = normals[0](table.values[:, 1])
-    sideways = table.values[:, 2:]
+    lateral = table.values[:, 2:]
     try:
         if not laterals:
             return Path(table.values[:, 0], normal)
-        return Path(table.values[:, 0], normal, laterals[0](sideways if sideways.shape[1] == 2 else sideways[:, 0]))
+        return Path(table.values[:, 0], normal, laterals[0](lateral if lateral.shape[1] == 2 else lateral[:, 0]))
     except InvalidInput as error:
         raise InvalidInput(f"{table.path}: {error}") from None

@@ -20,7 +20,7 @@ from winkler.profiles.measured import Measured
 
 __all__ = ["read_profile"]
 
-UNEVEN = 0.05
+LARGEST_FLANK_DIFFERENCE = 0.05
 """Largest difference (root mean square) between the flanks of a scan, against its height."""
 RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")
 HEIGHT = Column("height", ("height", "h", "z", "f"), "m", "nm")
@@ -111,10 +111,10 @@ def _compare_flanks(x: Array, f: Array) -> None:
     span = float(np.ptp(f[common]))
     f = f / span if span > 0.0 else f  # squares of large heights have no number
     r, end = x[common & ~left], f[common & ~left]
-    lead = _parabola(r / r[-1], end - np.interp(r, -x[left][::-1], f[left][::-1]), min(2, r.size - 1))
-    uneven = float(np.sqrt(np.mean(np.polyval(lead, r / r[-1]) ** 2)))
-    if uneven > UNEVEN:
+    difference = _parabola(r / r[-1], end - np.interp(r, -x[left][::-1], f[left][::-1]), min(2, r.size - 1))
+    flank_difference = float(np.sqrt(np.mean(np.polyval(difference, r / r[-1]) ** 2)))
+    if flank_difference > LARGEST_FLANK_DIFFERENCE:
         raise InvalidInput(
-            f"the two flanks of the scan differ by {uneven:.0%} of its height; level the scan, or give one flank with "
-            "distances from the axis."
+            f"the two flanks of the scan differ by {flank_difference:.0%} of its height; level the scan, or give one "
+            "flank with distances from the axis."
         )

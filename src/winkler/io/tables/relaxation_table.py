@@ -1,6 +1,6 @@
 """Measured viscoelastic solids in tables: relaxation or creep over time, storage and loss over frequency.
 
-Rheometers measure shear, machines for strips and bars tension; Poisson's ratio turns one into the other.
+Rheometers measure shear, tensile machines tension; Poisson's ratio converts one into the other, E = 2 (1 + nu) G.
 """
 
 from __future__ import annotations
@@ -24,14 +24,18 @@ T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 TIME = Column("time", ("time", "t"), "s", "s")
 FREQUENCY = Column("frequency", ("frequency", "f"), "Hz")
 ANGULAR = Column("angular frequency", ("angular_frequency", "angular frequency", "omega"), "rad/s")
-SHEAR = Column("shear modulus", ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation"), "Pa", "kPa")
-YOUNG = Column("Young's modulus", ("young", "e", "e(t)", "young's modulus", "tensile modulus"), "Pa", "kPa")
-COMPLIANCE = Column("shear compliance", ("compliance", "j", "j(t)", "shear compliance"), "1/Pa")
-TENSILE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
-STORAGE = Column("storage modulus in shear", ("storage_shear", "storage", "g'", "storage modulus"), "Pa", "kPa")
-LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "loss modulus"), "Pa", "kPa")
-STRETCHED = Column("storage modulus in tension", ("tensile_storage", "e'", "tensile storage modulus"), "Pa", "MPa")
-LOST = Column("loss modulus in tension", ("tensile_loss", "e''", 'e"', "tensile loss modulus"), "Pa", "MPa")
+SHEAR_MODULUS = Column(
+    "shear modulus", ("shear", "g", "g(t)", "shear modulus", "shear_modulus", "relaxation"), "Pa", "kPa"
+)
+YOUNG_MODULUS = Column("Young's modulus", ("young", "e", "e(t)", "young's modulus", "tensile modulus"), "Pa", "kPa")
+SHEAR_COMPLIANCE = Column("shear compliance", ("compliance", "j", "j(t)", "shear compliance"), "1/Pa")
+TENSILE_COMPLIANCE = Column("tensile compliance", ("tensile_compliance", "d", "d(t)", "tensile compliance"), "1/Pa")
+SHEAR_STORAGE = Column("storage modulus in shear", ("storage_shear", "storage", "g'", "storage modulus"), "Pa", "kPa")
+SHEAR_LOSS = Column("loss modulus in shear", ("loss_shear", "loss", "g''", 'g"', "loss modulus"), "Pa", "kPa")
+TENSILE_STORAGE = Column(
+    "storage modulus in tension", ("tensile_storage", "e'", "tensile storage modulus"), "Pa", "MPa"
+)
+TENSILE_LOSS = Column("loss modulus in tension", ("tensile_loss", "e''", 'e"', "tensile loss modulus"), "Pa", "MPa")
 
 
 @reader("a relaxation")
@@ -54,9 +58,9 @@ def read_relaxation(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Re
     InvalidInput
         If the file cannot be read, or what it holds is no relaxation.
     """
-    table, stretched = _read(path, (TIME, SHEAR), (TIME, YOUNG))
+    table, tensile = _read(path, (TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS))
     time, modulus = table.values.T
-    return _made(RelaxationData, table, (time, modulus / (_stretch(poisson) if stretched else 1.0)), poisson)
+    return _data(RelaxationData, table, (time, modulus / (_young_over_shear(poisson) if tensile else 1.0)), poisson)
 
 
 @reader("a creep")
@@ -79,9 +83,9 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5) -> CreepDa
     InvalidInput
         If the file cannot be read, or what it holds is no creep.
     """
-    table, stretched = _read(path, (TIME, COMPLIANCE), (TIME, TENSILE))
+    table, tensile = _read(path, (TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE))
     time, compliance = table.values.T
-    return _made(CreepData, table, (time, compliance * (_stretch(poisson) if stretched else 1.0)), poisson)
+    return _data(CreepData, table, (time, compliance * (_young_over_shear(poisson) if tensile else 1.0)), poisson)
 
 
 @reader("storage and loss")
@@ -105,30 +109,28 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5) -> Dynam
     InvalidInput
         If the file cannot be read, or what it holds is no storage and loss.
     """
-    over = ANGULAR if names_columns(path, (ANGULAR,)) else FREQUENCY
-    table, stretched = _read(path, (over, STORAGE, LOSS), (over, STRETCHED, LOST))
+    abscissa = ANGULAR if names_columns(path, (ANGULAR,)) else FREQUENCY
+    table, tensile = _read(path, (abscissa, SHEAR_STORAGE, SHEAR_LOSS), (abscissa, TENSILE_STORAGE, TENSILE_LOSS))
     frequency, storage, loss = table.values.T
-    turns = 2.0 * math.pi * frequency if over is FREQUENCY else frequency
-    part = _stretch(poisson) if stretched else 1.0
-    return _made(DynamicData, table, (turns, storage / part, loss / part), poisson)
+    angular = 2.0 * math.pi * frequency if abscissa is FREQUENCY else frequency
+    divisor = _young_over_shear(poisson) if tensile else 1.0
+    return _data(DynamicData, table, (angular, storage / divisor, loss / divisor), poisson)
 
 
-def _read(
-    path: str | os.PathLike[str], sheared: tuple[Column, ...], stretched: tuple[Column, ...]
-) -> tuple[Table, bool]:
+def _read(path: str | os.PathLike[str], sheared: tuple[Column, ...], tensile: tuple[Column, ...]) -> tuple[Table, bool]:
     """Return the columns of shear or, where the table has those alone, of tension; and whether it was tension."""
-    tension = names_columns(path, stretched) and not names_columns(path, sheared)
-    return read_table(path, stretched if tension else sheared), tension
+    tension = names_columns(path, tensile) and not names_columns(path, sheared)
+    return read_table(path, tensile if tension else sheared), tension
 
 
-def _stretch(poisson: float) -> float:
+def _young_over_shear(poisson: float) -> float:
     """Return Young's modulus over the shear modulus."""
     if not -1.0 < poisson <= 0.5:
         raise InvalidInput(f"poisson is {poisson!r}; a Poisson ratio is above -1 and at most 0.5.")
     return 2.0 * (1.0 + poisson)
 
 
-def _made(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
+def _data(kind: Callable[..., T], table: Table, rows: tuple[np.ndarray, ...], poisson: float) -> T:
     order = np.argsort(rows[0], kind="stable")  # dynamic tests are often swept downwards
     try:
         return kind(*(row[order] for row in rows), poisson=poisson)

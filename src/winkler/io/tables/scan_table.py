@@ -11,8 +11,8 @@ from winkler.profiles.rough.line_scan import LineScan
 
 __all__ = ["is_scan", "read_scan"]
 
-PLACE = Column("place", ("place", "position", "x", "lateral", "distance", "scan"), "m", "um")
-HEIGHT = Column("height", ("height", "heights", "z", "h", "raw", "profile", "level"), "m", "nm")
+PLACE_COLUMN = Column("place", ("place", "position", "x", "lateral", "distance", "scan"), "m", "um")
+HEIGHT_COLUMN = Column("height", ("height", "heights", "z", "h", "raw", "profile", "level"), "m", "nm")
 
 
 def is_scan(path: str | os.PathLike[str]) -> bool:
@@ -23,7 +23,7 @@ def is_scan(path: str | os.PathLike[str]) -> bool:
     InvalidInput
         If the file cannot be read.
     """
-    return names_columns(path, (PLACE, HEIGHT))
+    return names_columns(path, (PLACE_COLUMN, HEIGHT_COLUMN))
 
 
 @reader("a scan")
@@ -45,7 +45,7 @@ def read_scan(path: str | os.PathLike[str]) -> LineScan:
     InvalidInput
         If the file cannot be read, or what it holds is no scan.
     """
-    table = read_table(path, (PLACE, HEIGHT))
+    table = read_table(path, (PLACE_COLUMN, HEIGHT_COLUMN))
     try:
         return LineScan(*table.values.T)
     except InvalidInput as error:

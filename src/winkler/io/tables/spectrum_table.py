@@ -19,12 +19,12 @@ __all__ = ["read_spectrum"]
 WAVE_NUMBER = Column(
     "wave number", ("wave_number", "wave number", "wavenumber", "wavevector", "wave vector", "q"), "1/m", "1/um"
 )
-TURNED = Column(WAVE_NUMBER.word, WAVE_NUMBER.names, "rad/m", "rad/um")
+ANGULAR_WAVE_NUMBER = Column(WAVE_NUMBER.word, WAVE_NUMBER.names, "rad/m", "rad/um")
 WAVELENGTH = Column("wavelength", ("wavelength", "lambda"), "m", "um")
 FREQUENCY = Column("spatial frequency", ("spatial_frequency", "spatial frequency", "frequency", "f"), "1/m", "1/um")
 DENSITY = Column("density", ("density", "psd", "c", "c(q)", "power spectral density"), "m^4", "um^4")
-OF_LINES = Column(DENSITY.word, DENSITY.names, "m^3", "um^3")
-PER = ("wave number", "frequency")
+LINE_DENSITY = Column(DENSITY.word, DENSITY.names, "m^3", "um^3")
+COUNTED_PER = ("wave number", "frequency")
 
 
 @reader("a spectrum")
@@ -41,7 +41,7 @@ def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectr
         number it is continued as a power law, so that the last octave is a guess.  A scan itself, places and heights,
         is taken as well (`read_scan`).
     per : str, optional
-        What the density is counted per, since programs differ by 2 pi for every direction: "wave number", as in
+        Variable per which the density is counted; programs differ by 2 pi for every direction: "wave number", as in
         Persson's papers, or "frequency", which is (2 pi)^2 times as much for a surface, as SurfaceTopography and
         contact.engineering write it, also over wave numbers.  Unless given, it is what the first column counts.
 
@@ -60,17 +60,17 @@ def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectr
     Per wave number, :math:`\langle h^2\rangle=\int C\,\mathrm d^2q`; per frequency,
     :math:`\langle h^2\rangle=\int C\,\mathrm d^2f=(2\pi)^{-2}\int C\,\mathrm d^2q`.
     """
-    if per and per not in PER:
+    if per and per not in COUNTED_PER:
         raise InvalidInput(f"read_spectrum: per is {per!r}; give 'wave number' or 'frequency'.")
     if is_scan(path):
         return read_scan(path).spectrum
     places = next((column for column in (WAVELENGTH, FREQUENCY) if names_columns(path, (column, DENSITY))), WAVE_NUMBER)
     table, directions = _table(path, places)
-    given, density = table.values.T
-    if np.any(given <= 0.0):
-        line = int(table.lines[np.argmax(given <= 0.0)])
+    abscissa, density = table.values.T
+    if np.any(abscissa <= 0.0):
+        line = int(table.lines[np.argmax(abscissa <= 0.0)])
         raise InvalidInput(f"{table.path}, line {line}: the {places.word} is not positive; delete the line.")
-    q = given if places is WAVE_NUMBER else 2.0 * math.pi * (1.0 / given if places is WAVELENGTH else given)
+    q = abscissa if places is WAVE_NUMBER else 2.0 * math.pi * (1.0 / abscissa if places is WAVELENGTH else abscissa)
     order = np.argsort(q, kind="stable")
     counted = per or ("frequency" if places is FREQUENCY else "wave number")
     density = density[order] / (2.0 * math.pi) ** (directions if counted == "frequency" else 0)
@@ -81,10 +81,11 @@ def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectr
 
 
 def _table(path: str | os.PathLike[str], places: Column) -> tuple[Table, int]:
-    """Return two columns, and of how many directions the density is: its unit tells."""
-    columns = (places, TURNED) if places is WAVE_NUMBER else (places,)  # wave numbers are written in 1/m and in rad/m
+    """Return two columns and the number of directions of the density, which follows from its unit."""
+    # wave numbers are written in 1/m and in rad/m
+    columns = (places, ANGULAR_WAVE_NUMBER) if places is WAVE_NUMBER else (places,)
     reasons = []
-    for density, directions in ((DENSITY, 2), (OF_LINES, 1)):
+    for density, directions in ((DENSITY, 2), (LINE_DENSITY, 1)):
         for column in columns:
             try:
                 return read_table(path, (column, density)), directions

@@ -29,24 +29,24 @@ from winkler.values import value
 
 __all__ = ["Column", "Table", "names_columns", "read_table"]
 
-SEPARATORS = ("\t", ";", ",", None)
-COMMENT = "#% \t"
+SEPARATORS_TRIED = ("\t", ";", ",", None)
+COMMENT_MARKS = "#% \t"
 
 
 @value
 class Column:
-    """A column that is wanted from a table.
+    """A column to read from a table.
 
     Parameters
     ----------
     word : str
-        What it is, for messages.
+        Name of the quantity, for messages.
     names : tuple of str
-        Names in the header by which it is known, in lower case.
+        Names that it may have in the header, in lower case.
     unit : str
-        SI unit in which it is wanted; empty for a plain number, which needs no unit in the header.
+        SI unit in which it is returned; empty for a plain number, which needs no unit in the header.
     usual : str, optional
-        A unit that people write, for messages; the SI unit unless given.
+        A customary unit, for messages; the SI unit unless given.
     """
 
     word: str
@@ -70,7 +70,7 @@ class Table:
     path : str
         The file.
     values : ndarray, (rows, columns)
-        Numbers in SI units, in the order in which the columns were asked for.
+        Numbers in SI units, in the order of the requested columns.
     lines : ndarray, (rows,)
         The line of the file, counted from 1, on which each row stands.
     """
@@ -96,7 +96,7 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     path : str or path
         The file.
     columns : sequence of Column
-        What is wanted; each must be found once, with a unit that fits.
+        The columns to read; each must stand in the header once, with a unit that fits.
 
     Returns
     -------
@@ -107,12 +107,12 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
     InvalidInput
         If the file cannot be read; the message names the line.
     """
-    shown = str(path)
+    file = str(path)
     lines = lines_of(path, _needs(columns))
-    head = headed(lines, shown)
-    header = _header(head, columns, shown)
+    head = headed(lines, file)
+    header = _header(head, columns, file)
     separator = _separator(lines, header)
-    numbers, places, absent = array("d"), array("d"), list[int]()
+    numbers, places, gaps = array("d"), array("d"), list[int]()
     for index in range(header.line, len(lines)):
         line = lines[index].partition("#")[0]
         if not line.strip():
@@ -123,33 +123,31 @@ def read_table(path: str | os.PathLike[str], columns: Sequence[Column]) -> Table
         if len(cells) != len(header.cells):
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
-            raise InvalidInput(f"{shown}, line {index + 1}: {size}{hint}.")
+            raise InvalidInput(f"{file}, line {index + 1}: {size}{hint}.")
         try:
             if "_" in line:
                 raise ValueError("float() reads 1_000")
             row = [float(cells[place]) for place in header.places]
         except ValueError:
-            row = [
-                number_in(cells[place], f"{shown}, line {index + 1}", header.cells[place]) for place in header.places
-            ]
+            row = [number_in(cells[place], f"{file}, line {index + 1}", header.cells[place]) for place in header.places]
         if not all(map(math.isfinite, row)):
-            absent.append(index + 1)
+            gaps.append(index + 1)
         numbers.extend(row)
         places.append(index + 1)
-    if absent:
-        listed = ", ".join(map(str, absent[:5])) + (f" and {len(absent) - 5} more" if len(absent) > 5 else "")
-        few = "line" if len(absent) == 1 else "lines"
-        raise InvalidInput(f"{shown}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
+    if gaps:
+        listed = ", ".join(map(str, gaps[:5])) + (f" and {len(gaps) - 5} more" if len(gaps) > 5 else "")
+        few = "line" if len(gaps) == 1 else "lines"
+        raise InvalidInput(f"{file}: {few} {listed}: a number is missing or not finite; complete or delete the {few}.")
     if not places:
-        raise InvalidInput(f"{shown}: there are no numbers below the header in line {header.line}.")
+        raise InvalidInput(f"{file}: there are no numbers below the header in line {header.line}.")
     factors = np.array([scale(column.unit, unit) for column, unit in zip(columns, header.units, strict=True)])
     with np.errstate(over="ignore"):
         values = np.array(numbers).reshape(-1, len(columns)) / factors
     computable = np.all(np.abs(values) <= LARGEST_NUMBER, axis=1)
     if not np.all(computable):
         place = places[int(np.argmin(computable))]
-        raise InvalidInput(f"{shown}, line {place}: a number is too large to be computed with in SI units; check it.")
-    return Table(shown, values, np.array(places))
+        raise InvalidInput(f"{file}, line {place}: a number is too large to be computed with in SI units; check it.")
+    return Table(file, values, np.array(places))
 
 
 def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bool:
@@ -160,7 +158,7 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
     path : str or path
         The file.
     columns : sequence of Column
-        What is looked for.
+        The columns.
 
     Raises
     ------
@@ -168,14 +166,16 @@ def names_columns(path: str | os.PathLike[str], columns: Sequence[Column]) -> bo
         If the file cannot be read.
     """
     texts = [
-        line.lstrip(COMMENT).rstrip() for line in head_of(path, _needs(columns)) if _may_name(line.lower(), columns)
+        line.lstrip(COMMENT_MARKS).rstrip()
+        for line in head_of(path, _needs(columns))
+        if _may_name(line.lower(), columns)
     ]
-    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS]
+    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
     return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
-    """Return whether a line holds the letters of every column's name; rows of numbers are told quickly."""
+    """Return whether a line holds the letters of every column's name; rows of numbers are excluded quickly."""
     return all(any(name in line for name in column.names) for column in columns)
 
 
@@ -187,31 +187,31 @@ def _needs(columns: Sequence[Column]) -> str:
     return f"a header such as '{_example(columns)}', and numbers below"
 
 
-def _header(lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
+def _header(lines: Sequence[str], columns: Sequence[Column], file: str) -> _Header:
     """Return the first line in which every column is named."""
     for index, line in enumerate(lines):
-        text = line.lstrip(COMMENT).rstrip()
-        for separator in SEPARATORS if text else ():
+        text = line.lstrip(COMMENT_MARKS).rstrip()
+        for separator in SEPARATORS_TRIED if text else ():
             cells = cells_of(text, separator)
-            found = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
-            if not all(found):
+            candidates = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
+            if not all(candidates):
                 continue
-            found = [
+            candidates = [
                 _fitting(cells, places, column) if len(places) > 1 else places
-                for column, places in zip(columns, found, strict=True)
+                for column, places in zip(columns, candidates, strict=True)
             ]
-            for column, places in zip(columns, found, strict=True):
+            for column, places in zip(columns, candidates, strict=True):
                 if len(places) > 1:
                     listed = " and ".join(f"'{cells[place]}'" for place in places)
                     raise InvalidInput(
-                        f"{shown}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
+                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one."
                     )
             units = tuple(
-                named(cells[places[0]], column.names)[1] for column, places in zip(columns, found, strict=True)
+                named(cells[places[0]], column.names)[1] for column, places in zip(columns, candidates, strict=True)
             )
-            header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in found), units)
-            return _with_units(header, lines, columns, shown)
-    raise InvalidInput(f"{shown}: {_without_header(lines, columns)}.")
+            header = _Header(index + 1, separator, tuple(cells), tuple(places[0] for places in candidates), units)
+            return _with_units(header, lines, columns, file)
+    raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
 
 
 def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[int]:
@@ -226,14 +226,14 @@ def _fitting(cells: Sequence[str], places: list[int], column: Column) -> list[in
     return fitting if len(fitting) == 1 else places
 
 
-def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column], shown: str) -> _Header:
+def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column], file: str) -> _Header:
     """Take units that are not in the header from the row below it, and check that all fit."""
-    where = f"{shown}, line {header.line}"
+    where = f"{file}, line {header.line}"
     needs = [bool(column.unit) for column in columns]
-    given = zip(header.places, header.units, needs, strict=True)
-    bare = [header.cells[place] for place, unit, need in given if need and not unit]
+    stated_units = zip(header.places, header.units, needs, strict=True)
+    bare = [header.cells[place] for place, unit, need in stated_units if need and not unit]
     if bare:
-        below = cells_of(lines[header.line].lstrip(COMMENT), header.separator) if header.line < len(lines) else []
+        below = cells_of(lines[header.line].lstrip(COMMENT_MARKS), header.separator) if header.line < len(lines) else []
         wanted = [below[place].strip("[]() ") for place in header.places] if len(below) == len(header.cells) else []
         missing = [need and (not unit or like_number(unit)) for unit, need in zip(wanted, needs, strict=False)]
         if not wanted or any(missing):
@@ -241,7 +241,7 @@ def _with_units(header: _Header, lines: Sequence[str], columns: Sequence[Column]
             example = _example(columns)
             raise InvalidInput(f"{where}: no unit stands with {listed}; write it in the header, as '{example}'.")
         header = header._replace(line=header.line + 1, units=tuple(wanted))
-        where = f"{shown}, line {header.line}"
+        where = f"{file}, line {header.line}"
     plain = tuple(unit if need else unit.strip("-") for unit, need in zip(header.units, needs, strict=True))
     for column, unit in zip(columns, plain, strict=True):
         scale(unit, column.unit, what=f"{where}, {column.word}")
@@ -253,8 +253,8 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
     example = _example(columns)
     above: list[str] = []
     for index, line in enumerate(lines):
-        text = line.lstrip(COMMENT).rstrip()
-        splits = [cells_of(text, separator) for separator in SEPARATORS]
+        text = line.lstrip(COMMENT_MARKS).rstrip()
+        splits = [cells_of(text, separator) for separator in SEPARATORS_TRIED]
         if text == line.strip() and any(
             any(cells) and all(like_number(cell) for cell in cells if cell) for cells in splits
         ):
@@ -270,9 +270,9 @@ def _without_header(lines: Sequence[str], columns: Sequence[Column]) -> str:
 
 
 def _separator(lines: Sequence[str], header: _Header) -> str | None:
-    """Return what separates the cells of the numbers: as in the header, or otherwise if the first row says so."""
+    """Return the separator of the numbers: that of the header, or another one if it fits the first row."""
     first = next((line for line in lines[header.line :] if line.partition("#")[0].strip()), "")
-    for separator in (header.separator, *SEPARATORS):
+    for separator in (header.separator, *SEPARATORS_TRIED):
         cells = cells_of(first.partition("#")[0], separator)
         if len(cells) == len(header.cells) and all(is_number(cells[place]) for place in header.places):
             return separator

@@ -1,6 +1,6 @@
 """The cells of a table: where a line is cut, what a number is, and how a name stands with its unit in a header.
 
-Nothing here takes longer than the length of a line, whatever stands in it.
+Each function takes a time proportional to the length of the line, whatever it contains.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from winkler.units import comma_hint, comma_readings
 
 __all__ = ["cells_of", "is_number", "like_number", "named", "number_in"]
 
-MISSING = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
-WORDS = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
+ABSENT = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
+NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 """A name with a unit in brackets behind it, or a word."""
 
 
@@ -24,7 +24,7 @@ def cells_of(line: str, separator: str | None) -> list[str]:
     if separator is not None:
         return [cell.strip(" \t\"'") for cell in line.split(separator)]
     # a unit in brackets belongs to the name before it
-    return WORDS.findall(line) if "[" in line or "(" in line else line.split()
+    return NAME_WITH_UNIT.findall(line) if "[" in line or "(" in line else line.split()
 
 
 def is_number(cell: str) -> bool:
@@ -42,7 +42,7 @@ def like_number(cell: str) -> bool:
 
 
 def number_in(cell: str, where: str, column: str) -> float:
-    """Return the number of a cell, nan where it says that there is none.
+    """Return the number of a cell, nan where it is marked as missing.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def number_in(cell: str, where: str, column: str) -> float:
     """
     if is_number(cell):
         return float(cell)
-    if cell.lower() in MISSING:
+    if cell.lower() in ABSENT:
         return float("nan")
     if like_number(cell):
         raise InvalidInput(f"{where}: '{cell}' has {comma_hint(cell)}.")

@@ -1,7 +1,7 @@
-"""What a long march has reached, kept beside its results while it runs: one that was killed goes on where it was.
+"""Checkpoints of a long march, stored beside its results: one that was killed is continued from there.
 
-The file is hidden, belongs to one question (its name holds the hash of the problem), is replaced whole after every
-state, and is removed when the results are written.
+The file is hidden, belongs to one problem (its name contains the hash), is replaced atomically after every state, and
+is removed when the results are written.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from winkler.study.chapters.kind import path_of
 from winkler.study.language.canonical import digest_of
 from winkler.values import value
 
-__all__ = ["Keep", "refuse_other_version"]
+__all__ = ["CheckpointStore", "refuse_other_version"]
 
-KEPT = ("winkler.problems.wear.fretting:FrettingWear", "winkler.problems.wear.sliding:SlidingWear")
-"""Paths of problems whose march goes on from a state."""
+RESUMABLE_PROBLEMS = ("winkler.problems.wear.fretting:FrettingWear", "winkler.problems.wear.sliding:SlidingWear")
+"""Classes of problems whose march can be continued from a state."""
 ENDING = ".states.npz"
 
 
 def refuse_other_version(owner: str, made: object) -> None:
-    """Refuse what another version of winkler has kept of a run that was stopped.
+    """Refuse the records that another version of winkler left of a run that was stopped.
 
     Parameters
     ----------
     owner
-        What it is, as the sentence begins.
+        Subject of the sentence.
     made
-        The version that it tells; nothing if it tells none.
+        The version that wrote them; empty if it is not stated.
 
     Raises
     ------
@@ -49,23 +49,23 @@ def refuse_other_version(owner: str, made: object) -> None:
 
 
 @value
-class Keep:
-    """Where states are kept.
+class CheckpointStore:
+    """Folder and name of the files in which states are stored.
 
     Parameters
     ----------
     folder : str
         An existing folder.
     stem : str
-        How the names of the files begin: that of the folder of results.
+        Beginning of the file names: that of the folder of results.
     """
 
     folder: str
     stem: str
 
     @classmethod
-    def beside(cls, results: Path) -> Keep:
-        """Return the place beside a folder of results."""
+    def beside(cls, results: Path) -> CheckpointStore:
+        """Return the store beside a folder of results."""
         return cls(str(results.parent), results.name)
 
     def path(self, problem: Any) -> Path:
@@ -73,12 +73,12 @@ class Keep:
         return Path(self.folder) / f".{self.stem}.{digest_of(problem)[:16]}{ENDING}"
 
     @staticmethod
-    def takes(problem: Any) -> bool:
-        """Return whether the march of a problem goes on from a state."""
-        return path_of(type(problem)) in KEPT
+    def resumes(problem: Any) -> bool:
+        """Return whether the march of a problem can be continued from a state."""
+        return path_of(type(problem)) in RESUMABLE_PROBLEMS
 
-    def reached(self, problem: Any) -> list[Any]:
-        """Return the states that an earlier run has reached; none if there was none, or its file is spoilt.
+    def stored_states(self, problem: Any) -> list[Any]:
+        """Return the states that an earlier run has stored; none if there was none, or its file is damaged.
 
         Raises
         ------
@@ -86,26 +86,26 @@ class Keep:
             If another version of winkler has written them: its numbers may be others.
         """
         path = self.path(problem)
-        if not self.takes(problem) or not path.exists():
+        if not self.resumes(problem) or not path.exists():
             return []
         from winkler.io.wear_states import read_wear
 
         try:
             states = list(read_wear(problem.bed, path))
-        except InvalidInput:  # it begins anew
+        except InvalidInput:  # the march begins anew
             return []
         refuse_other_version(f"states: '{path}'", version_of(path))
         return states
 
     def write(self, problem: Any, states: list[Any]) -> None:
-        """Keep the states of a march so far, where it can go on from them."""
-        if self.takes(problem) and Path(self.folder).is_dir():
+        """Store the states of a march so far, where it can be continued from them."""
+        if self.resumes(problem) and Path(self.folder).is_dir():
             from winkler.io.wear_states import write_wear
 
             write_wear(states, self.path(problem))
 
-    def forget(self) -> None:
-        """Remove the files of all problems with this stem: their results are written, or nobody wants them."""
+    def remove(self) -> None:
+        """Remove the files of all problems with this stem: their results are written, or the states are not wanted."""
         for path in Path(self.folder).glob(f".{glob.escape(self.stem)}.{'[0-9a-f]' * 16}{ENDING}"):
             with contextlib.suppress(OSError):
                 path.unlink()

@@ -1,8 +1,8 @@
 """A cluster of many machines, through dask.distributed: the points of a sweep are solved by its workers.
 
 It needs the extra ``cluster`` (``pip install winkler[cluster]``) here, and the same version of winkler on the workers.
-A worker that dies costs nothing: its points are solved by the others, or by those that come.  When none is left, and
-none comes for a while, the sweep is given up; dask would wait for ever.
+The points of a worker that dies are solved by the others, or by new ones.  When no worker is left, and none comes for
+a while, the sweep is given up; dask would wait for ever.
 """
 
 from __future__ import annotations
@@ -22,28 +22,28 @@ from winkler.values import value
 
 __all__ = ["Cluster", "Connection", "connected"]
 
-PATIENCE = 10.0
-"""How long a scheduler is waited for [s]."""
-BEAT = 1.0
-"""How long answers are waited for before the workers are counted [s], at most."""
+SCHEDULER_TIMEOUT = 10.0
+"""Time for which a scheduler is waited for [s]."""
+POLL_INTERVAL = 1.0
+"""Longest wait for results before the workers are counted [s]."""
 
 
-SCHEDULER = Advice("give that of a scheduler, such as 'tcp://host:8786'")
+ADDRESS_ADVICE = Advice("give that of a scheduler, such as 'tcp://host:8786'")
 
 
 @value
 class Cluster:
-    """Where the scheduler of a cluster listens.
+    """Address of the scheduler of a cluster.
 
     Parameters
     ----------
     address
-        As ``tcp://host:8786``; what ``dask scheduler`` says when it starts, or ``client.scheduler.address``.
+        As ``tcp://host:8786``; ``dask scheduler`` prints it when it starts, or ``client.scheduler.address``.
     patience : float, optional
-        How long it may be without any worker before a sweep is given up [s].
+        Time without any worker after which a sweep is given up [s].
     """
 
-    address: Annotated[str, SCHEDULER]
+    address: Annotated[str, ADDRESS_ADVICE]
     patience: float = 60.0
 
     def __post_init__(self) -> None:
@@ -56,16 +56,16 @@ class Cluster:
 
 
 class Connection(NamedTuple):
-    """What a cluster is worked with.
+    """Functions to work with a cluster.
 
     Parameters
     ----------
     submit
-        Sends work.
+        Sends a task.
     threads
-        How many the workers have.
+        Number of threads of all workers.
     ready
-        Waits until there are answers to some of what was sent, and returns these with them.
+        Waits until some tasks are done, and returns them with their results.
     """
 
     submit: Callable[..., Any]
@@ -80,7 +80,7 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
     Raises
     ------
     InvalidInput
-        If dask.distributed is missing, nobody answers at the address, or the workers are of no use.
+        If dask.distributed is missing, there is no scheduler at the address, or its workers cannot be used.
     NotConverged
         If all workers or the scheduler die during the run.
     """
@@ -91,7 +91,7 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
             "cluster: this needs dask.distributed; install it with `pip install winkler[cluster]`."
         ) from None
     try:
-        client = Client(cluster.address, timeout=PATIENCE, set_as_default=False)
+        client = Client(cluster.address, timeout=SCHEDULER_TIMEOUT, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         why = " ".join(str(error).split()).rstrip(".")
         raise InvalidInput(
@@ -119,20 +119,20 @@ def connected(cluster: Cluster) -> Iterator[Connection]:
 
 
 def _ready(client: Any, cluster: Cluster, waiting: Collection[Any]) -> list[tuple[Any, Any]]:
-    """Return what has an answer, and the answers; give up when the cluster has been without a worker for too long."""
+    """Return finished tasks and their results; give up when the cluster has been without a worker for too long."""
     from distributed import wait
 
-    beat, alone = min(BEAT, 0.25 * cluster.patience), math.inf
+    interval, without_worker_since = min(POLL_INTERVAL, 0.25 * cluster.patience), math.inf
     while True:
-        found = []
+        finished = []
         with contextlib.suppress(TimeoutError), client.as_current():
-            for future in wait(list(waiting), beat, return_when="FIRST_COMPLETED").done:
-                found.append((future, future.result(beat)))  # no answer any more, if its worker died with it
-        if found:
-            return found
+            for future in wait(list(waiting), interval, return_when="FIRST_COMPLETED").done:
+                finished.append((future, future.result(interval)))  # no result any more, if its worker has died
+        if finished:
+            return finished
         now = time.monotonic()
-        alone = math.inf if client.nthreads() else min(alone, now)
-        if now - alone >= cluster.patience:
+        without_worker_since = math.inf if client.nthreads() else min(without_worker_since, now)
+        if now - without_worker_since >= cluster.patience:
             raise NotConverged(
                 f"cluster: '{cluster.address}' has had no worker for {cluster.patience:g} s; start some with "
                 f"`dask worker {cluster.address}` and run again."
@@ -140,11 +140,13 @@ def _ready(client: Any, cluster: Cluster, waiting: Collection[Any]) -> list[tupl
 
 
 def _same_version(client: Any) -> None:
-    here = version("winkler")
-    for place, told in client.run(_version, on_error="return").items():
-        if told != here:
-            has = f"winkler {told}" if isinstance(told, str) else "no winkler"
-            raise InvalidInput(f"cluster: the worker {place} has {has}, here is {here}; install this version there.")
+    own_version = version("winkler")
+    for place, worker_version in client.run(_version, on_error="return").items():
+        if worker_version != own_version:
+            has = f"winkler {worker_version}" if isinstance(worker_version, str) else "no winkler"
+            raise InvalidInput(
+                f"cluster: the worker {place} has {has}, here is {own_version}; install this version there."
+            )
 
 
 def _version() -> str:

@@ -1,7 +1,7 @@
-"""What an answer tells beside its rows: the jumps of a cycle, the branches of a curve, the limit of a sheared contact,
-the stages of an impact.
+"""Events of a solution: the jumps of a cycle, the branches of a curve, the limit of a sheared contact, the stages of an
+impact.
 
-Each is a list of small values; here every one becomes a row of numbers with names and words, for tables and archives.
+Each event becomes a row of numbers with names and glossary entries, for tables and archives.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ EVENTS = {
     "jumps": "Jumps",
     "stages": "Sticking and sliding",
 }
-"""Attribute of a solution -> what a table of it is called."""
+"""Attribute of a solution -> title of its table."""
 
 
 class Event(NamedTuple):
@@ -28,7 +28,7 @@ class Event(NamedTuple):
     Parameters
     ----------
     name
-        As in the glossary; of a state inside, with the name of the state before it: ``before_force``.
+        As in the glossary; of a member of a state, preceded by the name of the state: ``before_force``.
     word
         Symbol, unit and meaning.
     content
@@ -48,16 +48,18 @@ def events_of(solution: Any, name: str) -> tuple[tuple[Event, ...], ...]:
 
 
 def _numbers(item: Any) -> list[Event]:
-    found = []
+    events = []
     for field in dataclasses.fields(item):
-        inside, told = getattr(item, field.name), word(type(item).__name__, field.name)
-        if dataclasses.is_dataclass(inside):
-            found += [
+        member, entry = getattr(item, field.name), word(type(item).__name__, field.name)
+        if dataclasses.is_dataclass(member):
+            events += [
                 Event(
-                    f"{field.name}_{one.name}", one.word._replace(meaning=f"{one.word.meaning}; {told.meaning}"), one[2]
+                    f"{field.name}_{one.name}",
+                    one.word._replace(meaning=f"{one.word.meaning}; {entry.meaning}"),
+                    one[2],
                 )
-                for one in _numbers(inside)
+                for one in _numbers(member)
             ]
-        elif isinstance(inside, int | float):
-            found.append(Event(field.name, told, float(inside)))
-    return found
+        elif isinstance(member, int | float):
+            events.append(Event(field.name, entry, float(member)))
+    return events

@@ -1,6 +1,6 @@
-"""The numbers that ``[[expect]]`` asks for at a place: of a field on the surface or inside the bodies, or along x.
+"""Numbers at a place for ``[[expect]]``: of a field on the surface or inside the bodies, or along x.
 
-A number behind the name is a place among many answers, ``pressure.-1`` the last load or point of a path; then that of
+A number behind the name is an index among many contacts, ``pressure.-1`` the last load or point of a path; then that of
 a component, ``traction.-1.0`` the traction along x there.
 """
 
@@ -37,22 +37,22 @@ def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
         If there is no such field, function, point or component.
     """
     if list(place) == ["x"]:
-        return _along(solution, quantity, place["x"])
-    name, rows = _taken_apart(quantity)
+        return _function_value(solution, quantity, place["x"])
+    name, rows = _split_name(quantity)
     contact, rows = _contact(solution, name, rows)
     where = [np.array([number]) for number in place.values()]
     fields = restore_body(contact, *where) if "y" in place else restore(contact, *where)
     content = None if name.startswith("_") else getattr(fields, name, None)
     if not isinstance(content, np.ndarray) or name in place:
-        known = [key for key in dir(fields) if not key.startswith("_") and key not in ("r", "x", "y", "z")]
+        names = [key for key in dir(fields) if not key.startswith("_") and key not in ("r", "x", "y", "z")]
         raise InvalidInput(
-            f"expect: quantity '{name}' is not one of {type(fields).__name__}{suggest(name, known)}; there are "
-            f"{', '.join(known)}."
+            f"expect: quantity '{name}' is not one of {type(fields).__name__}{suggest(name, names)}; there are "
+            f"{', '.join(names)}."
         )
     return _component(name, content, rows)
 
 
-def _along(solution: Any, quantity: str, x: float) -> float:
+def _function_value(solution: Any, quantity: str, x: float) -> float:
     """Return the number of a function of x of the solution, or of one of its parts, ``first.temperature``."""
     owner, *parts = quantity.split(".")
     function = getattr(solution, owner, None)
@@ -63,7 +63,7 @@ def _along(solution: Any, quantity: str, x: float) -> float:
     return float(np.ravel(function(np.array([x])))[0])
 
 
-def _taken_apart(quantity: str) -> tuple[str, list[int]]:
+def _split_name(quantity: str) -> tuple[str, list[int]]:
     """Return the name, and the numbers behind it."""
     name, numbers = re.fullmatch(r"(.*?)((?:\.-?\d{1,9})*)", quantity, re.DOTALL).groups()  # type: ignore[union-attr]
     return name, [int(number) for number in numbers.split(".")[1:]]
@@ -85,8 +85,8 @@ def _component(name: str, content: Array, rows: list[int]) -> float:
     """Return the only number, or one of the components of a direction."""
     numbers = np.ravel(content)
     if len(rows) != (numbers.size > 1):
-        asked = "name one by a number behind it, from 0" if numbers.size > 1 else "leave out the number behind it"
-        raise InvalidInput(f"expect: {name} has {numbers.size} component{'s' * (numbers.size > 1)}; {asked}.")
+        advice = "name one by a number behind it, from 0" if numbers.size > 1 else "leave out the number behind it"
+        raise InvalidInput(f"expect: {name} has {numbers.size} component{'s' * (numbers.size > 1)}; {advice}.")
     if rows and not -numbers.size <= rows[0] < numbers.size:
         raise InvalidInput(f"expect: {name} has {numbers.size} components, but {rows[0]} is asked for; count from 0.")
     return float(numbers[rows[0] if rows else 0])

@@ -1,13 +1,13 @@
-"""What the fits of a study came to: one answer or one reason for every curve.
+"""The outcome of the fits of a study: one fit, or one reason for its failure, for every curve.
 
 ::
 
     outcome.study            the `FitStudy`
     outcome.results          one `Fitted` or `Refused` per curve, in their order
     outcome.fitted, .refused the same, apart
-    outcome.left             how many files or curves of the study were not reached before a stop
+    outcome.left             number of files or curves that were not reached before a stop
     outcome.table()          `Column` after `Column`, one row per curve
-    outcome.provenance       version, hash of the question with its curves, time, versions of what computed
+    outcome.provenance       version, hash of the study with its curves, time, versions of what computed
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from winkler.vocabulary import Word
 __all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused"]
 
 CONFIDENCE = 0.95
-OF_A_FIT = {
+FIT_COLUMNS = {
     "chi_square": Word(r"\chi^2", "", "squared misfit over the noise"),
     "chi_square_in_contact": Word(r"\chi^2", "", "squared misfit over the noise, of the points in contact alone"),
     "effective_count": Word("", "", "independent points"),
@@ -45,14 +45,14 @@ class Fitted:
     Parameters
     ----------
     name
-        The file as seen from the study; within a map also the number of the curve.
+        The file, relative to the study; within a map also the number of the curve.
     x, y : float
-        Place on the sample [m]; nan where the file does not tell it.
+        Place on the sample [m]; nan where the file does not state it.
     steps : tuple of str
-        What was done to the curve before.
+        Corrections of the curve before the fit, as sentences.
     fit : Fit, ViscoelasticFit or CreepFit
     notes : tuple of Note
-        How far the fitted contact can be trusted, at its largest depth.
+        Validity of the fitted contact at its largest depth.
     """
 
     name: str
@@ -74,7 +74,7 @@ class Refused:
     reason
         One sentence.
     code
-        What the command line returns for it: 2 input, 3 not converged, 4 outside validity.
+        Exit code of the command line: 2 input, 3 not converged, 4 outside validity.
     """
 
     name: str
@@ -86,7 +86,7 @@ class Refused:
 
 @value
 class FitOutcome:
-    """What the fits of a study came to; see the module for its parts."""
+    """The outcome of the fits of a study; see the module for its parts."""
 
     study: FitStudy
     results: tuple[Fitted | Refused, ...]
@@ -147,7 +147,7 @@ class FitOutcome:
             ]
         columns += [
             Column(name, word, self._largest(name.removeprefix("largest_")))
-            for name, word in ({"noise": self.study.spread} | OF_A_FIT).items()
+            for name, word in ({"noise": self.study.spread} | FIT_COLUMNS).items()
         ]
         reasons = np.array([result.reason if isinstance(result, Refused) else "" for result in self.results])
         flags = np.array(self.flags("; ", ""))

@@ -1,7 +1,7 @@
-"""What came of the curves of a batch as lines of text, from which it comes back to the last digit.
+"""Results of the curves of a batch as lines of JSON, from which they are restored to the last digit.
 
 A line belongs to one file, or to one curve of the only file, by the hash of its bytes or numbers: a curve that was
-changed since is fitted again.  Of the model of a fit only the fitted numbers and the load are kept.
+changed since is fitted again.  Of the model of a fit only the fitted numbers and the load are stored.
 """
 
 from __future__ import annotations
@@ -28,51 +28,51 @@ from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.recording import notes_of, plain_notes
 from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["Piece", "Results", "fingerprint", "recalled_fits", "results_of", "seen_from", "written_fits"]
+__all__ = ["Piece", "Results", "fingerprint", "path_from_study", "recalled_fits", "results_of", "written_fits"]
 
 Piece = str | PlacedCurve | UnreadCurve
 """A file of many, or a curve of one file."""
 Results = tuple[Fitted | Refused, ...]
-"""What came of the curves of a piece."""
+"""Results of the curves of a piece."""
 
-FITS = {cls.__name__: cls for cls in (Fit, ViscoelasticFit, CreepFit)}
-RESTORED = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
+FIT_CLASSES = {cls.__name__: cls for cls in (Fit, ViscoelasticFit, CreepFit)}
+RESTORED_CLASSES = {cls.__name__: cls for cls in (ForceCurve, Flag, Depth, Force)}
 
 
-def seen_from(study: FitStudy, path: str) -> str:
-    """Return a file as seen from the study; file systems hold names that no text can, which are written as escapes."""
+def path_from_study(study: FitStudy, path: str) -> str:
+    """Return the path of a file relative to the study; names that cannot be encoded are written as escapes."""
     try:
-        seen = Path(path).relative_to(study.folder).as_posix()
+        relative = Path(path).relative_to(study.folder).as_posix()
     except ValueError:
-        seen = Path(path).as_posix()
-    return seen.encode("utf-8", "backslashreplace").decode()
+        relative = Path(path).as_posix()
+    return relative.encode("utf-8", "backslashreplace").decode()
 
 
 def fingerprint(study: FitStudy, piece: Piece) -> str:
-    """Return the SHA-256 of a piece, name and numbers; empty if it cannot be read: then nothing is known of it."""
+    """Return the SHA-256 of a piece, name and numbers; empty if it cannot be read: then it has no earlier results."""
     if not isinstance(piece, str):
-        content = json.dumps([[seen_from(study, path) for path in study.sources], packed(piece)])
+        content = json.dumps([[path_from_study(study, path) for path in study.sources], packed(piece)])
         return hashlib.sha256(content.encode()).hexdigest()
     try:
         with Path(piece).open("rb") as file:
             digest = hashlib.file_digest(file, "sha256").hexdigest()
     except OSError:
         return ""
-    return hashlib.sha256(f"{seen_from(study, piece)}\n{digest}".encode()).hexdigest()
+    return hashlib.sha256(f"{path_from_study(study, piece)}\n{digest}".encode()).hexdigest()
 
 
 def written_fits(mark: str, results: Results) -> str:
-    """Return what came of a piece as one line of JSON; `mark` is its fingerprint."""
+    """Return the results of a piece as one line of JSON; `mark` is its fingerprint."""
     return json.dumps({"of": mark, "curves": [_written(result) for result in results]}, separators=(",", ":"))
 
 
 def results_of(study: FitStudy, line: dict[str, Any]) -> Results:
-    """Return what came of a piece from the line that `written_fits` made of it, taken apart by ``json.loads``."""
+    """Return the results of a piece from its line of JSON, parsed by ``json.loads``."""
     return tuple(_recalled(study, content) for content in line["curves"])
 
 
 def recalled_fits(study: FitStudy, todo: Sequence[Piece], journal: Journal) -> dict[int, Results]:
-    """Return what a journal knows of pieces, by their place among them; an unexpected error may be gone the next time.
+    """Return the results of pieces in a journal, by their place; those with an unexpected error are left out.
 
     Raises
     ------
@@ -102,24 +102,28 @@ def _written(result: Fitted | Refused) -> dict[str, Any]:
     return {**content, "steps": result.steps, "notes": plain_notes(result.notes), "fit": _written_fit(result.fit)}
 
 
-def _written_fit(found: AnyFit) -> dict[str, Any]:
-    load = found.model.load if isinstance(found, Fit) else found.model.path.normal
-    fields = {field.name: getattr(found, field.name) for field in dataclasses.fields(found) if field.name != "model"}
+def _written_fit(fitted_curve: AnyFit) -> dict[str, Any]:
+    load = fitted_curve.model.load if isinstance(fitted_curve, Fit) else fitted_curve.model.path.normal
+    fields = {
+        field.name: getattr(fitted_curve, field.name)
+        for field in dataclasses.fields(fitted_curve)
+        if field.name != "model"
+    }
     content = {name: packed(field) for name, field in fields.items()}
-    return {"kind": type(found).__name__, "load": packed(load), **content}
+    return {"kind": type(fitted_curve).__name__, "load": packed(load), **content}
 
 
 def _recalled(study: FitStudy, content: dict[str, Any]) -> Fitted | Refused:
     name, x, y = content["name"], unpacked(content["x"], {}), unpacked(content["y"], {})
     if "reason" in content:
         return Refused(name, x, y, content["reason"], content["code"])
-    found = _recalled_fit(study, content["fit"])
-    return Fitted(name, x, y, tuple(content["steps"]), found, notes_of(content["notes"]))
+    fitted_curve = _recalled_fit(study, content["fit"])
+    return Fitted(name, x, y, tuple(content["steps"]), fitted_curve, notes_of(content["notes"]))
 
 
 def _recalled_fit(study: FitStudy, content: dict[str, Any]) -> AnyFit:
-    parts = {name: unpacked(item, RESTORED) for name, item in content.items() if name != "kind"}
-    load, kind = parts.pop("load"), FITS[content["kind"]]
+    parts = {name: unpacked(item, RESTORED_CLASSES) for name, item in content.items() if name != "kind"}
+    load, kind = parts.pop("load"), FIT_CLASSES[content["kind"]]
     own = {free.path for free in study.free if free.key.startswith("problem.")}
     numbers = {
         name: number for name, number in zip(parts["names"], parts["values"].tolist(), strict=True) if name in own
@@ -127,5 +131,5 @@ def _recalled_fit(study: FitStudy, content: dict[str, Any]) -> AnyFit:
     model = changed(study.problem, numbers) if numbers else study.problem
     if kind is Fit:
         return Fit(model=dataclasses.replace(model, load=load), **parts)
-    found: AnyFit = kind(model=dataclasses.replace(model, path=MotionPath(parts["curve"].time, load)), **parts)
-    return found
+    fitted_curve: AnyFit = kind(model=dataclasses.replace(model, path=MotionPath(parts["curve"].time, load)), **parts)
+    return fitted_curve

@@ -1,6 +1,6 @@
-"""The fits of the curves of a study as a stream; none stops the others.
+"""The fits of the curves of a study as a stream; a curve that fails does not stop the others.
 
-What a journal knows of a curve holds as long as the curve is the same.
+A result in the journal is used as long as its curve is unchanged.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from winkler.study.batch.fit_recording import (
     Piece,
     Results,
     fingerprint,
+    path_from_study,
     recalled_fits,
-    seen_from,
     written_fits,
 )
 from winkler.study.batch.journal import Journal
@@ -42,11 +42,11 @@ from winkler.study.language.correcting import corrected
 from winkler.study.language.fit_study import FitStudy
 from winkler.validity import Assumption, Note, Standing
 
-__all__ = ["Watch", "fit_curves", "fit_study", "gather_fits", "pieces"]
+__all__ = ["FitWatch", "fit_curves", "fit_study", "gather_fits", "pieces"]
 
-NOTHING: Mapping[int, Results] = MappingProxyType({})
-Watch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
-"""Passes on how far a fit has come, state after state, and last what it has found."""
+NO_RESULTS: Mapping[int, Results] = MappingProxyType({})
+FitWatch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
+"""Passes on the states of a fit, one after the other, and last the result."""
 
 
 def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = "") -> FitOutcome:
@@ -67,28 +67,28 @@ def fit_study(study: FitStudy, *, workers: Workers = 1, journal: str | Path = ""
     started = time.perf_counter()
     todo = pieces(study)
 
-    def outcome(kept: Journal | None) -> FitOutcome:
-        known = NOTHING if kept is None else recalled_fits(study, todo, kept)
-        return gather_fits(study, fit_curves(study, todo, known, workers=workers, journal=kept), started=started)
+    def outcome(recorded: Journal | None) -> FitOutcome:
+        earlier = NO_RESULTS if recorded is None else recalled_fits(study, todo, recorded)
+        return gather_fits(study, fit_curves(study, todo, earlier, workers=workers, journal=recorded), started=started)
 
     return resumed(study, journal, outcome)
 
 
 def pieces(study: FitStudy) -> list[Piece]:
-    """Return what workers share: the files of a study, or the curves of its only file."""
+    """Return the pieces of work: the files of a study, or the curves of its only file."""
     return list(study.sources) if len(study.sources) > 1 else list(_read(study, study.sources[0]))
 
 
 def fit_curves(
     study: FitStudy,
     todo: Sequence[Piece],
-    known: Mapping[int, Results] = NOTHING,
+    earlier: Mapping[int, Results] = NO_RESULTS,
     *,
     workers: Workers = 1,
-    watch: Watch | None = None,
+    watch: FitWatch | None = None,
     journal: Journal | None = None,
 ) -> Iterator[tuple[int, Results]]:
-    """Yield the place of every piece and what came of it, first what is known, then others as they are fitted.
+    """Yield the place of every piece and its results, first those of an earlier run, then others as they are fitted.
 
     Parameters
     ----------
@@ -97,12 +97,12 @@ def fit_curves(
     todo
         Files or curves, from `pieces`.
     known
-        What an earlier run found, by place, from `recalled_fits`.
+        Results of an earlier run, by place, from `recalled_fits`.
     workers, watch, journal
         As for `winkler.study.batch.stream.results`.
     """
 
-    def kept(computed: tuple[str, Results]) -> Results:
+    def recorded(computed: tuple[str, Results]) -> Results:
         if journal is not None:
             journal.write(written_fits(*computed))
         return computed[1]
@@ -110,9 +110,9 @@ def fit_curves(
     return results(
         todo,
         functools.partial(_marked, study),
-        known=known.items(),
+        earlier=earlier.items(),
         left=lambda done: [todo[place] for place in np.flatnonzero(~done).tolist()],
-        result=kept,
+        result=recorded,
         useful=lambda curves: any(isinstance(one, Fitted) for one in curves),
         journal=journal,
         names=("files" if len(study.sources) > 1 else "curves", "fitted"),
@@ -121,8 +121,8 @@ def fit_curves(
     )
 
 
-def _marked(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[str, Results]:
-    """Return what came of a piece behind its fingerprint, which is taken before it is read."""
+def _marked(study: FitStudy, piece: Piece, watch: FitWatch | None = None) -> tuple[str, Results]:
+    """Return the fingerprint of a piece, which is computed before it is read, and its results."""
     return fingerprint(study, piece), _fit_piece(study, piece, watch)
 
 
@@ -134,9 +134,9 @@ def gather_fits(
     Parameters
     ----------
     study
-        What was asked.
+        The study.
     found
-        What `fit_curves` yields, in any order.
+        The pairs that `fit_curves` yields, in any order.
     started, source
         As for `winkler.study.batch.run.gather`.
     left
@@ -160,16 +160,16 @@ def _read(study: FitStudy, path: str) -> Iterator[PlacedCurve | UnreadCurve]:
     return try_curves(path, spring_constant=study.spring_constant or None, sensitivity=study.sensitivity or None)
 
 
-def _fit_piece(study: FitStudy, piece: Piece, watch: Watch | None = None) -> tuple[Fitted | Refused, ...]:
+def _fit_piece(study: FitStudy, piece: Piece, watch: FitWatch | None = None) -> tuple[Fitted | Refused, ...]:
     if isinstance(piece, str):
-        where = seen_from(study, piece)
+        where = path_from_study(study, piece)
         return tuple(_fit_curve(study, one, where, watch) for one in _read(study, piece))
-    where = seen_from(study, study.sources[0]) if study.sources else ""
+    where = path_from_study(study, study.sources[0]) if study.sources else ""
     return (_fit_curve(study, piece, where, watch),)
 
 
-def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watch: Watch | None) -> Fitted | Refused:
-    """Fit one curve; an error of reading or of the physics, or a mistake of ours, becomes a `Refused`."""
+def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watch: FitWatch | None) -> Fitted | Refused:
+    """Fit one curve; an error of reading or of the physics, or a programming error of winkler, becomes a `Refused`."""
     own = one.name if isinstance(one, UnreadCurve) else one.curve.name
     own = own.encode("utf-8", "backslashreplace").decode()
     file = where.rpartition("/")[2]
@@ -179,30 +179,30 @@ def _fit_curve(study: FitStudy, one: PlacedCurve | UnreadCurve, where: str, watc
         return Refused(name, math.nan, math.nan, reason, InvalidInput.exit_code)
     try:
         curve, steps = corrected(one.curve, study.correct, study.frame_stiffness, study.part, study.segments)
-        found = _found(study, curve, watch)
-        return Fitted(name, one.x, one.y, steps, found, _notes(found))
+        fitted = _fit_of(study, curve, watch)
+        return Fitted(name, one.x, one.y, steps, fitted, _notes(fitted))
     except WinklerError as error:
         return Refused(name, one.x, one.y, str(error), error.exit_code)
-    except Exception as error:  # it costs this curve, not the batch
+    except Exception as error:  # this curve fails, not the batch
         reason = " ".join(str(error).split())
         return Refused(name, one.x, one.y, f"an unexpected error, {type(error).__name__}: {reason}", Mistake.exit_code)
 
 
-def _found(study: FitStudy, curve: ForceCurve, watch: Watch | None) -> AnyFit:
-    free = {free.path: free.asked for free in study.free}
+def _fit_of(study: FitStudy, curve: ForceCurve, watch: FitWatch | None) -> AnyFit:
+    free = {free.path: free.start_or_bounds for free in study.free}
     if watch is None:
-        found: AnyFit = fit(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
-        return found
+        fitted: AnyFit = fit(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
+        return fitted
     steps = fit_steps(curve, study.problem, free=free, noise=study.noise, time_limit=study.time_limit)
     last = list(watch(steps))[-1]
     assert isinstance(last, AnyFit)
     return last
 
 
-def _notes(found: AnyFit) -> tuple[Note, ...]:
+def _notes(fitted: AnyFit) -> tuple[Note, ...]:
     try:
-        return found.validity
-    except WinklerError as error:  # the fit stands; what cannot be told about its largest depth is said
+        return fitted.validity
+    except WinklerError as error:  # the fit holds; the note states what is unknown at its largest depth
         return (
             Note(
                 Assumption.CURVE, Standing.OUTSIDE, f"At the largest depth of the fit: {error}", "the model's own check"
@@ -211,7 +211,7 @@ def _notes(found: AnyFit) -> tuple[Note, ...]:
 
 
 def _hash(study: FitStudy) -> str:
-    """Return the SHA-256 of the question: the model, what is free, what was done, and the bytes of the curves."""
+    """Return the SHA-256 of the study: the model, the free numbers, the corrections, and the bytes of the curves."""
     content = {
         **how_fitted(study),
         "curves": [hashlib.sha256(Path(path).read_bytes()).hexdigest() for path in study.sources],

@@ -1,9 +1,9 @@
-"""The journal of a sweep, or of a batch of fits: what was solved or fitted, kept beside the results while it runs.
+"""The journal of a sweep, or of a batch of fits: its results, recorded beside the folder of results while it runs.
 
-A text file that is only ever appended to: a first line that tells the question, then one line for each point of a
-sweep, or for each file or curve of a batch, each with a checksum in front.  A run that was killed leaves it behind; the
-same study finds it and goes on, without solving a point twice.  A last line that was torn by the kill is dropped.  It
-is removed when the results are written.
+A text file to which lines are only appended: first one that identifies the study, then one for each point of a sweep,
+or for each file or curve of a batch, each with a checksum in front.  A run that was killed leaves it behind; the same
+study is continued from it, without solving a point twice.  An incomplete last line is dropped.  The journal is removed
+when the results are written.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis
 
-__all__ = ["Journal", "settled"]
+__all__ = ["Journal", "is_final"]
 
 ENDING = ".journal"
 
@@ -48,12 +48,12 @@ class Journal:
     def __init__(self, path: Path, study: Study | FitStudy) -> None:
         self.path = path
         self.count = 0
-        """Number of lines that are kept, without those of points that are tried again: see `settled`."""
+        """Number of recorded lines, without those of points that are tried again: see `is_final`."""
         self.complete = True
-        """Whether nothing is left to do; else a later run goes on from here."""
+        """Whether nothing is left to do; else a later run continues from here."""
         self._head = _head(study)
         self._file = -1
-        self._known = 0
+        self._recorded = 0
 
     @classmethod
     def beside(cls, results: Path, study: Study | FitStudy) -> Journal:
@@ -61,12 +61,12 @@ class Journal:
         return cls(results.parent / f".{results.name}{ENDING}", study)
 
     def __enter__(self) -> Journal:
-        """Read what an earlier run has left, and make ready to go on behind it.
+        """Read the lines of an earlier run, and prepare to append to them.
 
         Raises
         ------
         InvalidInput
-            If the journal is of another study, is spoilt, or another run is writing it.
+            If the journal is of another study, is damaged, or another run is writing it.
         """
         if self.path.exists():
             self._open(os.O_RDWR)
@@ -78,34 +78,34 @@ class Journal:
         self._close()
 
     def recalled(self) -> Iterator[dict[str, Any]]:
-        """Yield what an earlier run wrote, read line after line."""
-        known, self._known = self._known, 0
-        if known:
+        """Yield the content of the lines of an earlier run."""
+        recorded, self._recorded = self._recorded, 0
+        if recorded:
             with self.path.open("rb") as file:
-                for line in itertools.islice(file, 1, known + 1):
+                for line in itertools.islice(file, 1, recorded + 1):
                     yield _content(line)
 
     def _read(self) -> None:
         with self.path.open("rb") as file:
-            good = 0
+            valid_bytes = 0
             for number, line in enumerate(file):
                 content = _content(line)
                 if content is None:
                     if file.read(1):
-                        raise self._refused(f"is spoilt in line {number + 1}")
+                        raise self._unusable(f"is spoilt in line {number + 1}")
                     break
                 if number == 0:
                     self._refuse_other(content)
-                good += len(line)
-                self._known = number
-                self.count += number > 0 and settled(content)
-        os.ftruncate(self._file, good)
+                valid_bytes += len(line)
+                self._recorded = number
+                self.count += number > 0 and is_final(content)
+        os.ftruncate(self._file, valid_bytes)
         os.lseek(self._file, 0, os.SEEK_END)
-        if not good:
+        if not valid_bytes:
             self._write(json.dumps(self._head))
 
     def _refuse_other(self, head: Any) -> None:
-        """Refuse the journal of another version of winkler, or of another question."""
+        """Refuse the journal of another version of winkler, or of another study."""
         try:
             refuse_other_version(f"journal: '{self.path}'", head.get("version") if isinstance(head, dict) else "")
         except InvalidInput:
@@ -113,10 +113,10 @@ class Journal:
             raise
         if head != self._head:
             what = "curves" if "fit" in head else "points"
-            raise self._refused(f"holds {what} of another study, or of another version of this one")
+            raise self._unusable(f"holds {what} of another study, or of another version of this one")
 
     def write(self, text: str, *, final: bool = True) -> None:
-        """Append what came of one point, or of one file or curve; a point that is not `final` is tried again later."""
+        """Append the result of one point, or of one file or curve; a point that is not `final` is tried again later."""
         if self._file < 0:
             self._open(os.O_RDWR | os.O_CREAT | os.O_EXCL)
             self._write(json.dumps(self._head))
@@ -147,7 +147,7 @@ class Journal:
         try:
             self._file = os.open(self.path, flags | getattr(os, "O_BINARY", 0), 0o644)
         except FileExistsError:
-            raise self._taken() from None
+            raise self._in_use() from None
         except OSError as error:
             why = (error.strerror or type(error).__name__).lower()
             raise InvalidInput(f"journal: '{self.path}' cannot be opened ({why}); give another folder.") from None
@@ -155,7 +155,7 @@ class Journal:
             lock(self._file)
         except BlockingIOError:
             self._close()
-            raise self._taken() from None
+            raise self._in_use() from None
 
     def _write(self, text: str) -> None:
         data = text.encode()
@@ -163,25 +163,25 @@ class Journal:
         while line:
             line = line[os.write(self._file, line) :]
 
-    def _taken(self) -> InvalidInput:
+    def _in_use(self) -> InvalidInput:
         return InvalidInput(
             f"journal: another run is writing '{self.path}'; wait for its end, or give another folder with --output."
         )
 
-    def _refused(self, why: str) -> InvalidInput:
+    def _unusable(self, why: str) -> InvalidInput:
         self._close()
         return InvalidInput(
             f"journal: '{self.path}' {why}; add --anew to begin again without it, or give another folder with --output."
         )
 
 
-def settled(content: dict[str, Any]) -> bool:
-    """Return whether a line tells what came of a point for good: an unexpected error may be gone the next time."""
+def is_final(content: dict[str, Any]) -> bool:
+    """Return whether the result of a line is final: a point with an unexpected error is tried again."""
     return "traceback" not in content
 
 
 def _content(line: bytes) -> Any:
-    """Return what a line says; None if it is torn."""
+    """Return the content of a line; None if it is incomplete."""
     mark, _, data = line.partition(b" ")
     if not line.endswith(b"\n") or mark != b"%08x" % zlib.crc32(data[:-1]):
         return None
@@ -189,15 +189,15 @@ def _content(line: bytes) -> Any:
 
 
 def _head(study: Study | FitStudy) -> dict[str, Any]:
-    """Return what the first line says: equal heads mean equal points, expectations and numbers."""
+    """Return the content of the first line: equal heads mean equal points, expectations and numbers."""
     made = {"journal of": "winkler", "version": version("winkler")}
     if isinstance(study, FitStudy):
         return {**made, "fit": _hash([how_fitted(study), str(study.time_limit)])}
-    asked = [_drawn(axis) for axis in study.axes] if study.design.draws else []
+    drawn_points = [_drawn(axis) for axis in study.axes] if study.design.draws else []
     return {
         **made,
         "question": digest(study),
-        "points": _hash(asked),
+        "points": _hash(drawn_points),
         "expect": _hash([plain(item) for item in study.expect]),
     }
 

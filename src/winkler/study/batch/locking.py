@@ -1,4 +1,4 @@
-"""A file for one process alone: the system gives it back when the process ends, however it ends."""
+"""Locks of files: held by one process, and released by the system when the process ends, however it ends."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 
 __all__ = ["lock", "locked"]
 
 
 def lock(file: int) -> bool:
-    """Take an open file for this process alone.
+    """Lock an open file for this process.
 
     Parameters
     ----------
@@ -23,12 +23,12 @@ def lock(file: int) -> bool:
     Returns
     -------
     bool
-        Whether it was taken; False where the system, or the disk, knows no locks.
+        Whether it was locked; False where the system, or the disk, has no locks.
 
     Raises
     ------
     BlockingIOError
-        If another process has it.
+        If another process holds the lock.
     """
     try:
         import fcntl
@@ -38,7 +38,7 @@ def lock(file: int) -> bool:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         raise
-    except OSError:  # a disk of another machine that offers none
+    except OSError:  # a network disk without locks
         return False
     return True
 
@@ -60,7 +60,7 @@ def _lock_on_windows(file: int) -> bool:
 
 @contextlib.contextmanager
 def locked(path: Path) -> Iterator[bool]:
-    """Hold a lock by the name of a file, which exists no longer than the lock or the next run that asks for it.
+    """Hold the lock of a file, which is removed with the lock.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def locked(path: Path) -> Iterator[bool]:
     Yields
     ------
     bool
-        Whether the lock is held; False where the system knows no locks.
+        Whether the lock is held; False where the system has no locks.
 
     Raises
     ------
@@ -81,16 +81,16 @@ def locked(path: Path) -> Iterator[bool]:
     """
     file = -1
     try:
-        with held():
-            file, able = _opened(path)
-        yield able
+        with deferred_signals():
+            file, has_lock = _open_locked(path)
+        yield has_lock
     finally:
         if file >= 0:
-            with held():
-                _removed(path, file)
+            with deferred_signals():
+                _remove(path, file)
 
 
-def _removed(path: Path, file: int) -> None:
+def _remove(path: Path, file: int) -> None:
     if os.name == "nt":  # an open file cannot be removed there
         os.close(file)
     with contextlib.suppress(OSError):
@@ -99,14 +99,14 @@ def _removed(path: Path, file: int) -> None:
         os.close(file)
 
 
-def _opened(path: Path) -> tuple[int, bool]:
+def _open_locked(path: Path) -> tuple[int, bool]:
     while True:
         file = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
         try:
-            able = lock(file)
-            if not able or os.path.samestat(os.fstat(file), os.stat(path)):
-                return file, able
-        except FileNotFoundError:  # its holder removed it in between
+            has_lock = lock(file)
+            if not has_lock or os.path.samestat(os.fstat(file), os.stat(path)):
+                return file, has_lock
+        except FileNotFoundError:  # the process that held it removed it in between
             pass
         except BaseException:
             os.close(file)

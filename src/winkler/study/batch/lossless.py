@@ -1,6 +1,6 @@
 """Numbers, arrays and values as JSON, from which they come back to the last digit, and as the same kinds.
 
-Nothing but what a caller names is made again: a file that somebody else put there runs nothing.
+Only objects of the classes that a caller names are created, so that a foreign file runs no code.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 __all__ = ["packed", "unpacked"]
 
-LONG = 4096
+LEAST_COMPRESSED_BYTES = 4096
 """Arrays with more bytes are compressed."""
 
 
@@ -30,10 +30,10 @@ def packed(content: Any) -> Any:
     """
     if isinstance(content, np.ndarray):
         data = np.ascontiguousarray(content).tobytes()
-        small = {"zlib": True} if len(data) > LONG else {}
-        data = zlib.compress(data, 1) if small else data
+        compression = {"zlib": True} if len(data) > LEAST_COMPRESSED_BYTES else {}
+        data = zlib.compress(data, 1) if compression else data
         text = base64.b64encode(data).decode("ascii")
-        return {"shape": list(content.shape), "type": content.dtype.str, **small, "data": text}
+        return {"shape": list(content.shape), "type": content.dtype.str, **compression, "data": text}
     if dataclasses.is_dataclass(content):
         fields = {field.name: packed(getattr(content, field.name)) for field in dataclasses.fields(content)}
         return {"fields": type(content).__name__, **fields}
@@ -45,14 +45,14 @@ def packed(content: Any) -> Any:
 
 
 def unpacked(content: Any, classes: Mapping[str, type]) -> Any:
-    """Return what `packed` was given; rows come back as tuples.
+    """Return the content that was packed; lists come back as tuples.
 
     Parameters
     ----------
     content
-        What ``json.loads`` made of it.
+        The result of ``json.loads``.
     classes : mapping of str to type
-        What values may be made of, by name.
+        Allowed classes of values, by name.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Problems that march (`winkler.problems.answer.March`): watched point after point, and kept if they stop early."""
+"""Solve problems step by step (`winkler.problems.answer.March`), with progress, checkpoints, and early stops."""
 
 from __future__ import annotations
 
@@ -8,27 +8,27 @@ from typing import Any, NamedTuple
 
 from winkler.errors import WinklerError
 from winkler.problems.answer import March
-from winkler.study.batch.checkpoint import Keep
-from winkler.study.batch.stopping import INTERRUPTED, answered, look
+from winkler.study.batch.checkpoint import CheckpointStore
+from winkler.study.batch.stopping import INTERRUPTED, clear_interrupt, raise_pending
 
-__all__ = ["ANEW", "Marched", "Watch", "marched", "unwatched"]
+__all__ = ["NO_CHECKPOINTS", "MarchResult", "Watch", "solve_march", "unwatched"]
 
 
 Watch = Callable[[Iterable[Any], int | None], Iterable[Any]]
-"""Passes states on, one after the other, told how many there will be, if that is known."""
+"""Passes states on, one after the other; its second argument is their number, if known."""
 
 
-class Marched(NamedTuple):
-    """What a march came to.
+class MarchResult(NamedTuple):
+    """The result of a march.
 
     Parameters
     ----------
     solution
         Of the points that were reached.
     stopped
-        Why it ended before the end of its path, in one sentence; empty if it did not.
+        Sentence that states why it ended before the end of its path; empty if it did not.
     code
-        What the command line returns: 0 if it reached the end, 130 if it was interrupted, else that of the error.
+        Exit code of the command line: 0 if it reached the end, 130 if it was interrupted, else that of the error.
     """
 
     solution: Any
@@ -37,25 +37,25 @@ class Marched(NamedTuple):
 
 
 def unwatched(states: Iterable[Any], total: int | None) -> Iterator[Any]:
-    """Yield the states; nobody watches."""
+    """Yield the states unchanged."""
     yield from states
 
 
-ANEW = Keep("", "")
-"""Keeps nothing, and knows of nothing."""
+NO_CHECKPOINTS = CheckpointStore("", "")
+"""Stores nothing, and holds no states."""
 
 
-def marched(problem: March, watch: Watch = unwatched, keep: Keep = ANEW) -> Marched:
-    """Solve a problem that marches, and keep what was reached if it ends early.
+def solve_march(problem: March, watch: Watch = unwatched, keep: CheckpointStore = NO_CHECKPOINTS) -> MarchResult:
+    """Solve a problem step by step, and return the states reached if it ends early.
 
     Parameters
     ----------
     problem
-        What to solve.
+        The problem.
     watch
-        Sees every state on its way.
+        Passes every state on.
     keep
-        Where states are kept, and found again, of problems whose march can go on from one.
+        Store of the states of problems whose march can be continued.
 
     Returns
     -------
@@ -64,52 +64,52 @@ def marched(problem: March, watch: Watch = unwatched, keep: Keep = ANEW) -> Marc
     Raises
     ------
     WinklerError, KeyboardInterrupt
-        If it ends before there is anything to answer from.
+        If it ends before there are states enough for a solution.
     """
-    states = _Reached(problem, watch, keep if keep.takes(problem) else ANEW)
+    states = _ReachedStates(problem, watch, keep if keep.resumes(problem) else NO_CHECKPOINTS)
     try:
         solution = problem.gathered(states)
-    except WinklerError as error:  # too few states for an answer
+    except WinklerError as error:  # too few states for a solution
         raise states.end or error from None
     if states.end is None:
-        return Marched(solution)
+        return MarchResult(solution)
     code = INTERRUPTED if isinstance(states.end, KeyboardInterrupt) else states.end.exit_code
-    return Marched(solution, states.told, code)
+    return MarchResult(solution, states.sentence, code)
 
 
-class _Reached:
+class _ReachedStates:
     """The states of a march up to where it ends, and what ended it early."""
 
-    def __init__(self, problem: March, watch: Watch, keep: Keep) -> None:
+    def __init__(self, problem: March, watch: Watch, keep: CheckpointStore) -> None:
         self._problem, self._watch, self._keep = problem, watch, keep
         self._count = 0
         self.end: WinklerError | KeyboardInterrupt | None = None
 
     def __iter__(self) -> Iterator[Any]:
         problem, keep = self._problem, self._keep
-        before = keep.reached(problem) if keep != ANEW else []
-        marching = problem.steps(start=before[-1]) if before else problem.steps()  # type: ignore[call-arg]
-        kept: list[Any] = []
+        earlier = keep.stored_states(problem) if keep != NO_CHECKPOINTS else []
+        marching = problem.steps(start=earlier[-1]) if earlier else problem.steps()  # type: ignore[call-arg]
+        stored: list[Any] = []
         try:
-            for state in self._watch(itertools.chain(before, marching), problem.total):
-                if keep != ANEW:
-                    kept.append(state)
-                    if len(kept) > len(before):
-                        keep.write(problem, kept)
-                look()
+            for state in self._watch(itertools.chain(earlier, marching), problem.total):
+                if keep != NO_CHECKPOINTS:
+                    stored.append(state)
+                    if len(stored) > len(earlier):
+                        keep.write(problem, stored)
+                raise_pending()
                 self._count += 1
                 yield state
         except (KeyboardInterrupt, WinklerError) as end:
             if not self._count:
                 raise
             if isinstance(end, KeyboardInterrupt):
-                answered()
+                clear_interrupt()
             self.end = end
 
     @property
-    def told(self) -> str:
+    def sentence(self) -> str:
         """Why the march ended early, in one sentence."""
         why = "it was interrupted" if isinstance(self.end, KeyboardInterrupt) else str(self.end)
         many = "states" if self._problem.total is None else f"of {self._problem.total} points of the path"
-        told = f"After {self._count} {many}, which are kept, the march ended: {why}"
-        return told if told.endswith(".") else f"{told}."
+        sentence = f"After {self._count} {many}, which are kept, the march ended: {why}"
+        return sentence if sentence.endswith(".") else f"{sentence}."

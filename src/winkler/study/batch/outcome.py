@@ -1,10 +1,10 @@
-"""The outcome of a study: what tables, archives, figures and the report are made of.
+"""The outcome of a study, from which tables, archives, figures and the report are made.
 
 ::
 
     outcome.study                 the `Study` that was run (title, problem, sweep, design, fields, output, expect)
     outcome.points                one `Solved` or `Failed` per point of the sweep, in its order (one without a sweep);
-                                  `Recalled` if the solution was not kept, which then is solved again when asked for
+                                  `Recalled` if the solution was not kept, which then is computed again on request
     outcome.solved, .failed       the same, apart
     outcome.verdicts              one `Verdict` for every [[expect]] at every solved point
     outcome.provenance            `Provenance`: version, hash of the study, time, versions of what computed
@@ -18,9 +18,9 @@
     point.index, point.settings   place in the sweep, and the values of its keys there (in the order of study.sweep)
     point.problem, point.solution
     point.answers                 name -> numbers of shape (loads,)
-    point.each                    the solution load by load: one scalar solution for every load asked at once
-    point.surface                 SurfaceFields of every load, in the order of `each`; empty unless [fields] asks for r
-    point.subsurface              SubsurfaceFields of every load; empty unless [fields] asks for r and z
+    point.each                    the solution load by load: one scalar solution for every load
+    point.surface                 SurfaceFields of every load, in the order of `each`; empty unless [fields] has r
+    point.subsurface              SubsurfaceFields of every load; empty unless [fields] has r and z
 
 Numbers are SI.  Symbols, units and meanings come from `winkler.vocabulary`.
 """
@@ -62,14 +62,14 @@ __all__ = [
 
 
 def answers_of(solution: Any) -> dict[str, Quantity]:
-    """Return the numbers that a solution answers with: every public field or property that the glossary gives a unit.
+    """Return the numbers of a solution: every public field or property to which the glossary gives a unit.
 
     Returns
     -------
     dict
         Name -> float or array in SI units, in the order in which the class states them, without those that it names in
         ``other_axes`` (`winkler.problems.answer.Solution`) and those of another shape than the first;
-        `winkler.study.batch.events` has what they tell.  Rows of two numbers, a direction in the plane, are two
+        for these see `winkler.study.batch.events`.  A vector in the plane gives two
         answers: ``shift_x``, ``shift_y``.
     """
     answers: dict[str, Quantity] = {}
@@ -77,7 +77,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
     for name in _numbers_of(solution.__class__):
         try:
             content = getattr(solution, name)
-        except OutsideValidity:  # an answer that this medium does not have
+        except OutsideValidity:  # a quantity that this medium does not have
             continue
         if isinstance(content, int | float):
             answers[name] = float(content) + 0.0  # no minus before a zero
@@ -92,7 +92,7 @@ def answers_of(solution: Any) -> dict[str, Quantity]:
 
 @functools.cache
 def _numbers_of(cls: type[Any]) -> tuple[str, ...]:
-    """Return the names of the numbers of a class of answers: its fields, then its properties."""
+    """Return the names of the numbers of a class of solutions: its fields, then its properties."""
     names = [field.name for field in dataclasses.fields(cls)]
     for base in reversed(cls.__mro__):
         names += [name for name, member in vars(base).items() if isinstance(member, property)]
@@ -128,18 +128,18 @@ class Column:
 
 @value
 class Provenance:
-    """What made the numbers.
+    """Provenance of the numbers.
 
     Parameters
     ----------
     version
         Version of winkler.
     hash
-        SHA-256 of the canonical form of problem, sweep, design and fields: equal hashes mean equal questions.
+        SHA-256 of the canonical form of problem, sweep, design and fields: equal hashes mean equal numbers.
     created
         Time of the run in UTC, ISO 8601.
     seconds
-        How long it took [s].
+        Duration [s].
     packages
         ``(name, version)`` of Python and of the packages that computed.
     source
@@ -154,7 +154,7 @@ class Provenance:
     source: str = ""
 
     def attributes(self, title: str, study: str) -> dict[str, Any]:
-        """Return what a NetCDF file says of its origin, with the title and the text of the study."""
+        """Return the attributes of a NetCDF file that state its origin, with the title and the text of the study."""
         return {
             "title": title,
             "program": "winkler",
@@ -170,17 +170,17 @@ class Provenance:
 
 def worst_of_each(notes: Iterable[Note]) -> tuple[Note, ...]:
     """Return notes; of statements that differ in their numbers only, the worst."""
-    found: dict[str, Note] = {}
+    collected: dict[str, Note] = {}
     for note in notes:
         topic = re.sub(r"[-+]?\d[-+.\de]*", "#", note.statement).partition(":")[0]
-        if topic not in found or worst((found[topic], note)) is note.standing:
-            found[topic] = note
-    return tuple(found.values())
+        if topic not in collected or worst((collected[topic], note)) is note.standing:
+            collected[topic] = note
+    return tuple(collected.values())
 
 
 @value
 class Outcome:
-    """What a study came to; see the module for its parts."""
+    """The outcome of a study; see the module for its parts."""
 
     study: Study
     points: tuple[Point, ...]
@@ -215,19 +215,19 @@ class Outcome:
 
     def answer(self, name: str) -> Array:
         """Return one answer, shape ``shape + (loads,)``, SI; NaN where a point failed or has fewer loads."""
-        found = [
+        collected = [
             (point.index, numbers[name])
             for point, numbers in zip(self.points, self._numbers, strict=True)
             if name in numbers
         ]
-        result = np.full((*self.shape, max((len(numbers) for _, numbers in found), default=1)), np.nan)
-        for index, numbers in found:
+        result = np.full((*self.shape, max((len(numbers) for _, numbers in collected), default=1)), np.nan)
+        for index, numbers in collected:
             result[index][: len(numbers)] = numbers
         return result
 
     @functools.cached_property
     def indices(self) -> tuple[Indices, ...]:
-        """How much of the scatter of each answer every key makes; none unless the design is a `Sensitivity`."""
+        """Indices of Sobol of each answer for every key; none unless the design is a `Sensitivity`."""
         if not isinstance(self.study.design, Sensitivity):
             return ()
         return sensitivity(self.study, {name: self.answer(name) for name in self.answers})
@@ -252,18 +252,20 @@ class Outcome:
     @functools.cached_property
     def _table(self) -> tuple[Column, ...]:
         numbers = self._numbers
-        counts = [max((len(content) for content in found.values()), default=1) for found in numbers]
+        counts = [max((len(content) for content in collected.values()), default=1) for collected in numbers]
         columns = []
         for place, axis in enumerate(self.study.sweep):
             content = _repeated([point.settings[place] for point in self.points], counts)
-            told = self.word(axis.key)
+            entry = self.word(axis.key)
             if all(isinstance(item, int | float) for item in content):
-                columns.append(Column(axis.key, told, np.array(content, dtype=float)))
+                columns.append(Column(axis.key, entry, np.array(content, dtype=float)))
             else:
                 labels = np.array([keys.label(item) for item in content])
-                columns.append(Column(axis.key, told._replace(unit=None), labels))
+                columns.append(Column(axis.key, entry._replace(unit=None), labels))
         for name in self.answers:
-            parts = [found.get(name, np.full(count, np.nan)) for found, count in zip(numbers, counts, strict=True)]
+            parts = [
+                collected.get(name, np.full(count, np.nan)) for collected, count in zip(numbers, counts, strict=True)
+            ]
             columns.append(Column(name, self.word(name), np.concatenate(parts)))
         if self.failed:
             reasons = [point.reason if isinstance(point, Failed) else "" for point in self.points]

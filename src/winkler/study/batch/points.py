@@ -1,4 +1,4 @@
-"""What came of a point of a study: it was solved, its answer was recalled from a journal, or it has none."""
+"""The points of a study: solved, recalled from a journal, or failed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.problems.answer import is_history, is_march, many_loads
 from winkler.study.batch.events import Event, events_of
-from winkler.study.batch.marching import marched
+from winkler.study.batch.marching import solve_march
 from winkler.study.language.study import Expectation
 from winkler.validity import Note
 from winkler.values import value
@@ -24,7 +24,7 @@ __all__ = ["Answered", "Failed", "Point", "Recalled", "Solved", "Verdict"]
 class Solved:
     """A point of the study that was solved; see the module for its parts.
 
-    A march that ended before the end of its path says why in `stopped`; `code` is then what the command line returns.
+    A march that ended before the end of its path states why in `stopped`; `code` is then the exit code.
     """
 
     index: tuple[int, ...]
@@ -87,10 +87,10 @@ class Failed:
     reason
         The sentence of the error.
     code
-        What the command line returns for it: 2 input, 3 not converged, 4 outside validity, 70 a mistake of winkler.
+        Exit code of the command line: 2 input, 3 not converged, 4 outside validity, 70 a mistake of winkler.
     traceback
-        Where an error came from that winkler does not raise on purpose: a mistake of its own, or too little memory.
-        Such a point is tried again when a sweep that was stopped goes on; empty for all others.
+        Traceback of an error that winkler does not raise on purpose: a mistake of its own, or too little memory.
+        Such a point is tried again when a stopped sweep is continued; empty for all others.
     """
 
     index: tuple[int, ...]
@@ -103,18 +103,18 @@ class Failed:
 
 @value
 class Verdict:
-    """Whether an expected number came out.
+    """Comparison of an expected with a computed number.
 
     Parameters
     ----------
     index
         Point of the sweep.
     expectation
-        What was expected.
+        The expected number.
     got : float or ndarray
-        What came out.
+        The computed number.
     deviation
-        Largest deviation, relative to the scale of the expectation; infinite if no number came out.
+        Largest deviation, relative to the scale of the expectation; infinite if there is no number.
     """
 
     index: tuple[int, ...]
@@ -135,7 +135,7 @@ class Verdict:
 
 @value
 class Recalled:
-    """A point of the study whose numbers are known, but whose solution was not kept: of a long sweep, or of a journal.
+    """A point of the study of which only the numbers were kept: of a long sweep, or from a journal.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ class Recalled:
     told
         ``(kind of event, rows)``.
     verdicts
-        On what was expected there.
+        Comparisons with the expected numbers.
     """
 
     index: tuple[int, ...]
@@ -157,7 +157,7 @@ class Recalled:
     found: tuple[tuple[str, Quantity], ...]
     answer_type: type
     validity: tuple[Note, ...] = ()
-    told: tuple[tuple[str, tuple[tuple[Event, ...], ...]], ...] = ()
+    event_rows: tuple[tuple[str, tuple[tuple[Event, ...], ...]], ...] = ()
     verdicts: tuple[Verdict, ...] = ()
     surface: tuple[Any, ...] = ()
     subsurface: tuple[Any, ...] = ()
@@ -171,12 +171,12 @@ class Recalled:
 
     def events(self, name: str) -> tuple[tuple[Event, ...], ...]:
         """Return one row for each event of a kind (`winkler.study.batch.events`)."""
-        return dict(self.told).get(name, ())
+        return dict(self.event_rows).get(name, ())
 
     @property
     def solution(self) -> Any:
-        """The solution, solved once more."""
-        return _again(self.problem)
+        """The solution, computed once more."""
+        return _solved_again(self.problem)
 
     @property
     def each(self) -> tuple[Any, ...]:
@@ -189,8 +189,8 @@ Point = Solved | Recalled | Failed
 
 
 @functools.lru_cache(maxsize=1)
-def _again(problem: Any) -> Any:
-    return marched(problem).solution if is_march(problem) else problem.solve()
+def _solved_again(problem: Any) -> Any:
+    return solve_march(problem).solution if is_march(problem) else problem.solve()
 
 
 def _answers(found: tuple[tuple[str, Quantity], ...]) -> dict[str, Array]:

@@ -1,7 +1,7 @@
-"""Many questions shared by processes of this machine, or by a cluster: answers come back as they are ready.
+"""A pool of processes of this machine, or a cluster: items are computed in parallel, results return as they are ready.
 
-Questions go out in batches that last a fraction of a second each, whatever one of them takes, so that short ones cost
-little on the way and long ones are known as soon as they are answered.
+Items are sent in batches that last a fraction of a second each, so that short ones cost little communication and the
+results of long ones return at once.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from typing import Annotated, Any, TypeVar
 from winkler.checks.number_checks import Number
 from winkler.errors import InvalidInput, NotConverged
 from winkler.study.batch.cluster import Cluster, connected
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 from winkler.values import value
 
 __all__ = ["Machine", "Workers", "checked_workers", "completed"]
@@ -37,27 +37,27 @@ class Machine:
     Parameters
     ----------
     patience : float, optional
-        For how long one process is at it alone [s]; starting others takes about as long.
+        Time after which further processes are started [s]; starting them takes about as long.
     """
 
     patience: Annotated[float, Number("it must be zero or a positive time in s", 0.0)] = 1.0
 
     @property
     def processors(self) -> int:
-        """How many there are."""
+        """Number of processors."""
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 Workers = int | Cluster | Machine
-"""Who answers: so many processes of this machine, a cluster, or as much of this machine as is worth it."""
+"""A number of processes of this machine, a cluster, or as many processors of this machine as are worth it."""
 
-SPELL = 0.25
-"""How long a batch is to last [s]."""
-AHEAD = 3
-"""Batches that are under way for every worker."""
-LARGEST = 1024
+BATCH_SECONDS = 0.25
+"""Intended duration of a batch [s]."""
+BATCHES_PER_WORKER = 3
+"""Batches in progress for every worker."""
+MOST_ITEMS = 1024
 
-ONE_THREAD = (
+THREAD_VARIABLES = (
     "OMP_NUM_THREADS",
     "OPENBLAS_NUM_THREADS",
     "MKL_NUM_THREADS",
@@ -65,7 +65,7 @@ ONE_THREAD = (
     "NUMEXPR_NUM_THREADS",
     "NUMBA_NUM_THREADS",
 )
-"""What libraries read how many threads they may start from."""
+"""Environment variables that set the number of threads of libraries."""
 
 
 def checked_workers(workers: Workers) -> Workers:
@@ -77,63 +77,63 @@ def checked_workers(workers: Workers) -> Workers:
     return workers
 
 
-def completed(answer: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[tuple[int, R]]:
-    """Yield the place of every item and ``answer(item)``, as they are ready.
+def completed(compute: Callable[[T], R], todo: Sequence[T], workers: int | Cluster) -> Iterator[tuple[int, R]]:
+    """Yield the place of every item and ``compute(item)``, as they are ready.
 
     Parameters
     ----------
-    answer
+    compute
         Can be sent to other processes, like the items and what it returns.
     todo
         The items.
     workers
-        So many processes of this machine with one thread each; or a cluster.
+        Number of processes of this machine with one thread each; or a cluster.
 
     Raises
     ------
     InvalidInput
-        If a worker of another pool asks, or the cluster cannot be used.
+        If this is called in a worker of another pool, or the cluster cannot be used.
     NotConverged
-        If a worker ends before its time, or the last one of a cluster and no other comes.
+        If a worker ends early, or the last one of a cluster and no other comes.
     """
     if isinstance(workers, Cluster):
         with connected(workers) as cluster:
-            yield from _shared(answer, todo, cluster.submit, cluster.threads, cluster.ready)
+            yield from _shared(compute, todo, cluster.submit, cluster.threads, cluster.ready)
         return
     with _processes(min(workers, len(todo))) as submit:
-        yield from _shared(answer, todo, submit, workers, _ready)
+        yield from _shared(compute, todo, submit, workers, _ready)
 
 
 def _shared(
-    answer: Callable[[T], R],
+    compute: Callable[[T], R],
     todo: Sequence[T],
     submit: Callable[..., Any],
     workers: int,
     ready: Callable[[Collection[Any]], list[tuple[Any, Any]]],
 ) -> Iterator[tuple[int, R]]:
-    """Share items out; `ready` waits for answers to what was submitted."""
+    """Distribute items; `ready` waits for results of submitted batches."""
     waiting: dict[Any, int] = {}
     sent, size = 0, 1
     while sent < len(todo) or waiting:
-        while sent < len(todo) and len(waiting) < AHEAD * workers:
+        while sent < len(todo) and len(waiting) < BATCHES_PER_WORKER * workers:
             batch = list(todo[sent : sent + size])
-            waiting[submit(_answered, answer, batch)] = sent
+            waiting[submit(_computed, compute, batch)] = sent
             sent += len(batch)
-        for future, (found, seconds) in ready(waiting):
+        for future, (computed, seconds) in ready(waiting):
             first = waiting.pop(future)
-            yield from enumerate(found, first)
-            # what is left is shared out in ever smaller batches, so that all workers end together
-            fair = max(1, (len(todo) - sent) // (2 * AHEAD * workers))
-            size = max(1, min(LARGEST, fair, round(SPELL * len(found) / max(seconds, 1e-9)), 8 * size))
+            yield from enumerate(computed, first)
+            # the rest is distributed in ever smaller batches, so that all workers end together
+            fair = max(1, (len(todo) - sent) // (2 * BATCHES_PER_WORKER * workers))
+            size = max(1, min(MOST_ITEMS, fair, round(BATCH_SECONDS * len(computed) / max(seconds, 1e-9)), 8 * size))
 
 
 def _ready(waiting: Collection[Future[Any]]) -> list[tuple[Future[Any], Any]]:
     return [(future, future.result()) for future in wait(waiting, return_when=FIRST_COMPLETED).done]
 
 
-def _answered(answer: Callable[[T], R], batch: list[T]) -> tuple[list[R], float]:
+def _computed(compute: Callable[[T], R], batch: list[T]) -> tuple[list[R], float]:
     started = time.perf_counter()
-    return [answer(item) for item in batch], time.perf_counter() - started
+    return [compute(item) for item in batch], time.perf_counter() - started
 
 
 # --------------------------------------------------------------------------------------------------- processes
@@ -141,12 +141,12 @@ def _answered(answer: Callable[[T], R], batch: list[T]) -> tuple[list[R], float]
 
 @contextlib.contextmanager
 def _processes(count: int) -> Iterator[Callable[..., Future[Any]]]:
-    """Give what sends work to processes of this machine; they end with the block."""
+    """Provide a function that submits work to processes of this machine; they end with the block."""
     if getattr(multiprocessing.current_process(), "_inheriting", False):
         raise InvalidInput("workers: put the call of run(...) under `if __name__ == '__main__':`, as pools need it.")
     before = set(multiprocessing.active_children())
     mine = set(before)
-    pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), initializer=_left_alone)
+    pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), initializer=_ignore_interrupts)
 
     def submit(*work: Any) -> Future[Any]:
         if len(mine - before) == count:
@@ -170,8 +170,8 @@ def _processes(count: int) -> Iterator[Callable[..., Future[Any]]]:
             process.terminate()
 
 
-def _left_alone() -> None:
-    """Leave Ctrl-C to the process that started the workers, and end when it ends, however that happens."""
+def _ignore_interrupts() -> None:
+    """Ignore Ctrl-C, which the parent process handles, and end when the parent ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
@@ -185,18 +185,18 @@ def _end_with_parent() -> None:
 
 @contextlib.contextmanager
 def _quiet_start() -> Iterator[None]:
-    """Start processes with one thread each, and deaf to Ctrl-C from their first moment on; here it comes afterwards."""
+    """Start processes with one thread each that ignore Ctrl-C from the beginning; here it is received afterwards."""
     blocks = hasattr(signal, "pthread_sigmask")
     if blocks:
-        resource_tracker.ensure_running()  # as it starts, it would open the mask that the others are to inherit
-    with held():
-        kept = {name: os.environ.get(name) for name in ONE_THREAD}
-        os.environ.update(dict.fromkeys(ONE_THREAD, "1"))
+        resource_tracker.ensure_running()  # its start would reset the mask that the others are to inherit
+    with deferred_signals():
+        previous = {name: os.environ.get(name) for name in THREAD_VARIABLES}
+        os.environ.update(dict.fromkeys(THREAD_VARIABLES, "1"))
         mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}) if blocks else set()
         try:
             yield
         finally:
-            for name, content in kept.items():
+            for name, content in previous.items():
                 if content is None:
                     del os.environ[name]
                 else:

@@ -1,4 +1,4 @@
-"""Points of a sweep as lines of text, from which their numbers come back to the last digit; solutions are not kept."""
+"""Points of a sweep as lines of JSON, from which their numbers are restored to the last digit."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ from winkler.errors import InvalidInput
 from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.lossless import packed, unpacked
 from winkler.study.batch.points import Failed, Recalled, Solved, Verdict
-from winkler.study.batch.tasks import Task
+from winkler.study.batch.tasks import PointTask
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation
 from winkler.validity import Assumption, Note, Standing
 from winkler.vocabulary import Word
 
-__all__ = ["light", "notes_of", "plain_notes", "recalled", "written"]
+__all__ = ["json_line", "notes_of", "plain_notes", "recalled", "without_solution"]
 
 
-def light(point: Solved, expect: tuple[Expectation, ...], shape: tuple[int, ...]) -> Recalled:
-    """Return a solved point without its solution, but with everything that tables and archives take from it.
+def without_solution(point: Solved, expect: tuple[Expectation, ...], shape: tuple[int, ...]) -> Recalled:
+    """Return a solved point without its solution, but with all that tables and archives need of it.
 
     Parameters
     ----------
     point
-        What was solved.
+        The solved point.
     expect, shape
-        What the study expects, and how many points it has along each dimension.
+        Expectations of the study, and its number of points along each dimension.
 
     Raises
     ------
     InvalidInput
-        If what is expected is no answer of this problem.
+        If an expected quantity is no answer of this problem.
     """
     return Recalled(
         point.index,
@@ -53,7 +53,7 @@ def light(point: Solved, expect: tuple[Expectation, ...], shape: tuple[int, ...]
     )
 
 
-def written(point: Recalled | Failed) -> str:
+def json_line(point: Recalled | Failed) -> str:
     """Return a point as one line of JSON; index, settings and problem follow from the study."""
     if isinstance(point, Failed):
         content: dict[str, Any] = {"at": point.index, "reason": point.reason, "code": point.code}
@@ -67,7 +67,7 @@ def written(point: Recalled | Failed) -> str:
             "validity": plain_notes(point.validity),
         }
         more = {
-            "events": {name: packed(rows) for name, rows in point.told},
+            "events": {name: packed(rows) for name, rows in point.event_rows},
             "verdicts": [packed((one.expectation.expected, one.got, one.deviation)) for one in point.verdicts],
             "surface": [packed(fields) for fields in point.surface],
             "subsurface": [packed(fields) for fields in point.subsurface],
@@ -84,7 +84,7 @@ def plain_notes(notes: Iterable[Note]) -> list[list[str]]:
 
 
 def notes_of(rows: Iterable[list[str]]) -> tuple[Note, ...]:
-    """Return the notes that `plain_notes` was given."""
+    """Return notes from the rows of `plain_notes`."""
     return tuple(
         Note(Assumption(assumption), Standing(standing), statement, source)
         for assumption, standing, statement, source in rows
@@ -105,28 +105,28 @@ def _unpacked(content: Any) -> Any:
     return unpacked(content, _fields())
 
 
-def recalled(content: dict[str, Any], task: Task, expect: tuple[Expectation, ...]) -> Recalled | Failed:
-    """Return the point that a line tells of.
+def recalled(content: dict[str, Any], task: PointTask, expect: tuple[Expectation, ...]) -> Recalled | Failed:
+    """Return the point that a line describes.
 
     Parameters
     ----------
     content
-        The line, taken apart by ``json.loads``.
+        The line, parsed by ``json.loads``.
     task
         The point at its index.
     expect
-        What the study expects.
+        Expectations of the study.
     """
     index, settings = task.index, task.settings
     try:
         problem = task.problem
-    except Exception:  # which is why it failed
+    except Exception:  # the reason why it failed
         problem = task.base
     if "reason" in content:
         return Failed(index, settings, problem, content["reason"], content["code"], content.get("traceback", ""))
     verdicts = [
-        Verdict(index, dataclasses.replace(asked, expected=_unpacked(expected)), _unpacked(got), _unpacked(deviation))
-        for asked, (expected, got, deviation) in zip(expect, content.get("verdicts", []), strict=True)
+        Verdict(index, dataclasses.replace(item, expected=_unpacked(expected)), _unpacked(got), _unpacked(deviation))
+        for item, (expected, got, deviation) in zip(expect, content.get("verdicts", []), strict=True)
     ]
     return Recalled(
         index,
@@ -149,10 +149,12 @@ def _rows(rows: list[Any]) -> tuple[tuple[Event, ...], ...]:
 
 
 @functools.cache
-def _answer_type(asked: type, name: str) -> type:
-    """Return the class that a problem answers with, by its name."""
-    hint = typing.get_type_hints(asked.solve).get("return")  # type: ignore[attr-defined]
+def _answer_type(problem_type: type, name: str) -> type:
+    """Return the class of the solutions of a problem, by its name."""
+    hint = typing.get_type_hints(problem_type.solve).get("return")  # type: ignore[attr-defined]
     for cls in typing.get_args(hint) or (hint,):
         if isinstance(cls, type) and cls.__name__ == name:
             return cls
-    raise InvalidInput(f"journal: {asked.__name__}.solve does not say that it returns {name}; annotate it `-> {name}`.")
+    raise InvalidInput(
+        f"journal: {problem_type.__name__}.solve does not state that it returns {name}; annotate it `-> {name}`."
+    )

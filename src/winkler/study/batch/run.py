@@ -1,4 +1,4 @@
-"""Running a study: solve its points, judge what was expected, remember what made the numbers."""
+"""Run a study: solve its points, compare them with the expected numbers, and record the provenance."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from winkler.study.language.study import Study
 
 __all__ = ["ERRORS", "first_failure", "gather", "named", "provenance", "raised", "resumed", "run"]
 
-Found = TypeVar("Found")
+Result = TypeVar("Result")
 
 ERRORS = {error.exit_code: error for error in (InvalidInput, NotConverged, OutsideValidity, Mistake)}
 
@@ -34,13 +34,13 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
     Parameters
     ----------
     study
-        What to solve, from `winkler.study.language.reading.read_study` or made in Python.
+        The study, from `winkler.study.language.reading.read_study` or made in Python.
     workers
         Number of processes for a sweep, a `winkler.study.batch.cluster.Cluster`, or
         `winkler.study.batch.pool.Machine()` for all processors of this machine; the numbers do not depend on it.
     journal
-        File in which points are kept while it runs: the same call goes on from there if it was stopped. It is removed
-        at the end.
+        File in which points are recorded while it runs: a stopped run is continued from it by the same call. It is
+        removed at the end.
 
     Returns
     -------
@@ -59,14 +59,14 @@ def run(study: Study, *, workers: Workers = 1, journal: str | Path = "") -> Outc
     )
 
 
-def resumed(study: Study | FitStudy, path: str | Path, outcome: Callable[[Journal | None], Found]) -> Found:
+def resumed(study: Study | FitStudy, path: str | Path, outcome: Callable[[Journal | None], Result]) -> Result:
     """Return the outcome of a study, with a journal at `path` if there is one, which is removed at the end."""
     if not path:
         return outcome(None)
     with Journal(Path(path), study) as journal:
-        found = outcome(journal)
+        result = outcome(journal)
         journal.remove()
-    return found
+    return result
 
 
 def gather(study: Study, points: Iterable[Point], *, started: float, source: str = "") -> Outcome:
@@ -75,47 +75,49 @@ def gather(study: Study, points: Iterable[Point], *, started: float, source: str
     Parameters
     ----------
     study
-        What was asked.
+        The study.
     points
-        What `solve_points` yields, in any order.
+        Its points from `solve_points`, in any order.
     started
         ``time.perf_counter()`` when the run began.
     source
         Name of the study file.
     """
-    judged: list[tuple[Point, tuple[Verdict, ...]]] = []
+    compared_points: list[tuple[Point, tuple[Verdict, ...]]] = []
     for point in points:
         if isinstance(point, Solved):
-            judged.append((point, tuple(compared(point, expectation, study.shape) for expectation in study.expect)))
+            compared_points.append(
+                (point, tuple(compared(point, expectation, study.shape) for expectation in study.expect))
+            )
         else:
-            judged.append((point, () if isinstance(point, Failed) else point.verdicts))
-    judged.sort(key=lambda pair: pair[0].index)
-    found = tuple(point for point, _ in judged)
-    if all(isinstance(point, Failed) for point in found):
-        first = first_failure(point for point in found if isinstance(point, Failed))
-        many = f"none of the {len(found)} points of the sweep has an answer; the first: " if len(found) > 1 else ""
+            compared_points.append((point, () if isinstance(point, Failed) else point.verdicts))
+    compared_points.sort(key=lambda pair: pair[0].index)
+    ordered = tuple(point for point, _ in compared_points)
+    if all(isinstance(point, Failed) for point in ordered):
+        first = first_failure(point for point in ordered if isinstance(point, Failed))
+        many = f"none of the {len(ordered)} points of the sweep has an answer; the first: " if len(ordered) > 1 else ""
         raise raised(first, many + first.reason)
-    verdicts = tuple(verdict for _, verdicts in judged for verdict in verdicts)
+    verdicts = tuple(verdict for _, verdicts in compared_points for verdict in verdicts)
     made = provenance(digest(study), time.perf_counter() - started, source)
-    return Outcome(study, found, verdicts, made)
+    return Outcome(study, ordered, verdicts, made)
 
 
 def first_failure(failed: Iterable[Failed]) -> Failed:
-    """Return the point that stands for all that failed: the first mistake of winkler's own, else the first."""
+    """Return the point that represents all that failed: the first mistake of winkler's own, else the first."""
     each = list(failed)
     return next((point for point in each if point.code == Mistake.exit_code), each[0])
 
 
 def named(error: WinklerError, name: str) -> WinklerError:
-    """Return an error that says which file it is of, and still shows where it came from."""
-    again = type(error)(f"{name}: {error}")
+    """Return an error with the name of its file in front, and with its notes."""
+    renamed = type(error)(f"{name}: {error}")
     for note in getattr(error, "__notes__", ()):
-        again.add_note(note)
-    return again
+        renamed.add_note(note)
+    return renamed
 
 
 def raised(point: Failed, sentence: str) -> WinklerError:
-    """Return the error that a point stands for; a mistake shows where it came from."""
+    """Return the error of a point that failed; that of a mistake has its traceback."""
     error = ERRORS.get(point.code, NotConverged)(sentence)
     if point.traceback:
         error.add_note(point.traceback)
@@ -123,7 +125,7 @@ def raised(point: Failed, sentence: str) -> WinklerError:
 
 
 def provenance(question: str, seconds: float, source: str) -> Provenance:
-    """Return what made numbers now; `question` is the hash of what was asked."""
+    """Return the provenance of numbers computed now; `question` is the hash of the study."""
     created = datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
     packages = (("python", platform.python_version()), *((name, _version(name)) for name in ("numpy", "scipy")))
     return Provenance(_version("winkler"), question, created, seconds, packages, source)

@@ -1,4 +1,4 @@
-"""How much of the scatter of each answer every varied key makes: the indices of Sobol of a sweep.
+"""The indices of Sobol of a sweep: the part of the variance of each answer that is due to each varied key.
 
 They follow from the points of a `winkler.study.language.designs.Sensitivity`; keys vary independently over their
 ranges.
@@ -20,11 +20,11 @@ from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
 from winkler.values import value
 
-__all__ = ["MEANINGS", "SENSITIVITY", "Indices", "sensitivity", "variables", "write"]
+__all__ = ["INDEX_MEANINGS", "SENSITIVITY", "Indices", "sensitivity", "variables", "write_indices"]
 
 SENSITIVITY = "sensitivity.csv"
 
-MEANINGS = {
+INDEX_MEANINGS = {
     "first_order": ("S_i", "part of the variance of the answer that is gone once this key is known"),
     "first_order_low": ("S_i", "lower end of the 95 % interval of the first-order index"),
     "first_order_high": ("S_i", "upper end of the 95 % interval of the first-order index"),
@@ -85,40 +85,40 @@ def sensitivity(study: Study, answers: Mapping[str, Array]) -> tuple[Indices, ..
             f"sensitivity: the design of the study is {study.design.kind}; its indices need the design sensitivity."
         )
     axes = study.axes
-    given = [np.array(axis.values, dtype=float) for axis in axes if axis.numeric]
-    found = []
+    varied_contents = [np.array(axis.values, dtype=float) for axis in axes if axis.numeric]
+    indices = []
     for name, content in answers.items():
-        if content.shape[-1] > 1 or any(np.array_equal(content[:, 0], one, equal_nan=True) for one in given):
+        if content.shape[-1] > 1 or any(np.array_equal(content[:, 0], one, equal_nan=True) for one in varied_contents):
             continue
         rows = content[:, 0].reshape(study.design.count, len(axes) + 2)
         rows = rows[np.all(np.isfinite(rows), axis=1)]
         if len(rows) < 2 or np.ptp(rows[:, :2]) <= 1e-12 * np.max(np.abs(rows[:, :2])):
             continue
         estimate = sobol_indices(rows[:, 0], rows[:, 1], rows[:, 2:].T, study.design.seed)
-        found.append(Indices(name, len(rows), *estimate))
-    return tuple(found)
+        indices.append(Indices(name, len(rows), *estimate))
+    return tuple(indices)
 
 
-def variables(found: tuple[Indices, ...], keys: list[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+def variables(indices: tuple[Indices, ...], keys: list[str]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the indices as variables of a dataset over the dimensions ``answer`` and ``key``, and both coordinates."""
     content = {
         name: (
             ("answer", "key"),
-            np.stack([getattr(one, name) for one in found]),
+            np.stack([getattr(one, name) for one in indices]),
             {"units": "1", "long_name": meaning, "symbol": symbol},
         )
-        for name, (symbol, meaning) in MEANINGS.items()
+        for name, (symbol, meaning) in INDEX_MEANINGS.items()
     }
-    names = {"answer": [one.answer for one in found], "key": keys}
+    names = {"answer": [one.answer for one in indices], "key": keys}
     return content, {name: ((name,), np.array(places), {}) for name, places in names.items()}
 
 
-def write(found: tuple[Indices, ...], keys: list[str], path: Path) -> None:
+def write_indices(indices: tuple[Indices, ...], keys: list[str], path: Path) -> None:
     """Write the indices as a table, one row for each answer and key."""
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["answer", "key", "pairs", *(f"{name} [-]" for name in SobolEstimate._fields)])
-        for one in found:
+        for one in indices:
             for place, key in enumerate(keys):
                 numbers = [repr(float(getattr(one, name)[place])) for name in SobolEstimate._fields]
                 writer.writerow([one.answer, key, one.pairs, *numbers])

@@ -1,10 +1,10 @@
-"""Ctrl-C and termination: heard at once, remembered until somebody answers.
+"""Ctrl-C and termination: received at once, and remembered until they are handled.
 
-Python raises an interrupt wherever the interpreter stands.  In a callback (of a weak reference, while a module is
-imported) it is reported and forgotten, and libraries turn it into errors of their own or swallow it.  So one flag holds
-the signal that was heard: it is looked at between points, states and curves and before anything is written, and an
-interrupt that was lost in a callback is raised again a moment later.  `held` keeps signals away from a few statements
-that belong together.
+Python raises an interrupt at the statement that is being executed.  In a callback (of a weak reference, while a module
+is imported) it is reported and lost, and libraries turn it into errors of their own or swallow it.  So a flag stores
+the signal that was received: it is checked between points, states and curves and before anything is written, and an
+interrupt that was lost in a callback is raised again a moment later.  `deferred_signals` delays signals until a few
+statements that belong together are done.
 """
 
 from __future__ import annotations
@@ -21,29 +21,38 @@ from collections.abc import Iterator
 from types import FrameType
 from typing import Any, NoReturn
 
-__all__ = ["INTERRUPTED", "TERMINATED", "Heard", "answered", "held", "keeping", "listening", "look"]
+__all__ = [
+    "INTERRUPTED",
+    "TERMINATED",
+    "ReceivedSignal",
+    "clear_interrupt",
+    "deferred_signals",
+    "raise_pending",
+    "receiving_signals",
+    "set_kept_text",
+]
 
 INTERRUPTED, TERMINATED = 130, 143
 """What the command line returns after Ctrl-C, and after SIGTERM."""
 
-AGAIN = 0.01
-"""How long after it was lost a signal is raised again [s]."""
+REPEAT_DELAY = 0.01
+"""Time after which a lost signal is raised again [s]."""
 
 
-class _State:
-    """The flag, how many blocks hold signals back, whether one came meanwhile, and what was kept."""
+class _Flag:
+    """The signal received, the number of blocks that defer signals, whether one came meanwhile, and what was kept."""
 
     signal: int = 0
     blocks: int = 0
-    late: bool = False
+    pending: bool = False
     kept: str = ""
 
 
-_state = _State()
+_state = _Flag()
 
 
-def look() -> None:
-    """Raise what was heard, if nobody has answered it.
+def raise_pending() -> None:
+    """Raise the signal that was received, unless it has been cleared.
 
     Raises
     ------
@@ -54,20 +63,20 @@ def look() -> None:
         _raise()
 
 
-def answered() -> None:
-    """Forget Ctrl-C: what was reached is going to be written."""
+def clear_interrupt() -> None:
+    """Clear Ctrl-C: the results so far are going to be written."""
     if _state.signal == signal.SIGINT:
         _state.signal = 0
 
 
-def keeping(sentence: str) -> None:
-    """Say from now on that this was kept, if the run is stopped."""
+def set_kept_text(sentence: str) -> None:
+    """Set the sentence that states what was kept if the run is stopped."""
     _state.kept = sentence
 
 
 @contextlib.contextmanager
-def held() -> Iterator[None]:
-    """Hold statements together: a signal that is heard meanwhile is raised after them."""
+def deferred_signals() -> Iterator[None]:
+    """Defer signals: one that is received inside the block is raised after it."""
     if threading.current_thread() is not threading.main_thread():  # signals are raised in that one only
         yield
         return
@@ -76,18 +85,18 @@ def held() -> Iterator[None]:
         yield
     finally:
         _state.blocks -= 1
-    if _state.late and not _state.blocks:
-        _state.late = False
-        look()
+    if _state.pending and not _state.blocks:
+        _state.pending = False
+        raise_pending()
 
 
-class Heard:
-    """What became of the signals of a block, once it has ended.
+class ReceivedSignal:
+    """The signal that a block received, once it has ended.
 
     Parameters
     ----------
     code
-        The exit code of the signal that was heard and not answered; 0 if there is none.
+        The exit code of the signal that was received and not cleared; 0 if there is none.
     kept
         What was kept, as the end of a sentence.
     """
@@ -97,54 +106,55 @@ class Heard:
 
 
 @contextlib.contextmanager
-def listening() -> Iterator[Heard]:
-    """Hear Ctrl-C and SIGTERM in the main thread, where nobody else listens to them already."""
-    end, taken, before = Heard(), set[int](), sys.unraisablehook
+def receiving_signals() -> Iterator[ReceivedSignal]:
+    """Receive Ctrl-C and SIGTERM in the main thread, where no other handler is installed."""
+    received, installed, previous_hook = ReceivedSignal(), set[int](), sys.unraisablehook
 
-    def lost(error: sys.UnraisableHookArgs) -> None:
+    def report_lost(error: sys.UnraisableHookArgs) -> None:
         if not _state.signal:
-            before(error)
+            previous_hook(error)
         elif issubclass(error.exc_type, KeyboardInterrupt | SystemExit):
             _thread.start_new_thread(_repeat, ())
-        # else something that was half-made when the signal came cannot be taken down: it is gone all the same
+        # else an object that was incomplete when the signal came cannot be finalized; it is removed all the same
 
-    free: dict[int, Any] = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
-    outermost = all(signal.getsignal(number) is not _hear for number in free)
+    default_handlers: dict[int, Any] = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+    outermost = all(signal.getsignal(number) is not _receive for number in default_handlers)
     if outermost:
-        _forget()
-        sys.unraisablehook = lost
+        _reset()
+        sys.unraisablehook = report_lost
     try:
-        for number, handler in free.items():
+        for number, handler in default_handlers.items():
             if signal.getsignal(number) is handler and threading.current_thread() is threading.main_thread():
-                taken.add(number)
-                signal.signal(number, _hear)
-        yield end
+                installed.add(number)
+                signal.signal(number, _receive)
+        yield received
     except BaseException as error:
         if _state.signal:
             _clear(error)
         raise
     finally:
-        with contextlib.suppress(KeyboardInterrupt, SystemExit), held():  # what comes now is in `end`
-            for number in taken:
-                if signal.getsignal(number) is _hear:
-                    signal.signal(number, free[number])
-            if sys.unraisablehook is lost:
-                sys.unraisablehook = before
-        end.code, end.kept = _code(), _state.kept or "nothing was written"
+        # a signal that comes now is in `received`
+        with contextlib.suppress(KeyboardInterrupt, SystemExit), deferred_signals():
+            for number in installed:
+                if signal.getsignal(number) is _receive:
+                    signal.signal(number, default_handlers[number])
+            if sys.unraisablehook is report_lost:
+                sys.unraisablehook = previous_hook
+        received.code, received.kept = _code(), _state.kept or "nothing was written"
         if outermost:
-            _forget()
+            _reset()
 
 
 def _clear(error: BaseException | None) -> None:
-    """Take down what the frames of an error hold, while what goes wrong at it is still heard here."""
+    """Release what the frames of an error hold, while errors in doing so are still reported here."""
     while error is not None:
         traceback.clear_frames(error.__traceback__)
         error = error.__context__
     gc.collect()
 
 
-def _forget() -> None:
-    _state.signal, _state.blocks, _state.late, _state.kept = 0, 0, False, ""
+def _reset() -> None:
+    _state.signal, _state.blocks, _state.pending, _state.kept = 0, 0, False, ""
 
 
 def _code() -> int:
@@ -153,10 +163,10 @@ def _code() -> int:
     return INTERRUPTED if _state.signal == signal.SIGINT else TERMINATED
 
 
-def _hear(number: int, frame: FrameType | None) -> None:
+def _receive(number: int, frame: FrameType | None) -> None:
     _state.signal = number
-    _state.late = _state.blocks > 0
-    look()
+    _state.pending = _state.blocks > 0
+    raise_pending()
 
 
 def _raise() -> NoReturn:
@@ -166,10 +176,10 @@ def _raise() -> NoReturn:
 
 
 def _repeat() -> None:
-    """Send the main thread once more the signal that it has lost; it wakes a thread that waits, too."""
-    time.sleep(AGAIN)
+    """Send the main thread the lost signal once more, which also wakes a waiting thread."""
+    time.sleep(REPEAT_DELAY)
     number = _state.signal
-    if not number or signal.getsignal(number) is not _hear:
+    if not number or signal.getsignal(number) is not _receive:
         return
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(threading.main_thread().ident or 0, number)

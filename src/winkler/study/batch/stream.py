@@ -1,8 +1,8 @@
-"""A batch, points of a sweep or curves of a fit, as a stream of what comes of its tasks.
+"""A batch, points of a sweep or curves of a fit, as a stream of the results of its tasks.
 
-Tasks are computed one after the other, in a pool of processes or on a cluster; the numbers are the same whoever
-computes them.  With a journal, what comes of a task is written as soon as it is known, and what an earlier run has
-written is not computed again.
+Tasks are computed one after the other, in a pool of processes or on a cluster; the numbers do not
+depend on which.  With a journal, each result is recorded at once, and what an earlier run has recorded is not computed
+again.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from winkler.numerics.types import Array
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
-from winkler.study.batch.stopping import INTERRUPTED, look
+from winkler.study.batch.stopping import INTERRUPTED, raise_pending
 
 __all__ = ["results"]
 
@@ -30,7 +30,7 @@ def results(
     todo: Sequence[T],
     compute: Callable[..., Any],
     *,
-    known: Iterable[tuple[int, R]],
+    earlier: Iterable[tuple[int, R]],
     left: Callable[[Array], Sequence[T]],
     result: Callable[[Any], R],
     useful: Callable[[R], bool],
@@ -39,30 +39,30 @@ def results(
     workers: Workers,
     watch: Any,
 ) -> Iterator[tuple[int, R]]:
-    """Yield the place of every task and its result, first what is known, then others as they are computed.
+    """Yield the place of every task and its result, first those of an earlier run, then others as they are computed.
 
     Parameters
     ----------
     todo
         The tasks.
     compute
-        Takes a task, and as `watch` what sees its progress in this process; can be sent to others.
+        Function of a task, and of `watch`, which passes on its progress in this process; can be sent to others.
     known
-        What an earlier run found.
+        Results of an earlier run.
     left
-        Takes what is known of every place, and gives the other tasks.
+        Function of a mask of the tasks that are done; returns the others.
     result
-        Makes the result of what was computed, and writes it into the journal.
+        Function that returns the result of what was computed, and writes it into the journal.
     useful
-        Tells whether a result answers anything; if none does, the journal is removed, for the study has to be changed.
+        Function that returns whether a result has numbers; if none has, the journal is removed.
     journal
-        Where results are written.
+        Journal of the results.
     names
-        What many tasks are called, and what is done with one.
+        Plural name of the tasks, and the participle of what is done with one.
     workers
         Number of processes, a cluster, or the `Machine`; 1 computes in this one.
     watch
-        Sees the progress of the tasks that this process computes.
+        Passes on the progress of the tasks that this process computes.
 
     Raises
     ------
@@ -70,27 +70,27 @@ def results(
         If workers died: how many results are kept.
     """
     checked_workers(workers)
-    done, answered = np.zeros(len(todo), dtype=bool), False
-    for place, found in known:
+    done, any_useful = np.zeros(len(todo), dtype=bool), False
+    for place, recorded in earlier:
         done[place] = True
-        answered = answered or useful(found)
-        yield place, found
+        any_useful = any_useful or useful(recorded)
+        yield place, recorded
     places = np.flatnonzero(~done)
     try:
         for nth, computed in _computed(compute, left(done), workers, watch):
-            look()  # a library may have made a failed one of it
-            if _interrupted(computed) and journal is not None and journal.count:  # the run goes on from what is kept
+            raise_pending()  # a library may have turned a signal into a failed one
+            if _interrupted(computed) and journal is not None and journal.count:  # the run can be continued
                 raise KeyboardInterrupt
-            found = result(computed)
-            answered = answered or useful(found)
-            yield int(places[nth]), found
+            computed_result = result(computed)
+            any_useful = any_useful or useful(computed_result)
+            yield int(places[nth]), computed_result
     except NotConverged as error:
         if journal is None:
             raise
-        kept = f"{journal.count} of {len(todo)} {names[0]} are kept in '{journal.path}', and the same run goes on"
-        kept = f"{kept} from there." if journal.count else f"No {names[0].removesuffix('s')} was {names[1]}."
-        raise NotConverged(f"{error} {kept}") from None
-    if journal is not None and not answered:
+        kept_text = f"{journal.count} of {len(todo)} {names[0]} are kept in '{journal.path}', and the same run goes on"
+        kept_text = f"{kept_text} from there." if journal.count else f"No {names[0].removesuffix('s')} was {names[1]}."
+        raise NotConverged(f"{error} {kept_text}") from None
+    if journal is not None and not any_useful:
         journal.remove()
 
 

@@ -1,6 +1,6 @@
 """The points of a study as a stream.
 
-One bad point does not stop a sweep: whatever it raises, it has no answer, and the others are solved.
+A point that raises an error does not stop a sweep: it is recorded as failed, and the others are solved.
 """
 
 from __future__ import annotations
@@ -14,29 +14,29 @@ import numpy as np
 
 from winkler.errors import InvalidInput, Mistake, NotConverged, WinklerError, mistake_in
 from winkler.problems.answer import is_march, is_restorable
-from winkler.study.batch.checkpoint import Keep
-from winkler.study.batch.journal import Journal, settled
-from winkler.study.batch.marching import ANEW, Marched, Watch, marched, unwatched
+from winkler.study.batch.checkpoint import CheckpointStore
+from winkler.study.batch.journal import Journal, is_final
+from winkler.study.batch.marching import NO_CHECKPOINTS, MarchResult, Watch, solve_march, unwatched
 from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
 from winkler.study.batch.pool import Workers
-from winkler.study.batch.recording import light, recalled, written
+from winkler.study.batch.recording import json_line, recalled, without_solution
 from winkler.study.batch.stopping import INTERRUPTED
 from winkler.study.batch.stream import results
-from winkler.study.batch.tasks import Task, Tasks, tasks
+from winkler.study.batch.tasks import PointTask, PointTasks, tasks
 from winkler.study.language.study import Expectation, Fields, Study
 
 __all__ = ["solve_points", "solved"]
 
-WHOLE = 256
-"""Of sweeps with more points the solutions are not kept, only what tables and archives tell of them."""
+MOST_KEPT_SOLUTIONS = 256
+"""Points of a sweep up to which solutions are kept; of longer ones only numbers."""
 
 
-def solved(task: Task, watch: Watch = unwatched, keep: Keep = ANEW) -> Solved | Failed:
-    """Solve one point; an error of the physics becomes a `Failed`, any other one is a mistake of ours and is raised."""
+def solved(task: PointTask, watch: Watch = unwatched, keep: CheckpointStore = NO_CHECKPOINTS) -> Solved | Failed:
+    """Solve one point; an error of the physics becomes a `Failed`, any other one is raised."""
     index, settings, problem, fields = task.index, task.settings, task.base, task.fields
     try:
         problem = task.problem
-        march = marched(problem, watch, keep) if is_march(problem) else Marched(problem.solve())
+        march = solve_march(problem, watch, keep) if is_march(problem) else MarchResult(problem.solve())
         solution = march.solution
         found = tuple(answers_of(solution).items())
         point = Solved(index, settings, problem, solution, found)
@@ -52,8 +52,8 @@ def _restored(point: Solved, fields: Fields) -> tuple[tuple[Any, ...], tuple[Any
 
     surface, below = [], []
     for contact in point.each:
-        known = is_restorable(contact)
-        if not known:
+        restorable = is_restorable(contact)
+        if not restorable:
             raise InvalidInput(
                 f"fields: the answer to {type(point.problem).__name__} has no fields to restore; remove [fields]."
             )
@@ -71,41 +71,43 @@ def solve_points(
     *,
     workers: Workers = 1,
     watch: Watch = unwatched,
-    keep: Keep = ANEW,
+    keep: CheckpointStore = NO_CHECKPOINTS,
 ) -> Iterator[Point]:
     """Yield the points of a study as they are solved.
 
     Parameters
     ----------
     study
-        What to solve.
+        The study.
     journal
-        Where points are kept: those that it has come first, then the others in any order.  Without one they come in the
+        Record of points: those that it holds come first, then the others in any order.  Without one they come in the
         order of the sweep.
     workers
         Number of processes, a cluster, or the `Machine`; 1 solves in this one.
     watch
-        Sees the states of a march along a path, if this process solves it; what was reached when it is interrupted is
-        the last point.
+        Passes on the states of a march along a path, if this process solves it; if it is interrupted, the states
+        reached give the last point.
     keep
-        Where long marches keep what they have reached, to go on from there if they are killed.
+        Checkpoints of long marches, from which they are continued if they are killed.
 
     Raises
     ------
     InvalidInput
-        Before the first point, if one of them cannot be asked, or the journal is of another study.
+        Before the first point, if one of them is invalid, or the journal is of another study.
     NotConverged
-        If workers died: how many points are kept.
+        If workers died; the sentence states how many points are recorded.
     """
     points, expect, shape = tasks(study), study.expect, study.shape
-    alone = study.size == 1  # its error ends the run, and shows where it came from
-    whole = study.size <= WHOLE
+    alone = study.size == 1  # its error ends the run with its traceback
+    keeps_solutions = study.size <= MOST_KEPT_SOLUTIONS
     stream = results(
         points,
-        functools.partial(_slimmed, expect=expect, shape=shape, keep=keep, whole=whole, alone=alone),
-        known=() if journal is None else _known(study, points, journal),
+        functools.partial(
+            _computed_point, expect=expect, shape=shape, keep=keep, keeps_solutions=keeps_solutions, alone=alone
+        ),
+        earlier=() if journal is None else _recalled_points(study, points, journal),
         left=points.without,
-        result=functools.partial(_kept, journal, expect, shape),
+        result=functools.partial(_recorded, journal, expect, shape),
         useful=lambda point: not isinstance(point, Failed),
         journal=journal,
         names=("points", "solved"),
@@ -124,30 +126,30 @@ def solve_points(
             due += 1
 
 
-def _known(study: Study, points: Tasks, journal: Journal) -> Iterator[tuple[int, Point]]:
+def _recalled_points(study: Study, points: PointTasks, journal: Journal) -> Iterator[tuple[int, Point]]:
     for content in journal.recalled():
-        if settled(content):
+        if is_final(content):
             place = int(np.ravel_multi_index(content["at"], study.shape)) if study.shape else 0
             yield place, recalled(content, points[place], study.expect)
 
 
-def _kept(journal: Journal | None, expect: tuple[Expectation, ...], shape: tuple[int, ...], point: Point) -> Point:
+def _recorded(journal: Journal | None, expect: tuple[Expectation, ...], shape: tuple[int, ...], point: Point) -> Point:
     """Return a point that was computed, and write it into the journal if it was not interrupted."""
     if journal is None or (not isinstance(point, Failed) and point.code == INTERRUPTED):
         return point
-    slim = _slim(point, expect, shape)
-    journal.write(written(slim), final=not (isinstance(slim, Failed) and slim.traceback))
-    return slim if isinstance(slim, Failed) else point
+    reduced = _reduced(point, expect, shape)
+    journal.write(json_line(reduced), final=not (isinstance(reduced, Failed) and reduced.traceback))
+    return reduced if isinstance(reduced, Failed) else point
 
 
-def _slimmed(
-    task: Task,
+def _computed_point(
+    task: PointTask,
     expect: tuple[Expectation, ...],
     shape: tuple[int, ...],
-    keep: Keep,
+    keep: CheckpointStore,
     watch: Watch = unwatched,
     *,
-    whole: bool,
+    keeps_solutions: bool,
     alone: bool,
 ) -> Point:
     try:
@@ -156,16 +158,16 @@ def _slimmed(
         if alone:
             raise
         return _unexpected(task.index, task.settings, task.base, error)
-    return point if whole or alone else _slim(point, expect, shape)
+    return point if keeps_solutions or alone else _reduced(point, expect, shape)
 
 
-def _slim(point: Point, expect: tuple[Expectation, ...], shape: tuple[int, ...]) -> Recalled | Failed:
-    """Return what tables and archives take from a point; it has no answer if what the answer tells raises an error."""
+def _reduced(point: Point, expect: tuple[Expectation, ...], shape: tuple[int, ...]) -> Recalled | Failed:
+    """Return the numbers of a point for tables and archives; it fails if computing them raises an error."""
     if not isinstance(point, Solved):
         return point
     try:
-        return light(point, expect, shape)
-    except InvalidInput:  # what is expected is no answer: the study has to be changed
+        return without_solution(point, expect, shape)
+    except InvalidInput:  # an expected quantity is no answer: the study has to be changed
         raise
     except WinklerError as error:
         return Failed(point.index, point.settings, point.problem, str(error), error.exit_code)
@@ -174,7 +176,7 @@ def _slim(point: Point, expect: tuple[Expectation, ...], shape: tuple[int, ...])
 
 
 def _unexpected(index: tuple[int, ...], settings: tuple[Any, ...], problem: Any, error: Exception) -> Failed:
-    """Return a point that met an error which winkler does not raise on purpose."""
+    """Return the failed point of an error that winkler does not raise on purpose."""
     where = "".join(traceback.format_exception(error))
     if isinstance(error, MemoryError):
         text = " ".join(str(error).split()) or "no more is said"

@@ -1,6 +1,6 @@
-"""The points of a study that are to be solved: a list that makes each of them when it is asked for.
+"""The points of a study that are to be solved: a sequence that creates each of them on request.
 
-A sweep of a million points begins as fast as one of ten: nothing is made before its turn, and nothing is kept.
+A sweep of a million points begins as fast as one of ten: no point is created before its turn, and none is stored.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from winkler.study.language import keys
 from winkler.study.language.study import Fields, Study
 from winkler.values import value
 
-__all__ = ["Task", "Tasks", "tasks"]
+__all__ = ["PointTask", "PointTasks", "tasks"]
 
-ASKED = 2048
-"""So many points, evenly spread, are made before the first is solved, to tell of mistakes before hours have passed."""
+MOST_CHECKED = 2048
+"""Number of points, evenly spread, that are checked before the first is solved, so that mistakes appear at once."""
 
 
 @value
-class Task:
+class PointTask:
     """One point of a sweep.
 
     Parameters
@@ -33,9 +33,9 @@ class Task:
     keys
         Paths of these keys in the problem.
     base
-        The problem of the study, in which the values are put.
+        The problem of the study, into which the values are put.
     fields
-        What is to be restored.
+        The fields to restore.
     """
 
     index: tuple[int, ...]
@@ -51,7 +51,7 @@ class Task:
         Raises
         ------
         WinklerError
-            If it cannot be asked: the key, the value, and why.
+            If it is invalid: the key, the value, and why.
         """
         problem = self.base
         for key, content in zip(self.keys, self.settings, strict=True):
@@ -62,15 +62,15 @@ class Task:
         return problem
 
 
-class Tasks(Sequence[Task]):
-    """Points of a study, each made when it is asked for.
+class PointTasks(Sequence[PointTask]):
+    """Points of a study, each created on request.
 
     Parameters
     ----------
     study
-        What is asked.
+        The study.
     places : ndarray of int
-        Which of its points, counted in the order of the sweep.
+        Numbers of its points, in the order of the sweep.
     """
 
     def __init__(self, study: Study, places: Array) -> None:
@@ -82,35 +82,35 @@ class Tasks(Sequence[Task]):
         return len(self._places)
 
     @overload
-    def __getitem__(self, at: int) -> Task: ...
+    def __getitem__(self, at: int) -> PointTask: ...
     @overload
-    def __getitem__(self, at: slice) -> Tasks: ...
-    def __getitem__(self, at: int | slice) -> Task | Tasks:
+    def __getitem__(self, at: slice) -> PointTasks: ...
+    def __getitem__(self, at: int | slice) -> PointTask | PointTasks:
         if isinstance(at, slice):
-            return Tasks(self._study, self._places[at])
+            return PointTasks(self._study, self._places[at])
         index, settings = self._study.setting(int(self._places[at]))
-        return Task(index, settings, self._keys, self._study.problem, self._study.fields)
+        return PointTask(index, settings, self._keys, self._study.problem, self._study.fields)
 
-    def without(self, done: Array) -> Tasks:
+    def without(self, done: Array) -> PointTasks:
         """Return the tasks at all places but those where `done` is true."""
-        return Tasks(self._study, self._places[~done])
+        return PointTasks(self._study, self._places[~done])
 
 
-def tasks(study: Study) -> Tasks:
+def tasks(study: Study) -> PointTasks:
     """Return every point of a study, in the order of its sweep.
 
     Raises
     ------
     InvalidInput
-        If a point cannot be asked: the key, the value, and why.  Of more than 2048 points so many are looked at,
-        evenly spread; another one that cannot be asked fails when its turn comes, and so does one that meets a mistake
-        of winkler's own.
+        If a point is invalid: the key, the value, and why.  Of more than 2048 points so many are checked, evenly
+        spread; another one that is invalid fails when its turn comes, and so does one that meets a mistake of
+        winkler's own.
     """
-    found = Tasks(study, np.arange(study.size))
-    for place in np.unique(np.linspace(0, len(found) - 1, min(len(found), ASKED)).round().astype(int)):
+    points = PointTasks(study, np.arange(study.size))
+    for place in np.unique(np.linspace(0, len(points) - 1, min(len(points), MOST_CHECKED)).round().astype(int)):
         try:
-            _ = found[place].problem
+            _ = points[place].problem
         except Exception as error:
             if isinstance(error, WinklerError):
-                raise  # else it is a mistake of ours: the point fails in its turn, and the others are solved
-    return found
+                raise  # else it is a programming error: the point fails in its turn, and the others are solved
+    return points

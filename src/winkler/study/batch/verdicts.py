@@ -1,4 +1,4 @@
-"""Whether what was expected came out: the verdicts on ``[[expect]]``."""
+"""Comparison of computed with expected numbers: the verdicts on ``[[expect]]``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = (
     Parameters
     ----------
     point, expectation
-        What came out, and what was expected: one number for all points, or as many as the sweep has points.
+        The solved point, and the expectation: one number for all points, or as many as the sweep has points.
     shape
         Number of points along each axis of the sweep; ``()`` without one.
 
@@ -31,7 +31,7 @@ def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = (
     InvalidInput
         If the solution has no such answer or field.
     """
-    got = _found(point.solution, expectation)
+    got = _computed_quantity(point.solution, expectation)
     expected = np.asarray(expectation.expected, dtype=float)
     if shape and np.ndim(got) == 0 and expected.size == math.prod(shape) and expected.ndim:
         expected = expected.reshape(shape)[point.index]
@@ -58,21 +58,21 @@ def deviation(got: Quantity, expectation: Expectation) -> float:
     return float(np.max(difference)) if np.all(np.isfinite(difference)) else np.inf
 
 
-def _found(solution: Any, expectation: Expectation) -> Quantity:
+def _computed_quantity(solution: Any, expectation: Expectation) -> Quantity:
     name, place = expectation.quantity, dict(expectation.place)
     if not place and "." in name:
-        return _along(solution, name)
+        return _number_at_path(solution, name)
     if not place:
-        known = answers_of(solution)
-        if name not in known:
-            raise InvalidInput(_unknown(name, list(known), f"an answer of {type(solution).__name__}"))
-        return known[name]
+        answers = answers_of(solution)
+        if name not in answers:
+            raise InvalidInput(_unknown(name, list(answers), f"an answer of {type(solution).__name__}"))
+        return answers[name]
     from winkler.study.batch.expected_fields import number_at
 
     return number_at(solution, name, place)
 
 
-def _along(solution: Any, path: str) -> Quantity:
+def _number_at_path(solution: Any, path: str) -> Quantity:
     """Return the number at a path of public attributes of the solution, ``problem.bed.medium.modulus``."""
     content = solution
     for part in path.split("."):
@@ -82,8 +82,8 @@ def _along(solution: Any, path: str) -> Quantity:
             content = content[int(part)].item() if content.ndim == 1 else content[int(part)]
             continue
         if part.startswith("_") or not hasattr(content, part):
-            known = [key for key in dir(content) if not key.startswith("_") and not callable(getattr(content, key))]
-            raise InvalidInput(_unknown(part, known, f"a part of {type(content).__name__}"))
+            names = [key for key in dir(content) if not key.startswith("_") and not callable(getattr(content, key))]
+            raise InvalidInput(_unknown(part, names, f"a part of {type(content).__name__}"))
         content = getattr(content, part)
     if isinstance(content, int | float) and not isinstance(content, bool):
         return float(content)
@@ -92,5 +92,5 @@ def _along(solution: Any, path: str) -> Quantity:
     raise InvalidInput(f"expect: quantity '{path}' is no number but a {type(content).__name__}; name a number.")
 
 
-def _unknown(name: str, known: list[str], what: str) -> str:
-    return f"expect: quantity '{name}' is not {what}{suggest(name, known)}; there are {', '.join(known)}."
+def _unknown(name: str, names: list[str], what: str) -> str:
+    return f"expect: quantity '{name}' is not {what}{suggest(name, names)}; there are {', '.join(names)}."

@@ -1,58 +1,59 @@
-"""Bodies that stick: laws of adhesion, what is computed, and its formulas."""
+"""Adhesion: laws, problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact
 from winkler.study.chapters.kind import is_a, kind
-from winkler.study.chapters.normal import on_bed
+from winkler.study.chapters.normal import bed_formulas
 
-__all__ = ["ADHESION", "stuck"]
+__all__ = ["ADHESION", "adhesion_formulas"]
 
-THERE_AND_BACK = [
+APPROACH_AND_RETRACTION = [
     {"from": "-5 nm", "to": "5 nm", "count": 41},
     {"from": "5 nm", "to": "-5 nm", "count": 41},
 ]
 
-STRETCHED = Formula(
+STRETCHED_SPRINGS = Equation(
     "Springs of the stiffness c_N per length follow the profile also where they are stretched, up to the edge",
     r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad s = g(a) - d > 0",
 )
-GRIFFITH = Formula(
-    "The edge is in balance where the energy that it sets free as it recedes pays for the surfaces that open",
+GRIFFITH = Equation(
+    "The edge is in equilibrium where the energy that it releases as it recedes equals the work of the surfaces that "
+    "open",
     r"\frac{c_N(a)\,s^2}{2\pi a} = w, \quad s(a) = \sqrt{\frac{2\pi a w}{c_N(a)}}, \quad d(a) = g(a)-s(a)",
 )
-STUCK_FORCE = Formula(
-    "Their sum is the force; so depth and force are known for every contact radius",
+ADHESIVE_FORCE = Equation(
+    "Their sum is the force; so depth and force follow for every contact radius",
     r"F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k(a) = 2\int_0^a c_N\,\mathrm{d}x",
 )
-RING = Formula(
+RING = Equation(
     "Around the contact, up to c, the surfaces attract each other with the stress of the law, which pulls the springs "
     "there by (written for a homogeneous solid)",
     r"u(x) = -\frac{2\sigma_0}{E^*}\sqrt{c^2-x^2}, \quad a < x < c, \quad "
     r"d = g(a) - \frac{2\sigma_0}{E^*}\sqrt{c^2-a^2}",
 )
-RING_END = Formula(
+RING_END = Equation(
     "The ring ends where the surfaces stand apart as far as the attraction reaches", r"h(c) = \frac{w}{\sigma_0}"
 )
-RINGED_FORCE = STUCK_FORCE._replace(latex=r"F_N = 2\int_0^c c_N\,u\,\mathrm{d}x, \quad u(x) = d-g(x) \;\; (x < a)")
-FAR = Formula(
-    "Attraction from afar deforms nothing and adds to the pull; R is the radius of curvature at the apex",
+RINGED_FORCE = ADHESIVE_FORCE._replace(latex=r"F_N = 2\int_0^c c_N\,u\,\mathrm{d}x, \quad u(x) = d-g(x) \;\; (x < a)")
+LONG_RANGE_FORCE = Equation(
+    "Long-range attraction deforms nothing and adds to the pull; R is the radius of curvature at the apex",
     r"d = g(a), \quad F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x - 2\pi R w",
 )
-STABLE = Formula(
+STABILITY = Equation(
     "A state is stable on a machine of the stiffness k_m if it moves on as the contact grows; a dead load has k_m = 0, "
     "fixed grips an infinite one",
     r"\frac{\mathrm{d}}{\mathrm{d}a}\left(d + \frac{F_N}{k_m}\right) > 0",
 )
-LOST = Formula(
+CYCLE_LOSS = Equation(
     "Between jumps the machine's work is stored, but for what opening costs more than closing gained; in a jump all "
     "that the potential falls by is lost",
     r"\mathrm{d}W = F_N\,\mathrm{d}D, \quad D = d + \frac{F_N}{k_m}",
 )
-SHEARED = Formula(
-    "Normal and tangential springs pay for the surface together; the contact shrinks as it is sheared",
+SHEARED_EDGE = Equation(
+    "Normal and tangential springs release the energy of the surface together; the contact shrinks as it is sheared",
     r"c_N(a)\,s^2 + c_T(a)\,u_x^2 = 2\pi a w, \quad F_x = 2u_x\int_0^a c_T\,\mathrm{d}x",
 )
 
@@ -60,24 +61,24 @@ DUGDALE = "winkler.laws.adhesion:Dugdale"
 LONG_RANGE = "winkler.laws.adhesion:DerjaguinMullerToporov"
 
 
-def stuck(problem: Any, *more: Formula) -> tuple[Formula, ...]:
-    """Return how springs, edge and force go together under the law of a problem."""
-    if is_a(problem.law, DUGDALE):  # under a ring of attraction the fields take other steps
-        return on_bed(problem.bed, (RING, RING_END, RINGED_FORCE, STABLE, *more), ())
-    springs = (FAR,) if is_a(problem.law, LONG_RANGE) else (STRETCHED, GRIFFITH, STUCK_FORCE)
-    return on_bed(problem.bed, (*springs, STABLE, *more))
+def adhesion_formulas(problem: Any, *more: Equation) -> tuple[Equation, ...]:
+    """Return the formulas of springs, edge and force under the law of a problem."""
+    if is_a(problem.law, DUGDALE):  # with a ring of attraction the fields follow differently
+        return bed_formulas(problem.bed, (RING, RING_END, RINGED_FORCE, STABILITY, *more), ())
+    springs = (LONG_RANGE_FORCE,) if is_a(problem.law, LONG_RANGE) else (STRETCHED_SPRINGS, GRIFFITH, ADHESIVE_FORCE)
+    return bed_formulas(problem.bed, (*springs, STABILITY, *more))
 
 
-def cycled(problem: Any) -> tuple[Formula, ...]:
-    """Return the same of a cycle, in which energy is lost."""
-    return stuck(problem, LOST)
+def cycle_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a cycle, in which energy is lost."""
+    return adhesion_formulas(problem, CYCLE_LOSS)
 
 
-def sheared(problem: Any) -> tuple[Formula, ...]:
-    """Return the same of a contact that is sheared."""
+def shear_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a sheared contact."""
     if is_a(problem.law, DUGDALE, LONG_RANGE):
-        return stuck(problem)
-    return on_bed(problem.bed, (STRETCHED, SHEARED, STUCK_FORCE))
+        return adhesion_formulas(problem)
+    return bed_formulas(problem.bed, (STRETCHED_SPRINGS, SHEARED_EDGE, ADHESIVE_FORCE))
 
 
 ADHESION = Chapter(
@@ -99,15 +100,15 @@ ADHESION = Chapter(
                 "johnson_kendall_roberts_1971",
                 "maugis_1992",
             ),
-            contact=Contact.EDGE,
-            formulas=stuck,
+            contact=PicturedContact.EDGE,
+            formulas=adhesion_formulas,
         ),
         "pull_off": Answer(
             kind("winkler.problems.adhesion.pull_off:PullOff", "popov_hess_2015", "johnson_kendall_roberts_1971"),
             picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
-            contact=Contact.EDGE,
+            contact=PicturedContact.EDGE,
             contact_shown="the contact just before it comes apart",
-            formulas=stuck,
+            formulas=adhesion_formulas,
         ),
         "equilibrium": Answer(
             kind(
@@ -123,10 +124,10 @@ ADHESION = Chapter(
                 "All states of equilibrium",
                 "Solid where they are stable; the arrows are jumps from the ends of the stable branches.",
             ),
-            contact=Contact.EDGE,
+            contact=PicturedContact.EDGE,
             contact_shown="the widest stable contact of the curve",
             compared=("force", "radius"),
-            formulas=stuck,
+            formulas=adhesion_formulas,
         ),
         "adhesive_cycle": Answer(
             kind(
@@ -134,17 +135,17 @@ ADHESION = Chapter(
                 "popov_hess_2015",
                 "johnson_kendall_roberts_1971",
                 "guduru_2007",
-                path={"kind": "depth", "depth": THERE_AND_BACK},
+                path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
             ),
             picture=Caption(
                 "cycle",
                 "Approach and retraction",
-                "The contact follows the states of equilibrium and jumps, along the arrows, where it loses its hold.",
+                "The contact follows the states of equilibrium and jumps, along the arrows, where it becomes unstable.",
             ),
-            contact=Contact.EDGE,
+            contact=PicturedContact.EDGE,
             contact_shown="the widest contact of the cycle",
             compared=("force", "radius"),
-            formulas=cycled,
+            formulas=cycle_formulas,
         ),
         "adhesive_shear": Answer(
             kind(
@@ -156,12 +157,12 @@ ADHESION = Chapter(
             ),
             picture=Caption(
                 "shear",
-                "The contact gives way as it is sheared",
-                "Up to the shift at which no contact radius holds any more.",
+                "The contact shrinks as it is sheared",
+                "Up to the shift at which no contact radius is in equilibrium any more.",
             ),
-            contact=Contact.EDGE,
+            contact=PicturedContact.EDGE,
             contact_shown="the contact under the last load, its springs along the surface left out",
-            formulas=sheared,
+            formulas=shear_formulas,
         ),
     },
 )

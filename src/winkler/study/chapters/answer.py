@@ -1,8 +1,8 @@
-"""One record for one answer: all that a study, a report and the app know of a problem beside its classes.
+"""One record for each problem: all that studies, reports and the app need beside its classes.
 
-A chapter is a file with its kinds and its answers.  An `Answer` holds the line of the catalogue, what the picture of
-the answer is called, which curves are drawn along a path or over many loads, which contact the pictures of the method
-show, and the formulas.  What draws it is registered with `winkler.plot.draw`: nothing here waits for pictures.
+A chapter is a file with its kinds and its answers.  An `Answer` holds the line of the catalogue, the caption
+of its picture, the curves that are drawn along a path or over many loads, the contact in the pictures of the method,
+and the formulas.  Its picture is registered with `winkler.plot.draw`, so that no drawing code is loaded here.
 """
 
 from __future__ import annotations
@@ -13,16 +13,27 @@ from typing import Any, NamedTuple
 
 from winkler.study.chapters.kind import Kind
 
-__all__ = ["ALONG", "Answer", "Caption", "Chapter", "Contact", "Formula", "Formulas", "Kinds", "always", "then"]
+__all__ = [
+    "ALONG",
+    "Answer",
+    "Caption",
+    "Chapter",
+    "Equation",
+    "Formulas",
+    "Kinds",
+    "PicturedContact",
+    "constant_formulas",
+    "followed_by",
+]
 
 
-class Formula(NamedTuple):
-    """A formula and what it says.
+class Equation(NamedTuple):
+    """A formula and its sentence.
 
     Parameters
     ----------
     says
-        One sentence.
+        One sentence that describes it.
     latex
         For `winkler.study.report.mathml.formula`.
     """
@@ -31,23 +42,23 @@ class Formula(NamedTuple):
     latex: str
 
 
-Formulas = Callable[[Any], tuple[Formula, ...]]
+Formulas = Callable[[Any], tuple[Equation, ...]]
 """Problem -> its formulas, in the order in which they are used."""
 ALONG = ("shift", "depth")
-"""What the answers to many loads are drawn over where no curves are named: the first of these that was computed."""
+"""Abscissae of the answers to many loads where no curves are named: the first of these that was computed."""
 Kinds = dict[str, dict[str, Kind]]
 """Slot -> kind -> its line of the catalogue."""
 
 
 class Caption(NamedTuple):
-    """What a picture is called.
+    """Caption of a picture.
 
     Parameters
     ----------
     name
         The stem of its files.
     title, sentence
-        What it shows.
+        The caption.
     """
 
     name: str
@@ -55,8 +66,8 @@ class Caption(NamedTuple):
     sentence: str
 
 
-class Contact(enum.Enum):
-    """Which elastic contact the pictures of the method show."""
+class PicturedContact(enum.Enum):
+    """The elastic contact in the pictures of the method."""
 
     LOAD = "that of the last load"
     PATH = "that at the greatest depth of the whole path"
@@ -65,22 +76,22 @@ class Contact(enum.Enum):
 
 
 class Answer(NamedTuple):
-    """What is known of the answer to one problem.
+    """Record of the answer to one problem.
 
     Parameters
     ----------
     kind
-        The problem as a line of the catalogue: its class, an example, the papers it stands on.
+        The problem as a line of the catalogue: its class, an example, its papers.
     formulas
-        What was computed.
+        Formulas of the solution.
     picture
         Title of the picture of the whole answer; None where the pictures of the method show all.
     curves
-        ``(along, of)``: what is drawn over what, of an answer along a path, over time or over many loads.
+        ``(abscissa, ordinate)`` of the curves of an answer along a path, over time or over many loads.
     compared
         Answers that are drawn over the position or depth, one curve for each point of a sweep.
     contact
-        Which contact the pictures of the method show.
+        The contact in the pictures of the method.
     contact_shown
         The same in words, of an answer that holds many contacts.
     """
@@ -90,7 +101,7 @@ class Answer(NamedTuple):
     picture: Caption | None = None
     curves: tuple[tuple[str, str], ...] = ()
     compared: tuple[str, ...] = ()
-    contact: Contact = Contact.LOAD
+    contact: PicturedContact = PicturedContact.LOAD
     contact_shown: str = ""
 
 
@@ -100,11 +111,11 @@ class Chapter(NamedTuple):
     Parameters
     ----------
     physics
-        What the validation table calls it.
+        Its name in the validation table.
     kinds
-        Its loads, laws, bodies and all else that is no problem.
+        Its loads, laws, bodies and other kinds that are no problems.
     answers
-        Kind of problem -> what is known of its answer.
+        Kind of problem -> record of its answer.
     """
 
     physics: str
@@ -117,11 +128,11 @@ class Chapter(NamedTuple):
         return {name: answer.kind for name, answer in self.answers.items()}
 
 
-def always(*formulas: Formula) -> Formulas:
-    """Return what gives the same formulas for each problem of a kind."""
+def constant_formulas(*formulas: Equation) -> Formulas:
+    """Return a function that gives the same formulas for each problem of a kind."""
     return lambda problem: formulas
 
 
-def then(first: Formulas, *more: Formula) -> Formulas:
-    """Return what gives the formulas of a pressed contact and some more; none where the former are not known."""
+def followed_by(first: Formulas, *more: Equation) -> Formulas:
+    """Return a function that gives the formulas of `first` and some more; none where the former are unknown."""
     return lambda problem: (*before, *more) if (before := first(problem)) else ()

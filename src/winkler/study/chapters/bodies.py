@@ -14,7 +14,7 @@ WAVY_BALL = {
         {"kind": "wavy", "amplitude": "0.1 um", "wavelength": "1 mm"},
     ],
 }
-"""A wave alone touches again at its next trough; on a ball it does not."""
+"""A wave alone would touch at its next trough too; on a ball it does not."""
 
 BODIES: Kinds = {
     "profile": {

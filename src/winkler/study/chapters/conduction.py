@@ -1,92 +1,92 @@
-"""Contacts that conduct: conductors, films, what drives a current, what is computed, and its formulas."""
+"""Conduction of current and heat: conductors, films, drives, problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Formula, always, then
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, constant_formulas, followed_by
 from winkler.study.chapters.kind import is_a, kind
-from winkler.study.chapters.normal import HOMOGENEOUS, pressed
+from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
 __all__ = ["CONDUCTION"]
 
 SILVER = {"kind": "electrical_conductor", "resistivity": "15.9 nohm m"}
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
 COPPER = {"kind": "electrical_conductor", "resistivity": "16.8 nohm m"}
-SILVERS: dict[str, Any] = {"first": SILVER, "second": SILVER}
-STEELS: dict[str, Any] = {"first": STEEL, "second": STEEL}
+SILVER_PAIR: dict[str, Any] = {"first": SILVER, "second": SILVER}
+STEEL_PAIR: dict[str, Any] = {"first": STEEL, "second": STEEL}
 
-ANALOGY = Formula(
+ANALOGY = Equation(
     "Every spring in contact conducts alike, so conductance and stiffness are in proportion (after Barber)",
     r"\frac{1}{R_c} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm{d}F_N}{\mathrm{d}d} = \frac{4a}{\rho_1+\rho_2}",
 )
-DISC = Formula(
+DISC = Equation(
     "Current squeezes through the disc of the contact (after Holm), whatever the elastic medium",
     r"R_c = \frac{\rho_1+\rho_2}{4a}",
 )
-HEAT = Formula(
+HEAT = Equation(
     "Heat flows like a current, with temperature for voltage and λ for 1/ρ",
     r"Q = \frac{\Delta T}{R}, \quad R_c = \frac{1}{4a}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)",
 )
-FILM = Formula(
+FILM = Equation(
     "A film lies in series, and spreads the current: the factor H goes from 1 to 32/(3π²) as it resists more",
     r"R = R_c\,H(\beta) + \frac{\sigma_f}{\pi a^2}, \quad \beta = \frac{2\sigma_f}{(\rho_1+\rho_2)\,a}",
 )
-ROD = Formula(
+ROD = Equation(
     "In a rod of the radius b current has less far to spread, and a length to go",
     r"R_1 = \frac{\rho_1}{4a}\,\psi\left(\frac{a}{b}\right) + \frac{\rho_1 l}{\pi b^2}, \quad "
     r"\psi = 1 - 1.40925\,\frac{a}{b} + \dots",
 )
-PLATING = Formula(
-    "A plating of the thickness h answers every wave of current like a layer",
+PLATING = Equation(
+    "A plating of the thickness h responds to every wave of current like a layer",
     r"1+M(\xi) = \frac{1+\kappa e^{-2\xi h}}{1-\kappa e^{-2\xi h}}, \quad "
     r"\kappa = \frac{\rho_{on}-\rho}{\rho_{on}+\rho}",
 )
-KOHLRAUSCH = Formula(
+KOHLRAUSCH = Equation(
     "Temperature and voltage go together along every line of current, if λρ = LT (after Kohlrausch)",
     r"T_{max}^2 = T_0^2 + \frac{V^2}{4L} \quad (V_f = 0, \; V_1 = V_2)",
 )
-UNLIKE = Formula(
+UNEQUAL_VOLTAGES = Equation(
     "With a film, or where the voltages over both bodies differ, the contact itself has",
     r"T_c^2 = T_0^2 + \frac{2V_1V_2}{L}\left(\frac{1}{2}+\frac{V_f}{V_1+V_2}\right)",
 )
-HOT = Formula(
+HOT_RESISTANCE = Equation(
     "and the resistance grows along the line",
     r"I\,\frac{R_1}{\rho_1(T_0)} = \int_0^{V_1}\frac{\mathrm{d}\phi}{\rho_1(T(\phi))}",
 )
-CROWDED = Formula(
+SPOT_INTERACTION = Equation(
     "All spots have one voltage, and each adds to those of the others",
     r"V = \frac{\rho_1+\rho_2}{2\pi}\sum_j\int_{A_j}\frac{J(s)}{|r-s|}\,\mathrm{d}A",
 )
-GREENWOOD = Formula(
+GREENWOOD = Equation(
     "Greenwood's estimate takes currents in proportion to the radii",
     r"R_G = \frac{\rho_1+\rho_2}{4\sum a_i} + "
     r"\frac{\rho_1+\rho_2}{2\pi}\,\frac{\sum_{i\ne j}a_ia_j/s_{ij}}{(\sum a_i)^2}",
 )
-TANGENTS = Formula(
+TANGENTS = Equation(
     "The force curve lies between that of the smooth body and the same moved by s; it is convex, so that its slope is "
     "bound by tangents (after Barber)",
     r"\max_{D<d_0}\frac{F-F_s(D)}{d_0+s-D} \le k \le \min_{D>d_0+s}\frac{F_s(D)-F}{D-d_0-s}",
 )
-PROPORTION = Formula("Conductance and stiffness are in proportion", r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}")
+PROPORTION = Equation("Conductance and stiffness are in proportion", r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}")
 
 
-def conducted(problem: Any, *more: Formula) -> tuple[Formula, ...]:
-    """Return how a pressed contact conducts a current."""
-    return then(pressed, *_flow(problem, problem.conductors.film), *more)(problem)
+def electric_formulas(problem: Any, *more: Equation) -> tuple[Equation, ...]:
+    """Return the formulas of a contact that conducts a current."""
+    return followed_by(normal_formulas, *_constriction_formulas(problem, problem.conductors.film), *more)(problem)
 
 
-def heated(problem: Any) -> tuple[Formula, ...]:
-    """Return how a pressed contact conducts heat."""
-    return then(pressed, *_flow(problem, problem.conductors.interface, HEAT))(problem)
+def thermal_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a contact that conducts heat."""
+    return followed_by(normal_formulas, *_constriction_formulas(problem, problem.conductors.interface, HEAT))(problem)
 
 
-def warmed(problem: Any) -> tuple[Formula, ...]:
-    """Return how a current makes a contact hot."""
-    return conducted(problem, KOHLRAUSCH, UNLIKE, HOT)
+def joule_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a contact heated by a current."""
+    return electric_formulas(problem, KOHLRAUSCH, UNEQUAL_VOLTAGES, HOT_RESISTANCE)
 
 
-def _flow(problem: Any, film: Any, *more: Formula) -> tuple[Formula, ...]:
+def _constriction_formulas(problem: Any, film: Any, *more: Equation) -> tuple[Equation, ...]:
     bodies, bed = (problem.conductors.first, problem.conductors.second), problem.bed
     alike = not is_a(bed.footprint, "winkler.footprint:Round") or is_a(bed.medium, HOMOGENEOUS)
     return (
@@ -121,8 +121,8 @@ CONDUCTION = Chapter(
             "rod": kind("winkler.materials.conducting_body:Rod", conductor=SILVER, radius="1 mm", length="10 mm"),
         },
         "pair": {
-            "electrical_conductors": kind("winkler.media.conduction.conductors:ElectricalConductors", **SILVERS),
-            "heat_conductors": kind("winkler.media.conduction.conductors:HeatConductors", **STEELS),
+            "electrical_conductors": kind("winkler.media.conduction.conductors:ElectricalConductors", **SILVER_PAIR),
+            "heat_conductors": kind("winkler.media.conduction.conductors:HeatConductors", **STEEL_PAIR),
         },
         "film": {
             "surface_film": kind("winkler.laws.film:SurfaceFilm", area_resistance="1e-12 ohm m^2"),
@@ -144,14 +144,14 @@ CONDUCTION = Chapter(
             picture=Caption(
                 "contact_resistance",
                 "The contact resistance",
-                "Over the force, and what makes it: the narrow contact, a film, the length of rods.",
+                "Over the force, and its parts: the constriction, a film, the length of rods.",
             ),
-            formulas=conducted,
+            formulas=electric_formulas,
         ),
         "thermal_constriction": Answer(
             kind(
                 "winkler.problems.conduction.thermal_constriction:ThermalConstriction",
-                conductors={"kind": "heat_conductors", **STEELS},
+                conductors={"kind": "heat_conductors", **STEEL_PAIR},
                 temperature_drop="10 K",
             ),
             picture=Caption(
@@ -159,16 +159,16 @@ CONDUCTION = Chapter(
                 "Heat through the contact",
                 "Temperature around the contact, heat flux over the surface, and the resistance over the force.",
             ),
-            formulas=heated,
+            formulas=thermal_formulas,
         ),
         "joule_heating": Answer(
             kind("winkler.problems.conduction.joule_heating:JouleHeating", load={"kind": "force", "force": "1 N"}),
             picture=Caption(
                 "joule",
-                "How hot a current makes the contact",
+                "Heating of the contact by a current",
                 "Temperature around the contact, current density over the surface, and what other voltages would heat.",
             ),
-            formulas=warmed,
+            formulas=joule_formulas,
         ),
         "spot_cluster": Answer(
             kind(
@@ -182,9 +182,9 @@ CONDUCTION = Chapter(
             picture=Caption(
                 "spots",
                 "The spots",
-                "Which spots carry more current than others of their size, and what stands in the way of all.",
+                "Which spots carry more current than others of their size, and the resistance of all.",
             ),
-            formulas=always(CROWDED, GREENWOOD),
+            formulas=constant_formulas(SPOT_INTERACTION, GREENWOOD),
         ),
         "conductance_bounds": Answer(
             kind("winkler.problems.conduction.bounds:ConductanceBounds", roughness="0.1 um", force="10 N"),
@@ -194,7 +194,7 @@ CONDUCTION = Chapter(
                 "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than "
                 "the lines.",
             ),
-            formulas=always(TANGENTS, PROPORTION),
+            formulas=constant_formulas(TANGENTS, PROPORTION),
         ),
     },
 )

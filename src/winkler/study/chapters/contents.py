@@ -1,4 +1,4 @@
-"""The chapters in their order, and what is known of the answer to a problem."""
+"""The chapters in their order, and the record of the answer to a problem."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import functools
 from typing import Any
 
 from winkler.study.chapters.adhesion import ADHESION
-from winkler.study.chapters.answer import Answer, Chapter, Formula
+from winkler.study.chapters.answer import Answer, Chapter, Equation
 from winkler.study.chapters.conduction import CONDUCTION
 from winkler.study.chapters.friction import FRICTION
 from winkler.study.chapters.heating import HEATING
 from winkler.study.chapters.impact import IMPACT
 from winkler.study.chapters.kind import Kind, path_of
-from winkler.study.chapters.normal import NORMAL, pressed
+from winkler.study.chapters.normal import NORMAL, normal_formulas
 from winkler.study.chapters.particles import PARTICLES
 from winkler.study.chapters.rolling import ROLLING
 from winkler.study.chapters.rough import ROUGH
@@ -38,13 +38,13 @@ CHAPTERS: tuple[Chapter, ...] = (
 )
 """In the order of the catalogue."""
 
-UNKNOWN = Answer(Kind("", {}), pressed)
-"""What is known of the answer to a problem that no chapter has: one of a user's own."""
+DEFAULT_ANSWER = Answer(Kind("", {}), normal_formulas)
+"""Record for a problem of no chapter, defined by a user."""
 
 
 @functools.cache
 def answers() -> dict[str, Answer]:
-    """Return what is known of every answer, by the kind of its problem."""
+    """Return the records of all answers, by the kind of the problem."""
     return {kind: answer for chapter in CHAPTERS for kind, answer in chapter.answers.items()}
 
 
@@ -54,10 +54,10 @@ def _by_path() -> dict[str, Answer]:
 
 
 def answer_of(problem: Any) -> Answer:
-    """Return what is known of the answer to a problem."""
-    return _by_path().get(path_of(type(problem)), UNKNOWN)
+    """Return the record of the answer to a problem."""
+    return _by_path().get(path_of(type(problem)), DEFAULT_ANSWER)
 
 
-def formulas_of(problem: Any) -> tuple[Formula, ...]:
-    """Return the formulas behind the answer to a problem; none if its bed is not among those that are known here."""
+def formulas_of(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of the answer to a problem; none if its bed is none of this package."""
     return answer_of(problem).formulas(problem)

@@ -1,53 +1,53 @@
-"""Contacts that are moved along the surface: friction, lateral loads, paths, what is computed, and its formulas."""
+"""Tangential contact: friction, lateral loads, paths, problems, and their formulas."""
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import pressed
+from winkler.study.chapters.normal import normal_formulas
 
-__all__ = ["FRICTION", "HELD", "SHIFTED", "moved"]
+__all__ = ["FRICTION", "TANGENTIAL_FORCE", "TANGENTIAL_SPRINGS", "tangential_formulas"]
 
-PRESSED = {"kind": "start", "normal": {"kind": "force", "force": "100 N"}}
-TO_AND_FRO = [
-    PRESSED,
+NORMAL_START = {"kind": "start", "normal": {"kind": "force", "force": "100 N"}}
+OSCILLATION = [
+    NORMAL_START,
     {"kind": "ramp", "normal": {"kind": "force", "force": "200 N"}, "duration": "1 s"},
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "0.5 um"}, "cycles": 2.0},
     {"kind": "hold", "duration": "1 s"},
 ]
 TWIST = [
-    {**PRESSED, "lateral": {"kind": "angle", "angle": "0 rad"}},
+    {**NORMAL_START, "lateral": {"kind": "angle", "angle": "0 rad"}},
     {"kind": "oscillate", "lateral": {"kind": "angle", "angle": "2 mrad"}, "cycles": 1.25},
 ]
 
-HELD = Formula(
+TANGENTIAL_SPRINGS = Equation(
     "Along the surface every spring follows the body until it slides; it slides where its load reaches μ times that "
     "across the surface",
     r"q_x(x) = c_T(x)\,u_t(x), \quad |c_T\,u_t| \le \mu\,c_N\left(d-g(x)\right)",
 )
-TWISTED = Formula(
+TWISTED = Equation(
     "A spring at x is turned by φ x, as long as it does not slide",
     r"q(x) = 8G_t\,\phi\,x, \quad \frac{1}{G_t} = \frac{1}{G_1} + \frac{1}{G_2}",
 )
-TWIST_BOUND = Formula(
-    "It slides where its load reaches what the pressure of all rings farther out lets it bear",
+TWIST_BOUND = Equation(
+    "It slides where its load reaches the bound that the pressure of all rings farther out gives",
     r"|q(x)| \le 4\mu\,x\int_x^a \frac{p(r)}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
-TORQUE = Formula("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
-SHIFTED = Formula("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
-LOSS = Formula("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
-SWUNG = Formula(
+TORQUE = Equation("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
+TANGENTIAL_FORCE = Equation("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
+LOSS = Equation("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
+COMMON_OSCILLATION = Equation(
     "Depth and shift swing together",
     r"d = d_0 + A_z\cos(n\theta), \quad u_x = A_x\cos(m\theta+\varphi)",
 )
-RELAXED = Formula(
-    "A spring that parts in every cycle lets go of what the slow motion has put into it, once in a cycle of the "
-    "duration T; the others are a spring along the surface",
+RELAXED = Equation(
+    "A spring that separates in every cycle loses the load of the slow motion, once in a cycle of the duration "
+    "T; the others are a spring along the surface",
     r"F_x = k_x\,u_x + c\,\dot{u}_x, \quad k_x = 2\int_0^{a_{min}} c_T\,\mathrm{d}x",
 )
 
-moved = then(pressed, HELD, SHIFTED)
-"""The formulas of a contact that is moved along its surface."""
+tangential_formulas = followed_by(normal_formulas, TANGENTIAL_SPRINGS, TANGENTIAL_FORCE)
+"""The formulas of a tangential contact."""
 
 
 FRICTION = Chapter(
@@ -76,7 +76,7 @@ FRICTION = Chapter(
                 normal={"kind": "force", "force": "100 N"},
                 lateral={"kind": "shift", "shift": ["0 um", "0.5 um", "-0.5 um"]},
             ),
-            "program": kind("winkler.program:Program", steps=TO_AND_FRO),
+            "program": kind("winkler.program:Program", steps=OSCILLATION),
         },
         "step": {
             "start": kind("winkler.path_steps:Start", normal={"kind": "force", "force": "100 N"}),
@@ -85,17 +85,18 @@ FRICTION = Chapter(
             "oscillate": kind("winkler.path_steps:Oscillate", lateral={"kind": "shift", "shift": "0.5 um"}),
             "circle": kind(
                 "winkler.path_steps:Circle",
-                within=[PRESSED, {"kind": "circle", "lateral": {"kind": "shift", "shift": "0.5 um"}}],
+                within=[NORMAL_START, {"kind": "circle", "lateral": {"kind": "shift", "shift": "0.5 um"}}],
                 lateral={"kind": "shift", "shift": "0.5 um"},
             ),
             "follow": kind(
-                "winkler.path_steps:Follow", within=[PRESSED, {"kind": "follow", "path": {"kind": "path"}, "cycles": 2}]
+                "winkler.path_steps:Follow",
+                within=[NORMAL_START, {"kind": "follow", "path": {"kind": "path"}, "cycles": 2}],
             ),
         },
     },
     answers={
         "tangential": Answer(
-            kind("winkler.problems.friction.tangential:Tangential", path={"kind": "program", "steps": TO_AND_FRO}),
+            kind("winkler.problems.friction.tangential:Tangential", path={"kind": "program", "steps": OSCILLATION}),
             picture=Caption(
                 "tangential",
                 "The contact along its path",
@@ -108,9 +109,9 @@ FRICTION = Chapter(
                 ("shift_y", "shear_force_y"),
                 ("time", "dissipation"),
             ),
-            contact=Contact.PATH,
+            contact=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
-            formulas=moved,
+            formulas=tangential_formulas,
         ),
         "torsion": Answer(
             kind("winkler.problems.friction.torsion:Torsion", path={"kind": "program", "steps": TWIST}),
@@ -120,9 +121,9 @@ FRICTION = Chapter(
                 "The loop of the torque, forces and energies over time, and how the last contact sticks and slips.",
             ),
             curves=(("angle", "torque"), ("time", "dissipation")),
-            contact=Contact.PATH,
+            contact=PicturedContact.PATH,
             contact_shown="the contact at its greatest depth, its twist left out",
-            formulas=then(pressed, TWISTED, TWIST_BOUND, TORQUE),
+            formulas=followed_by(normal_formulas, TWISTED, TWIST_BOUND, TORQUE),
         ),
         "friction_damping": Answer(
             kind(
@@ -130,9 +131,9 @@ FRICTION = Chapter(
                 normal={"kind": "force", "force": "100 N"},
                 amplitude={"kind": "shift", "shift": "0.5 um"},
             ),
-            picture=Caption("damping", "What friction damps", "Loss, stiffness and loss factor over the amplitude."),
+            picture=Caption("damping", "Damping by friction", "Loss, stiffness and loss factor over the amplitude."),
             contact_shown="the contact under its normal load, its springs along the surface left out",
-            formulas=then(moved, LOSS),
+            formulas=followed_by(tangential_formulas, LOSS),
         ),
         "bimodal_damping": Answer(
             kind(
@@ -142,9 +143,9 @@ FRICTION = Chapter(
                 shift_amplitude="0.5 um",
                 phase="90 deg",
             ),
-            picture=Caption("damping", "What friction damps", "Loss in every closed cycle of depth and shift."),
+            picture=Caption("damping", "Damping by friction", "Loss in every closed cycle of depth and shift."),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
-            formulas=then(pressed, HELD, SWUNG, LOSS),
+            formulas=followed_by(normal_formulas, TANGENTIAL_SPRINGS, COMMON_OSCILLATION, LOSS),
         ),
         "relaxation_damper": Answer(
             kind(
@@ -153,9 +154,9 @@ FRICTION = Chapter(
                 depth_amplitude="1 um",
                 frequency="100 Hz",
             ),
-            picture=Caption("damping", "What relaxation damps", "Damper and spring, as the depth oscillates."),
+            picture=Caption("damping", "Damping by relaxation", "Damper and spring, as the depth oscillates."),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
-            formulas=then(pressed, RELAXED),
+            formulas=followed_by(normal_formulas, RELAXED),
         ),
     },
 )

@@ -1,61 +1,61 @@
-"""Frictional heat: how bodies share it, what is computed, and its formulas."""
+"""Frictional heat: its partition, problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Formula, then
-from winkler.study.chapters.friction import moved
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, followed_by
+from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import pressed
+from winkler.study.chapters.normal import normal_formulas
 
 __all__ = ["HEATING"]
 
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
 STEELS: dict[str, Any] = {"kind": "heat_conductors", "first": STEEL, "second": STEEL}
 COULOMB = {"kind": "coulomb", "coefficient": 0.3}
-TWICE = [
+TWO_CYCLES = [
     {"kind": "start", "normal": {"kind": "force", "force": "100 N"}},
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 2.0},
 ]
 
-FLUX = Formula("Friction turns into heat where the bodies press", r"q(r) = \mu\,p(r)\,v, \quad Q = \mu\,F_N\,v")
-AT_REST = Formula(
+FLUX = Equation("Friction turns into heat where the bodies press", r"q(r) = \mu\,p(r)\,v, \quad Q = \mu\,F_N\,v")
+AT_REST = Equation(
     "On a body that rests against the contact, temperature follows the flux as the surface follows the pressure",
     r"T(r) = \frac{1}{\pi\lambda}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
-MOVING = Formula(
+MOVING = Equation(
     "On a body that moves at the speed V the same sum goes over all directions, each with a line load of its own",
     r"T(x,y) = \frac{1}{2\pi\lambda}\int_{-\pi/2}^{\pi/2} "
     r"\left[q_1(s)-\int_s^a q_1(t)\,\frac{b}{2}\,D\left(\frac{b}{2}(t-s)\right)\,\mathrm{d}t\right]\,\mathrm{d}\theta",
 )
-LAG = Formula(
+MOVING_KERNEL = Equation(
     "with the direction θ and the kernel",
     r"b = \frac{V}{\kappa}\,\cos\theta, \quad s = x\,\cos\theta+y\,\sin\theta, \quad D(z) = e^{-z}(I_0(z)-I_1(z))",
 )
-SHARE = Formula(
+SHARE = Equation(
     "The bodies share the heat; T₁ and T₂ are what each would have of all of it, their greatest or their mean",
     r"\alpha = \frac{T_2}{T_1+T_2}, \quad \mathrm{Pe} = \frac{V\,a}{2\kappa}",
 )
-GROWN = Formula(
+TRANSIENT = Equation(
     "From the beginning on, waves of temperature have grown to a part that depends on their wave number k alone",
     r"T_k(t) = T_k(\infty)\,\mathrm{erf}\left(k\sqrt{\kappa t}\right)",
 )
-CYCLE = Formula(
+CYCLE = Equation(
     "In every cycle the surfaces turn so much into heat, f times a second",
     r"w(r) = \oint \tau\,\mathrm{d}s, \quad q(r) = f\,w(r), \quad Q = f\,W",
 )
-TOGETHER = Formula(
+COMMON_SURFACE = Equation(
     "Both bodies rest against it and take the heat in proportion to their conductivities",
     r"T(r) = \frac{1}{\pi(\lambda_1+\lambda_2)}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
 
 
-def fretted(problem: Any) -> tuple[Formula, ...]:
-    """Return the formulas of a motion that is repeated, and of the heat that it makes."""
-    return (*moved(problem.motion), CYCLE, TOGETHER)
+def fretting_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a periodic motion, and of its heat."""
+    return (*tangential_formulas(problem.motion), CYCLE, COMMON_SURFACE)
 
 
 HEATING = Chapter(
@@ -78,11 +78,11 @@ HEATING = Chapter(
             ),
             picture=Caption(
                 "heating",
-                "How warm the bodies get",
+                "Temperatures of the bodies",
                 "The surface that moves faster past the contact, both surfaces along the middle, and the flash "
                 "temperature over the speed; or, of many loads and speeds at once, over what was varied.",
             ),
-            formulas=then(pressed, FLUX, AT_REST, MOVING, LAG, SHARE),
+            formulas=followed_by(normal_formulas, FLUX, AT_REST, MOVING, MOVING_KERNEL, SHARE),
         ),
         "transient_heating": Answer(
             kind(
@@ -95,25 +95,25 @@ HEATING = Chapter(
             ),
             picture=Caption(
                 "heating",
-                "How the contact warms up",
+                "Heating of the contact",
                 "The flash temperature over time, and the surface of the first body at some moments.",
             ),
             curves=(("time", "flash_temperature"), ("time", "first_share")),
-            formulas=then(pressed, FLUX, AT_REST, GROWN, SHARE),
+            formulas=followed_by(normal_formulas, FLUX, AT_REST, TRANSIENT, SHARE),
         ),
         "fretting_heat": Answer(
             kind(
                 "winkler.problems.heating.fretting:FrettingHeat",
-                motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWICE}},
+                motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
                 frequency="100 Hz",
                 conductors=STEELS,
             ),
             picture=Caption(
                 "heating",
-                "How warm the contact gets",
+                "Temperature of the contact",
                 "Where the heat of a cycle is released, and the mean temperature of the surfaces.",
             ),
-            formulas=fretted,
+            formulas=fretting_formulas,
         ),
     },
 )

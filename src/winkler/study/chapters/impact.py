@@ -1,26 +1,28 @@
-"""Bodies that strike a surface: what is computed, and its formulas."""
+"""Impact: problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.adhesion import stuck
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Formula, then
-from winkler.study.chapters.friction import moved
+from winkler.study.chapters.adhesion import adhesion_formulas
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, followed_by
+from winkler.study.chapters.friction import tangential_formulas
 from winkler.study.chapters.kind import kind
 
-__all__ = ["IMPACT", "STRUCK"]
+__all__ = ["EQUATION_OF_MOTION", "IMPACT"]
 
-STRUCK = Formula("The force stops the body and throws it back", r"m\,\ddot{d} = -F_N")
-THROWN = Formula(
+EQUATION_OF_MOTION = Equation("The force stops the body and accelerates it back", r"m\,\ddot{d} = -F_N")
+TANGENTIAL_MOTION = Equation(
     "and along the surface it slows the body and turns it",
     r"m\,\dot{v}_x = -F_x, \quad I\,\dot{\omega} = \ell\,F_x, \quad \dot{u}_x = v_x - \omega\,\ell",
 )
 
 
-def thrown(problem: Any) -> tuple[Formula, ...]:
-    """Return the formulas of an impact; along the surface too, if the bodies meet askew."""
-    return then(moved, STRUCK, *((THROWN,) if problem.sliding_velocity else ()))(problem)
+def impact_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of an impact; along the surface too, for oblique impact."""
+    return followed_by(
+        tangential_formulas, EQUATION_OF_MOTION, *((TANGENTIAL_MOTION,) if problem.sliding_velocity else ())
+    )(problem)
 
 
 IMPACT = Chapter(
@@ -39,7 +41,7 @@ IMPACT = Chapter(
             picture=Caption("impact", "The impact", "Forces, velocities, contact and energies over time."),
             curves=(("time", "force"), ("time", "shear_force"), ("time", "angular_velocity")),
             contact_shown="the contact at its greatest depth, its springs along the surface left out",
-            formulas=thrown,
+            formulas=impact_formulas,
         ),
         "adhesive_impact": Answer(
             kind(
@@ -51,7 +53,7 @@ IMPACT = Chapter(
             picture=Caption("impact", "The impact", "Force, velocity, contact and energies over time."),
             curves=(("time", "force"), ("time", "velocity")),
             contact_shown="the contact at its greatest depth, without the attraction",
-            formulas=then(stuck, STRUCK),
+            formulas=followed_by(adhesion_formulas, EQUATION_OF_MOTION),
         ),
     },
 )

@@ -1,7 +1,7 @@
 """One line of the catalogue: a kind that a study file may name.
 
-Classes and functions are named by their path and loaded when they are first needed: a study of one contact does not
-wait for the modules of all others.
+Classes and functions are named by their path and loaded when they are first needed, so that a study of one contact
+loads no modules of others.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ class Kind(NamedTuple):
     """One line of the catalogue."""
 
     path: str
-    """Where the class stands, as ``"winkler.loading:Force"``."""
+    """Module and name of the class, as ``"winkler.loading:Force"``."""
     example: dict[str, Any]
     cites: tuple[str, ...] = ()
     reader_path: str = ""
-    """Where the function stands that reads the value from the file that the key ``file`` names, in place of the other
-    keys; its keyword-only arguments are keys that go with the file."""
+    """Module and name of the function that reads the value from the file of the key ``file``, in place of other keys;
+    its keyword-only arguments are keys beside ``file``."""
     within: dict[str, Any] | list[dict[str, Any]] | None = None
-    """What an example study puts in its place, with the kind inside, where the kind alone would have no answer."""
+    """Value of an example study that contains the kind, where the kind alone would have no solution."""
     problem: str = ""
-    """Which problem an example study asks, where the first that has a place for the kind would refuse it."""
+    """Problem of an example study, where the first one that has a place for the kind would refuse it."""
 
     @property
     def cls(self) -> type:
         """The class."""
-        found: type = _loaded(self.path)
-        return found
+        loaded: type = _loaded(self.path)
+        return loaded
 
     @property
     def reader(self) -> Callable[..., Any] | None:
@@ -48,7 +48,7 @@ def _loaded(path: str) -> Any:
 
 
 def path_of(cls: type) -> str:
-    """Return the path that a line of the catalogue names a class by."""
+    """Return the path of a class in a line of the catalogue."""
     return f"{cls.__module__}:{cls.__qualname__}"
 
 
@@ -66,5 +66,5 @@ def kind(
     problem: str = "",
     **example: Any,
 ) -> Kind:
-    """Return a line: the path of a class, the papers it stands on, and an example."""
+    """Return a line: the path of a class, its papers, and an example."""
     return Kind(path, example, cites, reader, within, problem)

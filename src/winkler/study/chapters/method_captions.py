@@ -1,4 +1,4 @@
-"""What the pictures of the method are called, and what they show in one sentence."""
+"""Captions of the pictures of the method: title and one sentence."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ __all__ = ["CAPTIONS", "captions_of"]
 CAPTIONS = {
     "shape": (
         "The body in three dimensions",
-        "Cut open, in the dent it makes; the contact is ringed in red, and the darker, the higher the pressure.",
+        "Cut open, in its indentation; the contact is ringed in red, and the darker, the higher the pressure.",
     ),
     "medium": (
         "The medium",
-        "How the solid changes with the depth, or what was measured, and how stiff that makes the springs.",
+        "The solid over the depth, or the measured curve, and the stiffness of the springs.",
     ),
     "springs": (
         "The equivalent plane profile over its springs",
@@ -21,7 +21,7 @@ CAPTIONS = {
         "The load of the springs",
         "q(x), the compression times the stiffness of the springs; the area below it is the force.",
     ),
-    "pressure": ("The pressure", "p(r) of the three-dimensional contact, brought back from the springs."),
+    "pressure": ("The pressure", "p(r) of the three-dimensional contact, computed from the springs."),
     "displacement": (
         "The surface",
         "Displacement of the surface inside and outside the contact, and the distance of the surfaces.",
@@ -34,10 +34,10 @@ CAPTIONS = {
 }
 """Picture of the method -> its title, and one sentence."""
 
-STUCK = {
+ADHESIVE_CAPTIONS = {
     "springs": (
         CAPTIONS["springs"][0],
-        "Springs are compressed in the middle and stretched towards the edge, until they let go.",
+        "Springs are compressed in the middle and stretched towards the edge, where they detach.",
     ),
     "line_load": (
         CAPTIONS["line_load"][0],
@@ -45,16 +45,16 @@ STUCK = {
     ),
     "pressure": (
         CAPTIONS["pressure"][0],
-        "p(r) of the three-dimensional contact, brought back from the springs; below zero the surfaces pull.",
+        "p(r) of the three-dimensional contact, computed from the springs; below zero the surfaces pull.",
     ),
     "force": (
         CAPTIONS["force"][0],
         "All states of equilibrium around this one, the point; on the solid part they are stable.",
     ),
 }
-"""The same for bodies that stick, where it differs."""
+"""The captions of adhesive contacts that differ."""
 
 
 def captions_of(*, sticks: bool) -> dict[str, tuple[str, str]]:
-    """Return picture of the method -> its title and one sentence, for bodies that stick or do not."""
-    return CAPTIONS | (STUCK if sticks else {})
+    """Return picture of the method -> its title and one sentence, for adhesive contacts or others."""
+    return CAPTIONS | (ADHESIVE_CAPTIONS if sticks else {})

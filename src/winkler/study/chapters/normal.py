@@ -1,11 +1,19 @@
-"""Normal contact without adhesion: loads, what is computed, and its formulas."""
+"""Normal contact without adhesion: loads, problems, and their formulas."""
 
 from __future__ import annotations
 
 import math
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, always, then
+from winkler.study.chapters.answer import (
+    Answer,
+    Caption,
+    Chapter,
+    Equation,
+    PicturedContact,
+    constant_formulas,
+    followed_by,
+)
 from winkler.study.chapters.kind import is_a, kind
 
 __all__ = [
@@ -16,134 +24,134 @@ __all__ = [
     "PLANE_FOUNDATION",
     "PRESSURE",
     "SURFACE",
-    "on_bed",
-    "plane_profile",
-    "pressed",
+    "bed_formulas",
+    "normal_formulas",
+    "plane_profile_formula",
 ]
 
 STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
 OVAL = [{"kind": "paraboloid", "curvature_radius": radius} for radius in ("10 mm", "12 mm", "10 mm", "12 mm")]
 
-MODULUS = Formula(
+MODULUS = Equation(
     "The two bodies act like one with the effective modulus",
     r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
 )
-TRANSVERSE = Formula(
+TRANSVERSE = Equation(
     "A transversely isotropic body contributes the effective modulus (after Elliott)",
     r"E^*_{TI} = \frac{2\sqrt{C_{44}}\,(C_{11}C_{33}-C_{13}^2)}"
     r"{\sqrt{C_{11}}\,\sqrt{(\sqrt{C_{11}C_{33}}-C_{13})(C_{13}+2C_{44}+\sqrt{C_{11}C_{33}})}}",
 )
-PLANE = Formula(
+PLANE = Equation(
     "The shape f(r) becomes the equivalent plane profile",
     r"g(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
-BACK = Formula(
+BACK = Equation(
     "The plane profile g(x) was given; the body that belongs to it is",
     r"f(r) = \frac{2}{\pi}\int_0^r \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
-SPRINGS = Formula(
+SPRINGS = Equation(
     "Springs of the stiffness E* per length are compressed by d − g(x); the outermost just touches",
     r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
 )
-PINNED = Formula(
+PINNED = Equation(
     "Springs of the stiffness E* per length are compressed by d − g(x), up to the rim where the contact is pinned",
     r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
 )
-FORCE = Formula(
+FORCE = Equation(
     "Their sum is the force; stiffness and energy follow",
     r"F_N = 2E^*\int_0^a \left(d-g(x)\right)\,\mathrm{d}x, \quad k = 2E^*a, \quad "
     r"U = E^*\int_0^a \left(d-g(x)\right)^2\,\mathrm{d}x",
 )
-PRESSURE = Formula(
+PRESSURE = Equation(
     "The springs' load gives back the pressure of the three-dimensional contact",
     r"p(r) = \frac{E^*}{\pi}\left[\int_r^a \frac{g'(x)}{\sqrt{x^2-r^2}}\,\mathrm{d}x + "
     r"\frac{d-g(a)}{\sqrt{a^2-r^2}}\right]",
 )
-SURFACE = Formula(
+SURFACE = Equation(
     "and the displacement of the surface, inside the contact and outside",
     r"u_z(r) = \frac{2}{\pi}\int_0^{\min(r,a)} \frac{d-g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
-MISES = Formula(
+MISES = Equation(
     "Below the surface the stresses of flat punches of all radii add up; the equivalent stress after von Mises is",
     r"\sigma_{vM} = \sqrt{\frac{1}{2}\left[(\sigma_r-\sigma_\theta)^2+(\sigma_\theta-\sigma_z)^2+"
     r"(\sigma_z-\sigma_r)^2\right]+3\tau_{rz}^2}",
 )
-ONSET = Formula("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
-TOP = Formula(
+ONSET = Equation("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
+TOP = Equation(
     "The uppermost solid and the other body alone would act with the effective modulus",
     r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
 )
-COMPLIANCE = Formula(
-    "What lies below is felt by long waves of pressure: they move the surface by C per pressure",
+COMPLIANCE = Equation(
+    "The layers below affect long waves of pressure, which displace the surface by C per pressure",
     r"C(\xi) = \frac{2}{E^*\xi}\left(1+M(\xi)\right)",
 )
-PUNCHES = Formula(
+PUNCHES = Equation(
     "From it follow the flat punches of every radius a",
     r"\phi(x) + \int_0^a K(x,t)\,\phi(t)\,\mathrm{d}t = 1, \quad "
     r"K(x,t) = \frac{2}{\pi}\int_0^\infty M\,\cos(\xi x)\,\cos(\xi t)\,\mathrm{d}\xi",
 )
-LAYERED_SPRINGS = Formula(
+LAYERED_SPRINGS = Equation(
     "and from these the springs, whose stiffness changes with x",
     r"c_N(x) = E^*\,\phi(x;x)^2, \quad k(a) = 2E^*\int_0^a \phi\,\mathrm{d}x",
 )
-LAYERED_PROFILE = Formula(
+LAYERED_PROFILE = Equation(
     "The shape f(r) becomes the equivalent plane profile g; h is that of a homogeneous half-space, and ϱ solves the "
     "same equation with K(x, a) on the right",
     r"g(a)\,\phi(a;a) = h(a) - \int_0^a \rho(x;a)\,h(x)\,\mathrm{d}x, \quad "
     r"h(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
-GRADED_SPRINGS = Formula(
+GRADED_SPRINGS = Equation(
     "The modulus follows a power of the depth, and so does the stiffness of the springs",
     r"E(z) = E_0\left(\frac{z}{c_0}\right)^k, \quad c_N(x) = E^*\left(\frac{x}{c_0}\right)^k, \quad "
     r"\frac{1}{E^*} = \frac{1-\nu_1^2}{h_1E_{0,1}} + \frac{1-\nu_2^2}{h_2E_{0,2}}",
 )
-GRADED_PROFILE = Formula(
+GRADED_PROFILE = Equation(
     "The shape f(r) becomes the equivalent plane profile (here k is the exponent)",
     r"g(x) = x^{1-k}\int_0^x \frac{f'(r)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}r",
 )
-GRADED_PRESSURE = Formula(
+GRADED_PRESSURE = Equation(
     "Flat punches of all radii add up to the pressure of the three-dimensional contact",
     r"p(r) = \frac{E^*}{\pi c_0^k}\left[\int_r^a \frac{g'(x)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}x + "
     r"\frac{d-g(a)}{(a^2-r^2)^{(1-k)/2}}\right]",
 )
-MEASURED = Formula(
+MEASURED = Equation(
     "Stiffness and depth were measured at many contact radii; the springs follow from both",
     r"k(a) = \frac{\mathrm{d}F}{\mathrm{d}d}, \quad c_N(x) = \frac{k'(x)}{2}, \quad g(a) = d",
 )
-VARIED = Formula(
+VARIED = Equation(
     "Every spring is compressed by d − g(x); the outermost just touches",
     r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
 )
-VARIED_PINNED = Formula(
+VARIED_PINNED = Equation(
     "Every spring is compressed by d − g(x), up to the rim where the contact is pinned",
     r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
 )
-VARIED_FORCE = Formula(
+VARIED_FORCE = Equation(
     "Their sum is the force; stiffness and energy follow",
     r"F_N = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k = 2\int_0^a c_N\,\mathrm{d}x, \quad "
     r"U = \int_0^a c_N\left(d-g\right)^2\,\mathrm{d}x",
 )
-SUPERPOSED = Formula(
+SUPERPOSED = Equation(
     "Flat punches of all radii x, with the pressure p₁ at unit depth, add up to that of the three-dimensional contact; "
-    "the load of the springs alone does not tell it",
+    "it does not follow from the load of the springs alone",
     r"p(r) = \int_r^a p_1(r;x)\,g'(x)\,\mathrm{d}x + p_1(r;a)\left(d-g(a)\right)",
 )
 STRESSES = MISES._replace(
     says="Below the surface every layer carries its part of every wave; the equivalent stress after von Mises is"
 )
-ELLIPSE = Formula(
+ELLIPSE = Equation(
     "The contact is an ellipse, the pressure a half-ellipsoid above it (after Hertz)",
     r"p = \frac{3F_N}{2\pi ab}\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
 )
-BALL = Formula(
+BALL = Equation(
     "Force and depth are those of a ball of the radius",
     r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}",
 )
-BETTI = Formula(
+BETTI = Equation(
     "Every direction has its own g, and the force is the mean",
     r"F_N = 2E^*\frac{\langle aI\rangle}{\langle a\rangle}, \quad I = \int_0^a(d-g)\,\mathrm{d}x",
 )
-GREATEST = Formula(
+GREATEST = Equation(
     "The contour is the one with the greatest force (after Barber)", r"I + a\,(d-g(a)) = \frac{F_N}{2E^*}"
 )
 
@@ -156,19 +164,19 @@ MEASURED_BED = "winkler.foundation.measured:MeasuredBed"
 PLANE_FOUNDATION = "winkler.foundation.plane:PlaneFoundation"
 
 
-def on_bed(
-    bed: Any, springs: tuple[Formula, ...] = (), restored: tuple[Formula, ...] = (PRESSURE, SURFACE)
-) -> tuple[Formula, ...]:
-    """Return how bodies and shape become springs and fields, for the beds that are known here; none for others.
+def bed_formulas(
+    bed: Any, springs: tuple[Equation, ...] = (), restored: tuple[Equation, ...] = (PRESSURE, SURFACE)
+) -> tuple[Equation, ...]:
+    """Return the formulas from bodies and shape to springs and fields; none for beds of other packages.
 
     Parameters
     ----------
     bed
         Of a problem.
     springs
-        How the springs are pressed and what they bear, where it is not by d - g(x) up to an edge that just touches.
+        Formulas of the springs, where they are not compressed by d - g(x) up to an edge that just touches.
     restored
-        How the fields on the surface of a homogeneous medium follow.
+        Formulas of the fields on the surface of a homogeneous medium.
     """
     medium, pinned = getattr(bed, "medium", None), math.isfinite(bed.rim)
     if is_a(medium, HOMOGENEOUS):
@@ -192,14 +200,14 @@ def on_bed(
     return ()
 
 
-def pressed(problem: Any) -> tuple[Formula, ...]:
-    """Return the formulas of a normal contact without adhesion; none for a problem without a bed that is known here."""
+def normal_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas of a normal contact without adhesion; none for a problem without a bed of this package."""
     bed = getattr(problem, "bed", None)
-    return () if bed is None else on_bed(bed)
+    return () if bed is None else bed_formulas(bed)
 
 
-def plane_profile(problem: Any) -> Formula:
-    """Return how shape and plane profile go together."""
+def plane_profile_formula(problem: Any) -> Equation:
+    """Return the formula of shape and plane profile."""
     return BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE
 
 
@@ -221,7 +229,7 @@ NORMAL = Chapter(
                 "sneddon_1965",
                 "jaeger_1995",
             ),
-            formulas=pressed,
+            formulas=normal_formulas,
         ),
         "yield_onset": Answer(
             kind(
@@ -230,14 +238,14 @@ NORMAL = Chapter(
                 "popov_hess_2015",
                 bed={"kind": "foundation", "medium": {"kind": "half_space", **STRONG}},
             ),
-            formulas=then(pressed, ONSET),
+            formulas=followed_by(normal_formulas, ONSET),
         ),
         "elliptic_indentation": Answer(
             kind("winkler.problems.normal.elliptic:EllipticIndentation"),
             picture=Caption("ellipse", "The contact", "Pressure over the ellipse; of many loads force and semi-axes."),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
-            contact=Contact.NONE,
-            formulas=always(ELLIPSE, BALL),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(ELLIPSE, BALL),
         ),
         "nearly_round_indentation": Answer(
             kind(
@@ -247,8 +255,8 @@ NORMAL = Chapter(
             ),
             picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
             curves=(("depth", "force"),),
-            contact=Contact.NONE,
-            formulas=always(BETTI, GREATEST),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(BETTI, GREATEST),
         ),
     },
 )

@@ -1,26 +1,26 @@
-"""Particles: what is computed, and its formulas."""
+"""Particles: problems, and their formulas."""
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Formula, always
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, constant_formulas
 from winkler.study.chapters.kind import kind
 
 __all__ = ["PARTICLES"]
 
-HALF_ELLIPSE = Formula(
+HALF_ELLIPSE = Equation(
     "Springs of the stiffness E_c per length stand under half an ellipse (after Zunker and Kamrin)",
     r"g(x) = \frac{A}{2}\left(1-\sqrt{1-\frac{x^2}{b^2}}\right), \quad E_c = \frac{E}{1-\nu^2}",
 )
-YIELD = Formula(
+YIELD = Equation(
     "While the particle is elastic it is that of a ball; it yields where its mean pressure reaches",
     r"A = 4R, \quad b = R, \quad p_Y(d) = Y\left(1.75\,e^{-4.4\,d/R}+1\right)",
 )
-SHAPED = Formula(
+SHAPED_PARTICLE = Equation(
     "then the greatest depth D so far shapes it; yielding began at the depth d_Y",
     r"b^2 = 2DR-D^2+d_Y^2-d_YR, \quad A = \frac{4\,p_Y(D)\,b}{E_c}",
 )
-HELD = Formula(
-    "The sum of the springs is the force; attraction holds the edge at the depth that the springs feel",
+ADHESIVE_EDGE = Equation(
+    "The sum of the springs is the force; attraction holds the edge at the effective depth d_e",
     r"F_N = E_c\int_{-a}^{a}\left(d_e-g(x)\right)\,\mathrm{d}x, \quad g(a)-d_e = \sqrt{\frac{2\pi a w}{E_c}}",
 )
 
@@ -41,7 +41,7 @@ PARTICLES = Chapter(
                 "Force and contact radius over the depth, pressed in and let go; dotted where yield begins.",
             ),
             curves=(("depth", "force"),),
-            formulas=always(HALF_ELLIPSE, YIELD, SHAPED, HELD),
+            formulas=constant_formulas(HALF_ELLIPSE, YIELD, SHAPED_PARTICLE, ADHESIVE_EDGE),
         ),
     },
 )

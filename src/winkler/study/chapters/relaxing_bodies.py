@@ -1,4 +1,4 @@
-"""Kinds of bodies that relax: solids, laws of their temperature, media."""
+"""Kinds of viscoelastic bodies: solids, laws of temperature, media."""
 
 from __future__ import annotations
 

@@ -1,12 +1,12 @@
-"""Contacts that roll: creepages, calibrations, contours, what is computed, and its formulas."""
+"""Rolling contact: creepages, calibrations, contours, problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
 from winkler.study.chapters.kind import is_a, kind
-from winkler.study.chapters.normal import plane_profile
+from winkler.study.chapters.normal import plane_profile_formula
 
 __all__ = ["ROLLING"]
 
@@ -14,53 +14,53 @@ PRESSED = {"kind": "force", "force": "100 N"}
 CREEPING = {"kind": "creepages", "longitudinal": 0.001}
 CURVE = {"kind": "creepages", "longitudinal": {"from": 0.0, "to": 0.006, "count": 25}}
 
-SPRINGS = Formula("Springs are compressed by d − g(x)", r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a")
-KALKER = Formula(
-    "Along the surface they are as stiff as Kalker's creep coefficients of a circle want them",
+SPRINGS = Equation("Springs are compressed by d − g(x)", r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a")
+KALKER = Equation(
+    "Along the surface their stiffness follows from Kalker's creep coefficients of a circle",
     r"\kappa_x = \frac{1}{2}c_{11}G, \quad \kappa_y = \frac{1}{2}c_{22}G",
 )
-RAW = Formula("Along the surface they have the stiffness of a contact at rest", r"\kappa_x = \kappa_y = G^*")
-DRIVEN = Formula(
+RAW = Equation("Along the surface they have the stiffness of a contact at rest", r"\kappa_x = \kappa_y = G^*")
+DRIVEN = Equation(
     "A spring that sticks gains load for every distance rolled", r"\kappa = \sqrt{(\kappa_x\xi)^2+(\kappa_y\eta)^2}"
 )
-ROLLED = Formula(
+ROLLED = Equation(
     "It enters unstrained at the leading edge and bears no more than friction allows",
     r"q_x(x) = \min\left[\mu\,q_z(y) + \kappa\,(y-x)\right], \quad x \le y < a, \quad q_x(a) = 0",
 )
-CREEP = Formula("Their sum is the creep force", r"F_x = \int_{-a}^a q_x(x)\,\mathrm{d}x")
-CARRIED = Formula(
+CREEP = Equation("Their sum is the creep force", r"F_x = \int_{-a}^a q_x(x)\,\mathrm{d}x")
+CARRIED_LOAD = Equation(
     "From one place to the next every spring keeps what it bears, gains its part, and is cut back to what it can bear",
     r"\left|q_x(x,X)\right| \le \mu\,q_z(x)",
 )
-LIMIT = Formula(
+LIMIT = Equation(
     "What springs that never leave the contact can bear all the time is the limit of shakedown",
     r"F_{lim} = 2\int_W^a \mu\,q_z(x)\,\mathrm{d}x",
 )
-HERTZ = Formula(
+HERTZ = Equation(
     "Curvatures and load give the ellipse of Hertz, its larger semi-axis α and the smaller one β",
     r"\frac{1}{R_\alpha} = \frac{F_N}{\pi E^*\alpha^3}\,R_D(0,1-m,1), \quad m = 1-\frac{\beta^2}{\alpha^2}",
 )
-TABLE = Formula(
+TABLE = Equation(
     "Every point of the contact is a spring; flexibilities follow from Kalker's coefficients",
     r"L_1 = \frac{8a}{3c_{11}G}, \quad L_2 = \frac{8a}{3c_{22}G}, \quad L_3 = \frac{\pi a\sqrt{a/b}}{4c_{23}G}",
 )
-STRIPS = Formula(
-    "A particle that sticks gains traction on its way from the leading edge",
+STRIPS = Equation(
+    "A particle that sticks gains traction on the path from the leading edge",
     r"-\frac{\partial\tau_x}{\partial x} = \frac{\xi}{L_1}-\frac{\varphi y}{L_3}, \quad "
     r"-\frac{\partial\tau_y}{\partial x} = \frac{\eta}{L_2}+\frac{\varphi x}{L_3}",
 )
-BOUND = Formula(
+BOUND = Equation(
     "up to a bound, beyond which it slides",
     r"\tau \le \mu\,\frac{2F_N}{\pi ab}\left(1-\frac{x^2}{a^2}-\frac{y^2}{b^2}\right)",
 )
 
 
-def _springs(problem: Any) -> tuple[Formula, ...]:
+def _springs(problem: Any) -> tuple[Equation, ...]:
     calibrated = is_a(problem.calibration, "winkler.problems.rolling.calibration:Kalker")
-    return (plane_profile(problem), SPRINGS, KALKER if calibrated else RAW)
+    return (plane_profile_formula(problem), SPRINGS, KALKER if calibrated else RAW)
 
 
-def _simplified(problem: Any) -> tuple[Formula, ...]:
+def _simplified(problem: Any) -> tuple[Equation, ...]:
     hertz = (HERTZ,) if is_a(problem.footprint, "winkler.profiles.ellipse:CurvedBodies") else ()
     return (*hertz, TABLE, STRIPS, BOUND)
 
@@ -101,7 +101,7 @@ ROLLING = Chapter(
                 ("longitudinal_creepage", "stick_share"),
             ),
             contact_shown="the contact under its normal load, its springs along the surface left out",
-            formulas=then(_springs, DRIVEN, ROLLED, CREEP),
+            formulas=followed_by(_springs, DRIVEN, ROLLED, CREEP),
         ),
         "simplified_rolling": Answer(
             kind(
@@ -121,16 +121,18 @@ ROLLING = Chapter(
                 ("lateral_creepage", "lateral_force"),
                 ("spin_creepage", "lateral_force"),
             ),
-            contact=Contact.NONE,
+            contact=PicturedContact.NONE,
             formulas=_simplified,
         ),
         "rolling_start": Answer(
             kind("winkler.problems.rolling.start:RollingStart", creepage=CREEPING, load=PRESSED, distance="0.6 mm"),
-            picture=Caption("start", "From rest to rolling", "The force on the way, and the springs at some places."),
+            picture=Caption(
+                "start", "From rest to rolling", "The force over the distance, and the springs at some places."
+            ),
             curves=(("distance", "shear_force"), ("distance", "stick_share")),
-            contact=Contact.PATH,
+            contact=PicturedContact.PATH,
             contact_shown="the contact under its normal load, its springs along the surface left out",
-            formulas=then(_springs, DRIVEN, CARRIED, CREEP),
+            formulas=followed_by(_springs, DRIVEN, CARRIED_LOAD, CREEP),
         ),
         "oscillating_rolling": Answer(
             kind(
@@ -145,9 +147,9 @@ ROLLING = Chapter(
                 "The shift over the cycles, the springs after some of them, and the limit of shakedown.",
             ),
             curves=(("cycle", "shift"),),
-            contact=Contact.PATH,
+            contact=PicturedContact.PATH,
             contact_shown="the contact under its normal load, its springs along the surface left out",
-            formulas=then(_springs, CARRIED, LIMIT),
+            formulas=followed_by(_springs, CARRIED_LOAD, LIMIT),
         ),
     },
 )

@@ -1,8 +1,8 @@
-"""Measured and rough surfaces: height maps, spectra, what is computed, and its formulas."""
+"""Measured and rough surfaces: height maps, spectra, problems, and their formulas."""
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, always
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, constant_formulas
 from winkler.study.chapters.kind import kind
 
 __all__ = ["ROUGH"]
@@ -25,39 +25,39 @@ PYRAMID = [
 ]
 LOADS = {"kind": "force", "force": {"from": "1 N", "to": "100 N", "count": 5, "spacing": "log"}}
 
-ELEMENTS = Formula(
+ELEMENTS = Equation(
     "Pressures and gaps are never negative, and one of the two is zero in every pixel",
     r"w = h(x,y)-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
-SAME_AREA = Formula(
+SAME_AREA = Equation(
     "The stiffness is that of a flat punch of the shape of the contact (after Barber)",
     r"k = \frac{\mathrm{d}F_N}{\mathrm{d}d}",
 )
-PROPORTION = Formula(
+PROPORTION = Equation(
     "Conductance and stiffness are in proportion, whatever the contact looks like (after Barber)",
     r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}",
 )
-BOUNDS = Formula(
+BOUNDS = Equation(
     "The map lies between a flat and the same flat raised by its height s; k with the index ∞ is the stiffness of the "
     "flat",
     r"\frac{F_N}{F_N/k_\infty+s} \le k \le k_\infty",
 )
-DISC = Formula(
+DISC = Equation(
     "A disc as stiff as the contact has the radius a, and what stands above it is g",
     r"a = \frac{k}{2E^*}, \quad g(a) = d",
 )
-SPECTRUM = Formula("The line takes the spectrum of the surface to its own", r"C_1(q) = \pi\,q\,C(q)")
-LINE = Formula(
-    "Its springs, sorted by their gaps, tell every load at once",
+SPECTRUM = Equation("The line takes the spectrum of the surface to its own", r"C_1(q) = \pi\,q\,C(q)")
+LINE = Equation(
+    "Its springs, sorted by their gaps, give the force at every depth",
     r"F_N = E^*\Delta x\sum_{\gamma_i<d}(d-\gamma_i), \quad k = E^*\Delta x\,n(d)",
 )
-PERSSON = Formula(
+PERSSON = Equation(
     "The part of the square that touches is Persson's",
     r"\frac{A}{A_0} = \mathrm{erf}\left(\frac{\sqrt{2}\,p}{E^* h'}\right)",
 )
-ON_BODY = Formula("The heights stand on the profile of the body", r"z(x) = h(x) - g(|x|)")
-SHEARED_WAVES = Formula(
+ON_BODY = Equation("The heights stand on the profile of the body", r"z(x) = h(x) - g(|x|)")
+SHEARED_WAVES = Equation(
     "Every wave of the roughness shears the elastomer at the frequency q v",
     r"\mu = h'\,\frac{\int q^3C\,\frac{G''(qv)}{|G(qv)|}\,\mathrm{d}q}{\int q^3C\,\mathrm{d}q}",
 )
@@ -115,8 +115,8 @@ ROUGH = Chapter(
                 "force, stiffness and contact area.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
-            contact=Contact.NONE,
-            formulas=always(ELEMENTS, SAME_AREA),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(ELEMENTS, SAME_AREA),
         ),
         "surface_conduction": Answer(
             kind(
@@ -130,8 +130,8 @@ ROUGH = Chapter(
                 "Barber's bounds, which no surface of this height can leave.",
             ),
             curves=(("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
-            contact=Contact.NONE,
-            formulas=always(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(ELEMENTS, SAME_AREA, PROPORTION, BOUNDS, SPECTRUM, LINE, PERSSON),
         ),
         "reduction": Answer(
             kind("winkler.problems.rough.reduce:Reduction", topography={**STAMP, "seed": 1}, depth="3 um"),
@@ -141,8 +141,8 @@ ROUGH = Chapter(
                 "The points were computed by boundary elements; the springs bear the same forces.",
             ),
             curves=(("depth", "force"), ("depth", "stiffness")),
-            contact=Contact.NONE,
-            formulas=always(ELEMENTS, SAME_AREA, DISC),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(ELEMENTS, SAME_AREA, DISC),
         ),
         "rough_contact": Answer(
             kind(
@@ -154,8 +154,8 @@ ROUGH = Chapter(
                 "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
-            contact=Contact.NONE,
-            formulas=always(SPECTRUM, LINE, PERSSON),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(SPECTRUM, LINE, PERSSON),
         ),
         "rough_indentation": Answer(
             kind(
@@ -172,8 +172,8 @@ ROUGH = Chapter(
                 "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area")),
-            contact=Contact.NONE,
-            formulas=always(SPECTRUM, ON_BODY, LINE, PERSSON),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(SPECTRUM, ON_BODY, LINE, PERSSON),
         ),
         "elastomer_friction": Answer(
             kind(
@@ -183,11 +183,11 @@ ROUGH = Chapter(
             picture=Caption(
                 "friction",
                 "Friction of the rough surface on the elastomer",
-                "A trend with the velocity, no prediction; beside it the spectrum whose waves are felt.",
+                "A trend with the velocity, no prediction; beside it the spectrum of the waves that contribute.",
             ),
             curves=(("velocity", "coefficient"),),
-            contact=Contact.NONE,
-            formulas=always(SHEARED_WAVES),
+            contact=PicturedContact.NONE,
+            formulas=constant_formulas(SHEARED_WAVES),
         ),
     },
 )

@@ -1,15 +1,15 @@
-"""Contacts that relax, pressed or struck: what is computed, and its formulas."""
+"""Viscoelastic normal contact and impact: problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
-from winkler.study.chapters.impact import STRUCK
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
+from winkler.study.chapters.impact import EQUATION_OF_MOTION
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import BACK, PLANE, PLANE_FOUNDATION
 
-__all__ = ["BED", "FORCE", "IN_AND_OUT", "LET_GO", "PLANE_KEPT", "SPRINGS", "VISCOELASTIC", "shaped"]
+__all__ = ["BED", "DETACHMENT", "FORCE", "IN_AND_OUT", "PLANE_KEPT", "SPRINGS", "VISCOELASTIC", "relaxing_formulas"]
 
 BED = {"kind": "foundation", "medium": {"kind": "viscoelastic_half_space"}}
 DECADES = {"from": "1 ms", "to": "10 s", "count": 33, "spacing": "log"}
@@ -20,75 +20,78 @@ IN_AND_OUT = [
     {"kind": "ramp", "normal": {"kind": "depth", "depth": "0 um"}, "duration": "0.1 s", "count": 20},
 ]
 
-PAIR = Formula(
+PAIR = Equation(
     "The bodies bear the same pressure, so their creep adds up, and the modulus E*(t) of the pair follows",
     r"C(t) = \frac{1-\nu_1}{2}\,J_1(t) + \frac{1-\nu_2}{2}\,J_2(t), \quad "
     r"\int_0^t E^*(t-t')\,C(t')\,\mathrm{d}t' = t",
 )
-SERIES = Formula(
+SERIES = Equation(
     "The relaxation is a sum of exponentials, each of which is carried along exactly while the springs move steadily",
     r"E^*(t) = E^*_\infty + \sum_i E^*_i\,e^{-t/\tau_i}",
 )
-SHIFT = Formula("Temperature multiplies all times by one factor", r"G(t;T) = G\left(\frac{t}{a_T}\right)")
-FERRY = Formula("which follows the law of Williams, Landel and Ferry", r"\log_{10} a_T = -\frac{c_1(T-T_0)}{c_2+T-T_0}")
-ACTIVATED = Formula(
+SHIFT = Equation("Temperature multiplies all times by one factor", r"G(t;T) = G\left(\frac{t}{a_T}\right)")
+FERRY = Equation(
+    "which follows the law of Williams, Landel and Ferry", r"\log_{10} a_T = -\frac{c_1(T-T_0)}{c_2+T-T_0}"
+)
+ACTIVATED = Equation(
     "which follows the law of Arrhenius", r"\ln a_T = \frac{Q}{R}\left(\frac{1}{T}-\frac{1}{T_0}\right)"
 )
 PLANE_KEPT = PLANE._replace(
     says="Poisson's ratio does not change in time, so the shape f(r) becomes the same equivalent plane profile as on "
     "an elastic body"
 )
-SPRINGS = Formula(
-    "Every spring remembers how it was pressed",
+SPRINGS = Equation(
+    "The load of every spring is a hereditary integral of its compression",
     r"q(x,t) = \int_0^t E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm{d}t', \quad u = d(t)-g(x)",
 )
-LET_GO = Formula(
-    "A spring lets go when it would pull; it then recovers without a load, until the body catches it again",
+DETACHMENT = Equation(
+    "A spring detaches where it would pull; it then recovers without a load, until the body touches it again",
     r"q(x,t) = 0 \quad \mathrm{until} \quad d(t)-g(x) \ge u(x,t)",
 )
-FORCE = Formula("Their sum is the force", r"F_N(t) = 2\int_0^{a(t)} q(x,t)\,\mathrm{d}x")
-PRESSURE = Formula(
+FORCE = Equation("Their sum is the force", r"F_N(t) = 2\int_0^{a(t)} q(x,t)\,\mathrm{d}x")
+PRESSURE = Equation(
     "and the springs' load gives back the pressure of the three-dimensional contact",
     r"p(r,t) = -\frac{1}{\pi}\int_r^{a(t)} \frac{\partial q}{\partial x}\,\frac{\mathrm{d}x}{\sqrt{x^2-r^2}}",
 )
-ENERGY = Formula(
-    "What the body has spent is stored in the springs, also in those that have let go, or lost",
+ENERGY = Equation(
+    "What the body has spent is stored in the springs, also in those that have detached, or lost",
     r"\int F_N\,\mathrm{d}d = U(t) + W(t)",
 )
-SUNK = Formula(
-    "The contact only grows, so the elastic answer holds with the load replaced by its hereditary integral (Lee and "
+CREEP = Equation(
+    "The contact only grows, so the elastic solution holds with the load replaced by its hereditary integral (Lee and "
     "Radok); F₁ is the force at a modulus of one",
     r"F_1(d(t)) = F_N\,C(t)",
 )
-HELD = Formula(
+RELAXATION = Equation(
     "The contact stays as it is, so the force falls as the modulus does; F₁ is the force at a modulus of one",
     r"F_N(t) = E^*(t)\,F_1(d)",
 )
-SHAKEN = Formula(
+COMPLEX_STIFFNESS = Equation(
     "About the relaxed contact the bodies meet a complex stiffness",
     r"k'+\mathrm{i}k'' = 2a\,E^*(\mathrm{i}\omega), \quad \tan\delta = \frac{k''}{k'}",
 )
-DYNAMIC = Formula(
+DYNAMIC = Equation(
     "with the complex modulus of the pair",
     r"E^*(\mathrm{i}\omega) = E^*_\infty + \sum_i E^*_i\,\frac{\mathrm{i}\omega\tau_i}{1+\mathrm{i}\omega\tau_i}",
 )
-RESTITUTION = Formula(
-    "Restitution is what is left of the velocity, and what it lacks has gone", r"W = \frac{1}{2}mv^2\left(1-e^2\right)"
+RESTITUTION = Equation(
+    "Restitution is what is left of the velocity, and the rest of the energy is lost",
+    r"W = \frac{1}{2}mv^2\left(1-e^2\right)",
 )
-ALIKE = Formula(
+PROPORTIONAL = Equation(
     "All parts of the bodies relax in proportion: at any time they are the elastic ones times one function",
     r"E(z,t) = E(z)\,\varphi(t), \quad \varphi(t) = \frac{G(t)}{G}",
 )
-SAME = Formula(
+SAME_PROFILE = Equation(
     "so the equivalent plane profile g(x) and the stiffness of the springs are those of the elastic medium",
     r"u = d(t)-g(x), \quad |x| < a(t)",
 )
-VARIED = Formula(
-    "Every spring remembers how it was pressed",
+VARIED = Equation(
+    "The load of every spring is a hereditary integral of its compression",
     r"q(x,t) = c_N(x)\int_0^t \varphi(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm{d}t'",
 )
 
-STEP = Caption("step", "After the step", "How the body sinks under its force, or how the force falls, over time.")
+STEP = Caption("step", "After the step", "The depth under a force, or the force at a depth, over time.")
 STEP_CURVES = (("time", "depth"), ("time", "radius"), ("time", "force"))
 
 AT_TEMPERATURE = "winkler.materials.at_temperature:AtTemperature"
@@ -96,26 +99,26 @@ ARRHENIUS = "winkler.materials.temperature:Arrhenius"
 IN_PROPORTION = "winkler.media.relaxing.proportional:RelaxingInProportion"
 
 
-def shaped(problem: Any) -> tuple[Formula, ...]:
-    """Return how bodies and shape become springs."""
+def relaxing_formulas(problem: Any) -> tuple[Equation, ...]:
+    """Return the formulas from bodies and shape to springs."""
     medium = problem.bed.medium
     proportional = is_a(medium, IN_PROPORTION)
     solids = (medium.solid,) if proportional else (medium.first, medium.second)
     laws = [solid.law for solid in solids if is_a(solid, AT_TEMPERATURE)]
     warm = [SHIFT, *dict.fromkeys(ACTIVATED if is_a(law, ARRHENIUS) else FERRY for law in laws)] if laws else []
     if proportional:
-        return (ALIKE, *warm, SAME)
+        return (PROPORTIONAL, *warm, SAME_PROFILE)
     return (PAIR, SERIES, *warm, BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE_KEPT)
 
 
-def _remembering(problem: Any) -> tuple[Formula, ...]:
+def _hereditary_formulas(problem: Any) -> tuple[Equation, ...]:
     springs = VARIED if is_a(problem.bed.medium, IN_PROPORTION) else SPRINGS
-    return (*shaped(problem), springs, LET_GO, FORCE)
+    return (*relaxing_formulas(problem), springs, DETACHMENT, FORCE)
 
 
-def _pressed(problem: Any) -> tuple[Formula, ...]:
+def _indentation_formulas(problem: Any) -> tuple[Equation, ...]:
     restored = () if is_a(problem.bed.medium, IN_PROPORTION) else (PRESSURE,)
-    return (*_remembering(problem), *restored, ENERGY)
+    return (*_hereditary_formulas(problem), *restored, ENERGY)
 
 
 VISCOELASTIC = Chapter(
@@ -133,25 +136,25 @@ VISCOELASTIC = Chapter(
                 "relaxing",
                 "The contact along its path",
                 "Force, depth, contact radius and energies; springs and pressure of a late contact, with the "
-                "springs that have let go and recover on their own.",
+                "springs that have detached and recover.",
             ),
             curves=(("depth", "force"), ("time", "force"), ("time", "depth"), ("time", "dissipation")),
-            contact=Contact.NONE,
-            formulas=_pressed,
+            contact=PicturedContact.NONE,
+            formulas=_indentation_formulas,
         ),
         "creep_test": Answer(
             kind("winkler.problems.viscoelastic.material_tests:CreepTest", bed=BED, force="1 N", time=DECADES),
             picture=STEP,
             curves=STEP_CURVES,
-            contact=Contact.NONE,
-            formulas=then(shaped, SUNK),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, CREEP),
         ),
         "relaxation_test": Answer(
             kind("winkler.problems.viscoelastic.material_tests:RelaxationTest", bed=BED, depth="100 um", time=DECADES),
             picture=STEP,
             curves=STEP_CURVES,
-            contact=Contact.NONE,
-            formulas=then(shaped, HELD),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, RELAXATION),
         ),
         "harmonic_indentation": Answer(
             kind(
@@ -170,8 +173,8 @@ VISCOELASTIC = Chapter(
                 ("angular_frequency", "loss_stiffness"),
                 ("angular_frequency", "loss_tangent"),
             ),
-            contact=Contact.NONE,
-            formulas=then(shaped, SHAKEN, DYNAMIC),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, COMPLEX_STIFFNESS, DYNAMIC),
         ),
         "viscoelastic_impact": Answer(
             kind(
@@ -184,8 +187,8 @@ VISCOELASTIC = Chapter(
             ),
             picture=Caption("impact", "The impact", "Force, velocity, depth and contact until the body leaves."),
             curves=(("depth", "force"), ("time", "force"), ("time", "velocity")),
-            contact=Contact.NONE,
-            formulas=then(_remembering, STRUCK, RESTITUTION),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(_hereditary_formulas, EQUATION_OF_MOTION, RESTITUTION),
         ),
     },
 )

@@ -1,63 +1,71 @@
-"""Contacts that relax, dragged, slid over or pulled off: laws of the edge, what is computed, and its formulas."""
+"""Viscoelastic contacts, sheared, sliding or adhesive: laws of the edge, problems, and their formulas."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import BACK, PLANE_FOUNDATION
-from winkler.study.chapters.viscoelastic import BED, FORCE, IN_AND_OUT, LET_GO, PLANE_KEPT, SPRINGS, shaped
+from winkler.study.chapters.viscoelastic import (
+    BED,
+    DETACHMENT,
+    FORCE,
+    IN_AND_OUT,
+    PLANE_KEPT,
+    SPRINGS,
+    relaxing_formulas,
+)
 
 __all__ = ["VISCOELASTIC_SURFACES"]
 
-DRAGGED = [
+DRAG_PATH = [
     *IN_AND_OUT[:2],
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "50 um"}, "frequency": "5 Hz", "count": 16},
     *IN_AND_OUT[2:],
 ]
 
-ALONG = Formula(
-    "Along the surface every spring remembers how far it was dragged; its modulus relaxes as that across the surface "
-    "does, since Poisson's ratios are constant",
+ALONG = Equation(
+    "Along the surface the load of every spring is a hereditary integral of its shift; its modulus relaxes as that "
+    "across the surface does, since Poisson's ratios are constant",
     r"q_x(x,t) = \int_0^t G^*(t-t')\,\frac{\partial u_t(x,t')}{\partial t'}\,\mathrm{d}t'",
 )
-SLIDES = Formula("It slides where that reaches what friction bears", r"|q_x(x,t)| \le \mu\,q(x,t)")
-SHIFTED = Formula("The sum is the force along the surface", r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x")
-LOSSES = Formula(
+SLIDES = Equation("It slides where that reaches what friction bears", r"|q_x(x,t)| \le \mu\,q(x,t)")
+SHIFTED = Equation("The sum is the force along the surface", r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x")
+LOSSES = Equation(
     "What was spent is stored, lost in the bodies, or lost to friction",
     r"\int F_N\,\mathrm{d}d + \int F_x\,\mathrm{d}u_x = U + W_b + W_f",
 )
-PASSED = Formula(
-    "Seen from the body, every spring is pressed in from the leading edge on, and relaxes on its way below it",
+PASSING_SPRINGS = Equation(
+    "In the frame of the body, every spring is compressed from the leading edge on, and relaxes below it",
     r"q(x) = \int_x^a E^*\left(\frac{x'-x}{v}\right)\,g'(x')\,\mathrm{d}x'",
 )
-BORNE = Formula("until it lets go; the sum is the force", r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x")
-RESISTED = Formula(
-    "The front bears more than the back, and so the line of springs resists; the body resists less, by what waves "
-    "aslant do not lose",
+BORNE_LOAD = Equation("until it detaches; the sum is the force", r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x")
+RESISTANCE = Equation(
+    "The front bears more than the back, and so the line of springs resists; the body resists less, by what oblique "
+    "waves do not lose",
     r"F_{x,1} = \int_{x_2}^a q(x)\,g'(x)\,\mathrm{d}x",
 )
-RELAXED = Formula(
+RELAXED = Equation(
     "The body is taken as relaxed; springs follow the profile also where they are stretched, up to the edge",
     r"q(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad F_N = 2\int_0^a q\,\mathrm{d}x",
 )
-OPENING = Formula(
-    "The edge opens as fast as what is set free there pays for, by the law of Gent and Schultz",
+OPENING = Equation(
+    "The speed of the edge follows from the energy released there, by the law of Gent and Schultz",
     r"\frac{c_N(a)\,(g(a)-d)^2}{2\pi a} = w_0\left[1+\left(\frac{|\dot{a}|}{v_0}\right)^n\right]",
 )
-SATURATING = Formula(
-    "The edge opens as fast as what is set free there pays for; fast opening takes a last work and no more",
+SATURATING = Equation(
+    "The speed of the edge follows from the energy released there; at high speed the work has a limit",
     r"\frac{c_N(a)\,(g(a)-d)^2}{2\pi a} = w(|\dot{a}|), \quad w(0) = w_0, \quad w(v_0) = \frac{w_0+w_\infty}{2}, "
     r"\quad w \to w_\infty",
 )
-MACHINE = Formula("while the far end of the machine moves on", r"D(t) = d + \frac{F_N}{k_m}")
-SPENT = Formula("Of the machine's work what is not stored is lost", r"\int F_N\,\mathrm{d}D = U + W")
+MACHINE = Equation("while the far end of the machine moves on", r"D(t) = d + \frac{F_N}{k_m}")
+SPENT_WORK = Equation("Of the machine's work what is not stored is lost", r"\int F_N\,\mathrm{d}D = U + W")
 
 
-def _pulled(problem: Any) -> tuple[Formula, ...]:
+def _peeling_formulas(problem: Any) -> tuple[Equation, ...]:
     opening = SATURATING if is_a(problem.law, "winkler.laws.crack:SaturatingWork") else OPENING
-    return (BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE_KEPT, RELAXED, opening, MACHINE, SPENT)
+    return (BACK if is_a(problem.bed, PLANE_FOUNDATION) else PLANE_KEPT, RELAXED, opening, MACHINE, SPENT_WORK)
 
 
 VISCOELASTIC_SURFACES = Chapter(
@@ -85,18 +93,18 @@ VISCOELASTIC_SURFACES = Chapter(
             kind(
                 "winkler.problems.viscoelastic.tangential:ViscoelasticTangential",
                 bed=BED,
-                path={"kind": "program", "steps": DRAGGED},
+                path={"kind": "program", "steps": DRAG_PATH},
                 count=100,
             ),
             picture=Caption(
                 "dragged",
                 "The contact along its path",
                 "The loop of the shear force, forces, energies and the contact over time; springs and their loads "
-                "of a late contact, with those that have let go and recover.",
+                "of a late contact, with those that have detached and recover.",
             ),
             curves=(("shift", "shear_force"), ("time", "shear_force"), ("time", "dissipation")),
-            contact=Contact.NONE,
-            formulas=then(shaped, SPRINGS, LET_GO, FORCE, ALONG, SLIDES, SHIFTED, LOSSES),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, LOSSES),
         ),
         "sliding_resistance": Answer(
             kind(
@@ -107,13 +115,13 @@ VISCOELASTIC_SURFACES = Chapter(
             ),
             picture=Caption(
                 "sliding",
-                "What sliding or rolling costs",
+                "Resistance to sliding or rolling",
                 "Resistance and coefficient of friction over the speed, and the springs under the body where it is "
                 "greatest.",
             ),
             curves=(("speed", "coefficient"), ("speed", "shear_force"), ("speed", "depth")),
-            contact=Contact.NONE,
-            formulas=then(shaped, PASSED, BORNE, RESISTED),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(relaxing_formulas, PASSING_SPRINGS, BORNE_LOAD, RESISTANCE),
         ),
         "viscoelastic_adhesion": Answer(
             kind(
@@ -135,11 +143,11 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "pulled_off",
                 "Pulled off rubber",
-                "Force over the way of the machine, depth and contact over time, and how fast the edge opens.",
+                "Force over the travel of the machine, depth and contact over time, and the speed of the edge.",
             ),
             curves=(("position", "force"), ("time", "radius"), ("time", "crack_speed")),
-            contact=Contact.NONE,
-            formulas=_pulled,
+            contact=PicturedContact.NONE,
+            formulas=_peeling_formulas,
         ),
     },
 )

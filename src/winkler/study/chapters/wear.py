@@ -1,38 +1,38 @@
-"""Contacts that wear: laws of wear, what is computed, and its formulas."""
+"""Wear: laws, problems, and their formulas."""
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Answer, Caption, Chapter, Contact, Formula, then
+from winkler.study.chapters.answer import Answer, Caption, Chapter, Equation, PicturedContact, followed_by
 from winkler.study.chapters.kind import kind
-from winkler.study.chapters.normal import pressed
+from winkler.study.chapters.normal import normal_formulas
 
 __all__ = ["WEAR"]
 
 STEEL = {"kind": "archard", "rate": "1e-5 mm^3/(N m)"}
-GROWING = [0.0, 100.0, 1000.0, 3000.0, 10000.0]
+CYCLE_COUNTS = [0.0, 100.0, 1000.0, 3000.0, 10000.0]
 
-SWUNG = Formula(
-    "Pushed to and fro by the amplitude U, every spring goes along until friction holds it no longer",
+FRETTING_SPRINGS = Equation(
+    "Pushed to and fro by the amplitude U, every spring sticks until its load reaches the friction",
     r"u_t(x) = \min\left(U, \mu\,\frac{E^*}{G^*}\,(d-g(x))\right)",
 )
-SLIP = Formula(
+SLIP = Equation(
     "What they fall short is the slip of the surfaces, restored around the axis",
     r"s(r) = \frac{2}{\pi}\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
-FRETTED = Formula(
+FRETTING_RATE = Equation(
     "In a cycle every point slips four times that far, and its worn depth grows with the pressure (for Archard's law)",
     r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(r)\,s(r)",
 )
-SLID = Formula(
+SLIDING_RATE = Equation(
     "Where a surface slides, its worn depth grows with pressure and distance (for Archard's law)",
     r"\frac{\mathrm{d}f}{\mathrm{d}s} = \kappa\,p(r)",
 )
-ANEW = Formula(
-    "The worn profile is turned into springs anew, and so on; what was worn off changes the springs by",
+UPDATED_SPRINGS = Equation(
+    "The worn profile is transformed anew after each step; the worn depth changes the plane profile by",
     r"\Delta g(x) = \Delta f(0) + x\int_0^x \frac{\Delta f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
-CORE = Formula("The core that sticks for ever ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
-LIMIT = Formula(
+CORE = Equation("The core that always sticks ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
+LIMIT = Equation(
     "and in the end nothing else bears: the worn surface is that which the core's pressure leaves the other one",
     r"f_\infty(r) = d-u(r) = \frac{2}{\pi}\left(\int_0^c \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x "
     r"+ d\,\arccos\frac{c}{r}\right)",
@@ -58,7 +58,7 @@ WEAR = Chapter(
                 "winkler.problems.wear.fretting:FrettingWear",
                 normal={"kind": "force", "force": "100 N"},
                 amplitude={"kind": "shift", "shift": "0.5 um"},
-                cycles=GROWING,
+                cycles=CYCLE_COUNTS,
                 count=100,
                 tolerance=1e-3,
             ),
@@ -68,8 +68,8 @@ WEAR = Chapter(
                 "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and load over them.",
             ),
             curves=(("cycles", "worn_volume"), ("cycles", "stick_radius"), ("cycles", "force"), ("cycles", "depth")),
-            contact=Contact.NONE,
-            formulas=then(pressed, SWUNG, SLIP, FRETTED, ANEW),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(normal_formulas, FRETTING_SPRINGS, SLIP, FRETTING_RATE, UPDATED_SPRINGS),
         ),
         "sliding_wear": Answer(
             kind(
@@ -85,8 +85,8 @@ WEAR = Chapter(
                 "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
             ),
             curves=(("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
-            contact=Contact.NONE,
-            formulas=then(pressed, SLID, ANEW),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(normal_formulas, SLIDING_RATE, UPDATED_SPRINGS),
         ),
         "limiting_profile": Answer(
             kind(
@@ -99,8 +99,8 @@ WEAR = Chapter(
                 "Where wear ends",
                 "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
             ),
-            contact=Contact.NONE,
-            formulas=then(pressed, CORE, LIMIT),
+            contact=PicturedContact.NONE,
+            formulas=followed_by(normal_formulas, CORE, LIMIT),
         ),
     },
 )

@@ -1,4 +1,4 @@
-"""The lines of ``[sweep]`` and its design: values are checked like the key that they replace."""
+"""The lines of ``[sweep]`` and its design; values are checked as those of the key."""
 
 from __future__ import annotations
 
@@ -25,30 +25,30 @@ def design(raw: Any) -> Design:
     Raises
     ------
     InvalidInput
-        If there is no such design, or it does not take what is given.
+        If there is no such design, or it does not take a given key.
     """
-    known = ", ".join(DESIGNS)
+    allowed = ", ".join(DESIGNS)
     if not isinstance(raw, dict) or "kind" not in raw:
         raise InvalidInput(
-            f'sweep.design is {_shown(raw)} without a kind; give a table such as {{ kind = "zipped" }}, of a kind from '
-            f"{known}."
+            f'sweep.design is {_given_text(raw)} without a kind; give a table such as {{ kind = "zipped" }}, of a '
+            f"kind from {allowed}."
         )
-    kind, given = raw["kind"], {name: content for name, content in raw.items() if name != "kind"}
+    kind, settings = raw["kind"], {name: content for name, content in raw.items() if name != "kind"}
     if kind not in DESIGNS:
-        raise InvalidInput(f"sweep.design.kind is {kind!r}{suggest(str(kind), DESIGNS)}; give one of {known}.")
+        raise InvalidInput(f"sweep.design.kind is {kind!r}{suggest(str(kind), DESIGNS)}; give one of {allowed}.")
     fields = {field.name: field.default for field in dataclasses.fields(DESIGNS[kind])}
     taken = ", ".join(("kind", *fields))
-    for name in given:
+    for name in settings:
         if name not in fields:
             raise InvalidInput(f"sweep.design.{name} is not known{suggest(name, fields)}; {kind} takes {taken}.")
     for name, default in fields.items():
-        if name not in given and default is dataclasses.MISSING:
+        if name not in settings and default is dataclasses.MISSING:
             raise InvalidInput(f"sweep.design has no '{name}'; {kind} takes {taken}.")
-    return DESIGNS[kind](**given)
+    return DESIGNS[kind](**settings)
 
 
 def written_design(content: Design) -> dict[str, Any]:
-    """Return what stands in a study file for a design."""
+    """Return the table of a design in a study file."""
     return {"kind": content.kind, **{field.name: getattr(content, field.name) for field in dataclasses.fields(content)}}
 
 
@@ -60,7 +60,7 @@ def line(key: str, raw: Any, problem: Any, of: Design, *, file: str, folder: Pat
     key
         Path of the key, ``problem.load.force``.
     raw
-        What stands there: a list, a range ``{ from, to, count, spacing }``, or a range ``{ from, to, scale }`` to draw
+        Its value: a list, a range ``{ from, to, count, spacing }``, or a range ``{ from, to, scale }`` to draw
         from.
     problem
         The problem whose key varies.
@@ -90,14 +90,14 @@ def line(key: str, raw: Any, problem: Any, of: Design, *, file: str, folder: Pat
         return Axis(key, tuple(float(number) for number in target.numbers(raw, where)))
     if not isinstance(raw, list):
         such = "a range { from, to, count }" if target.is_number else "a list of one"
-        raise InvalidInput(f"{where} is {_shown(raw)}, not a list; give the values in turn, or {such}.")
+        raise InvalidInput(f"{where} is {_given_text(raw)}, not a list; give the values in turn, or {such}.")
     if not raw:
         raise InvalidInput(f"{where} is an empty list; give at least one value.")
     return Axis(key, tuple(target.content(item, f"{where}[{place}]", file, folder) for place, item in enumerate(raw)))
 
 
 def written(line: Axis | Range, problem: Any) -> Any:
-    """Return what stands in a study file for the values of a key, or for its range."""
+    """Return the values of a key, or its range, as a study file writes them."""
     target = _Target(problem, line.key.partition(".")[2])
     if isinstance(line, Range):
         ends = {"from": target.text(line.start), "to": target.text(line.stop)}
@@ -105,34 +105,34 @@ def written(line: Axis | Range, problem: Any) -> Any:
     return [target.text(content) for content in line.values]
 
 
-DRAWN = {"from": "start", "to": "stop", "scale": "scale"}
-"""What a range to draw from says -> what it is called in Python."""
+RANGE_FIELDS = {"from": "start", "to": "stop", "scale": "scale"}
+"""Key of a range to draw from -> argument of `Range`."""
 
 
 def _ends(raw: dict[str, Any], target: _Target, where: str, kind: str) -> dict[str, Any]:
     """Return the ends and the scale of a range that a design draws from."""
     for name in raw:
-        if name not in DRAWN:
-            told = {"count": "; the count of the points stands in sweep.design", "spacing": "; write scale"}.get(
+        if name not in RANGE_FIELDS:
+            advice = {"count": "; the count of the points stands in sweep.design", "spacing": "; write scale"}.get(
                 name, ""
             )
             raise InvalidInput(
-                f"{where}.{name} is not known{told or suggest(name, DRAWN)}; a range that {kind} draws from takes "
-                f"{', '.join(DRAWN)}."
+                f"{where}.{name} is not known{advice or suggest(name, RANGE_FIELDS)}; a range that {kind} draws from "
+                f"takes {', '.join(RANGE_FIELDS)}."
             )
     for name in ("from", "to"):
         if name not in raw:
             raise InvalidInput(f"{where} has no '{name}'; a range that {kind} draws from needs from, to.")
-    found = {DRAWN[name]: float(target.numbers([raw[name]], f"{where}.{name}")[0]) for name in ("from", "to")}
-    return found | ({"scale": raw["scale"]} if "scale" in raw else {})
+    limits = {RANGE_FIELDS[name]: float(target.numbers([raw[name]], f"{where}.{name}")[0]) for name in ("from", "to")}
+    return limits | ({"scale": raw["scale"]} if "scale" in raw else {})
 
 
-def _shown(raw: Any) -> str:
+def _given_text(raw: Any) -> str:
     return "a table" if isinstance(raw, dict) else repr(raw)
 
 
 class _Target:
-    """The place in a problem that a key names, and what may stand there."""
+    """The place in a problem that a key names, and the values that are allowed there."""
 
     def __init__(self, problem: Any, key: str) -> None:
         from winkler.study.language import quantities, schema
@@ -179,7 +179,7 @@ class _Target:
         if self.is_number:
             if quantities.endless(self.cls, self.field) and raw == quantities.INFINITE:
                 return float("inf")
-            if isinstance(raw, dict):  # a range stands for many values, here is place for one
+            if isinstance(raw, dict):  # a range gives many values, one is needed
                 raise InvalidInput(f'{where} is a table; give one quantity, such as "{quantities.sample(self.unit)}".')
             return float(self.numbers([raw], where)[0])
         try:
@@ -196,7 +196,7 @@ class _Target:
         return content
 
     def text(self, content: Any) -> Any:
-        """Return what a study file says for one value."""
+        """Return one value as a study file writes it."""
         if not self.below:
             return written_field(self.owner, self.field, content)
         if dataclasses.is_dataclass(content):

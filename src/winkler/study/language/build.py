@@ -1,4 +1,4 @@
-"""Text to value and back: tables of a study file become plain dataclasses, and dataclasses become tables again.
+"""Conversion between the tables of a study file and plain dataclasses, in both directions.
 
 ``build(unbuild(x)) == x`` for every value of the catalogue, floats to the last digit.
 """
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
-from winkler.io.foreign import reason_of, shown
+from winkler.io.foreign import path_text, reason_of
 from winkler.study.language.catalogue import kind_of, kinds
 from winkler.vocabulary import word
 
@@ -24,9 +24,9 @@ if TYPE_CHECKING:
 
 __all__ = ["assembled", "build", "unbuild", "written_field", "written_number", "written_numbers"]
 
-NEIGHBOURS = 1000
-"""Among so many files of a folder similar ones are looked for."""
-SHORT = 12
+MOST_NEIGHBOURS = 1000
+"""Files of a folder among which similar names are searched."""
+MOST_LISTED = 12
 """Longer lists of quantities are written as plain numbers with one unit."""
 
 
@@ -61,8 +61,8 @@ def build(table: Any, slot: str = "problem", *, folder: Path = Path(), file: str
     try:
         form = schema.slot_adapter(slot).validate_python({"content": table}).content
     except ValidationError as error:
-        found = mistakes.sentences(error, {"content": table}, key or slot)
-        raise mistakes.worded(file, found) from None
+        reasons = mistakes.sentences(error, {"content": table}, key or slot)
+        raise mistakes.worded(file, reasons) from None
     return assembled(form, folder=folder, file=file, key=key or slot)
 
 
@@ -73,7 +73,7 @@ def assembled(form: BaseModel, *, folder: Path, file: str, key: str) -> Any:
     from winkler.study.language.schema import MISSING
 
     line = kinds()[form.kind]  # type: ignore[attr-defined]
-    given: dict[str, Any] = {}
+    arguments: dict[str, Any] = {}
     for name in type(form).model_fields:
         content = getattr(form, name)
         if name == "kind" or content is MISSING:
@@ -87,52 +87,52 @@ def assembled(form: BaseModel, *, folder: Path, file: str, key: str) -> Any:
                 else item
                 for place, item in enumerate(content)
             )
-        given[name] = content
+        arguments[name] = content
     try:
-        if "file" in given:
+        if "file" in arguments:
             assert line.reader is not None
-            return line.reader(_found(folder, given.pop("file")), **given)
-        return line.cls(**given)
+            return line.reader(_existing_file(folder, arguments.pop("file")), **arguments)
+        return line.cls(**arguments)
     except WinklerError as error:
         raise type(error)(_located(str(error), line.cls, f"{file}: {key}" if file else key)) from None
 
 
-VERBS = ("is ", "has ", "does ", "falls ")
-"""How sentences about a field go on after its name."""
+FIELD_VERBS = ("is ", "has ", "does ", "falls ")
+"""Words that follow the name of a field in a sentence about it."""
 
 
 def _located(sentence: str, cls: type, key: str) -> str:
-    """Return a sentence of a class with the key that it is about in front."""
+    """Return a sentence of a class with its key in front."""
     begin, _, rest = sentence.partition(": ")
-    field, _, said = rest.partition(" ")
+    field, _, statement = rest.partition(" ")
     named = begin == cls.__name__ and field in {item.name for item in dataclasses.fields(cls)}
-    return f"{key}.{field} {said}" if named and said.startswith(VERBS) else f"{key}: {sentence}"
+    return f"{key}.{field} {statement}" if named and statement.startswith(FIELD_VERBS) else f"{key}: {sentence}"
 
 
-def _found(folder: Path, name: str) -> Path:
+def _existing_file(folder: Path, name: str) -> Path:
     path = folder / name
     try:
         if path.is_file():
             return path
         beside = path.parent.iterdir() if path.parent.is_dir() else ()
-        near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS) if item.suffix == path.suffix)[:5]
+        near = sorted(item.name for item in itertools.islice(beside, MOST_NEIGHBOURS) if item.suffix == path.suffix)[:5]
     except (OSError, ValueError) as error:
         raise InvalidInput(
-            f"file is '{shown(name)}', which cannot be looked at ({reason_of(error)}); give its path from the study."
+            f"file is '{path_text(name)}', which cannot be accessed ({reason_of(error)}); give its path from the study."
         ) from None
     near_ones = f"; there are {', '.join(near)}" if near else ""
     raise InvalidInput(
-        f"file is '{shown(name)}', which does not exist beside the study{near_ones}; give its path from there."
+        f"file is '{path_text(name)}', which does not exist beside the study{near_ones}; give its path from there."
     )
 
 
 def unbuild(content: Any) -> dict[str, Any]:
-    """Return the table that `build` makes `content` from; keys at their default are left out.
+    """Return the table from which `build` creates `content`; keys at their default are left out.
 
     Raises
     ------
     InvalidInput
-        If the catalogue does not know the class.
+        If the class is not in the catalogue.
     """
     name = kind_of(type(content))
     if not name:
@@ -153,7 +153,7 @@ def _same(content: Any, default: Any) -> bool:
 
 
 def written_field(owner: Any, field: str, content: Any) -> Any:
-    """Return what stands at the key `field` of a study file for `content`."""
+    """Return `content` as a study file writes it at the key `field`."""
     from winkler.study.language import maps, quantities
 
     cls = type(owner)
@@ -200,6 +200,6 @@ def written_numbers(numbers: np.ndarray, unit: str) -> Any:
         raise InvalidInput(
             f"an array of shape {numbers.shape} cannot be written in a study file; give a list, or a list of rows."
         )
-    if unit and len(numbers) > SHORT:
+    if unit and len(numbers) > MOST_LISTED:
         return {"values": [float(number) for number in numbers], "unit": unit}
     return [written_number(float(number), unit) for number in numbers]

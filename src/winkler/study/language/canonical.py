@@ -1,4 +1,4 @@
-"""The canonical form of a question, and its hash: equal questions have equal hashes on every machine."""
+"""The canonical form of a study, and its hash: equal studies have equal hashes on every machine."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from winkler.study.language.study import Places, Study
 
 __all__ = ["canonical", "digest", "digest_of", "how_fitted", "plain"]
 
-LARGE = 4096
-"""Maps with more numbers are told by their hash."""
+MOST_NUMBERS_WRITTEN = 4096
+"""Maps with more numbers are represented by their hash."""
 
 
 def canonical(study: Study) -> str:
-    """Return what determines the numbers of a study (problem, sweep, fields) as JSON with sorted keys.
+    """Return all that determines the numbers of a study (problem, sweep, fields) as JSON with sorted keys.
 
-    Quantities are SI numbers, written with the digits that tell a float from its neighbours; title, output and
+    Quantities are SI numbers, written with the digits that distinguish a float from its neighbours; title, output and
     expectations do not matter, nor how the units were written.
     """
     content = {
@@ -47,7 +47,7 @@ def digest_of(problem: Any) -> str:
 
 
 def how_fitted(study: FitStudy) -> dict[str, Any]:
-    """Return what determines the numbers of a fit beside its curves, as JSON can hold it."""
+    """Return all that determines the numbers of a fit except its curves, for JSON."""
     return {
         "model": digest(Study("", study.problem)),
         "free": [[free.key, list(free.given)] for free in study.free],
@@ -68,9 +68,9 @@ def plain(content: Any) -> Any:
         return content
     if isinstance(content, int | float):
         return float(content) + 0.0 if math.isfinite(content) else str(float(content))
-    if isinstance(content, np.ndarray) and content.ndim == 2 and content.size > LARGE:
-        told = np.where(np.isnan(content), np.nan, content + 0.0)  # one nan, one zero
-        stored = np.ascontiguousarray(told, dtype="<f8").tobytes()
+    if isinstance(content, np.ndarray) and content.ndim == 2 and content.size > MOST_NUMBERS_WRITTEN:
+        normalized = np.where(np.isnan(content), np.nan, content + 0.0)  # one nan, one zero
+        stored = np.ascontiguousarray(normalized, dtype="<f8").tobytes()
         return {"shape": list(content.shape), "sha256": hashlib.sha256(stored).hexdigest()}
     if isinstance(content, np.ndarray):
         return plain(content.tolist())

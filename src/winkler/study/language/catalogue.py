@@ -1,9 +1,9 @@
 """The catalogue: every kind that a study file may name, and the class behind it.
 
-One line in a chapter makes a class known to study files, ``winkler show``, ``winkler new``, ``winkler cite`` and
+One line in a chapter makes a class available to study files, ``winkler show``, ``winkler new``, ``winkler cite`` and
 the tests: its keys, units and meanings are read from the class and the glossary.  The line also carries an example
 (values as a study file writes them; for a part that is left out, the first kind of its slot is taken) and the BibTeX
-keys of the papers that the class stands on.
+keys of the papers on which the class is based.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ SLOTS: dict[Any, str] = {
     DepthGrading: "grading",
     Spectrum: "spectrum",
 }
-"""Protocol -> slot: what may stand where a class asks for this contract."""
+"""Protocol -> slot: the kinds that are allowed where a class requires this protocol."""
 
 UNWRITTEN = frozenset(
     {
@@ -57,10 +57,10 @@ UNWRITTEN = frozenset(
         "winkler.laws.wear:OwnWear",
     }
 )
-"""Paths of what a study file cannot name where a class takes it: a load that stays, and laws that are functions."""
+"""Classes that a study file cannot name: a load that stays as it is, and laws that are functions."""
 
 REFUSED: dict[str, type] = {"cylinder": Cylinder}
-"""Kinds that people ask for and that cannot be answered; making one raises the reason."""
+"""Kinds that cannot be solved; creating one raises the reason."""
 
 
 @functools.cache
@@ -70,7 +70,7 @@ def kinds() -> dict[str, Kind]:
 
 
 def kind_of(cls: type) -> str:
-    """Return the name of `cls` in study files; an empty string if the catalogue does not know it."""
+    """Return the name of `cls` in study files; an empty string if it is not in the catalogue."""
     return _names().get(path_of(cls), "")
 
 
@@ -81,4 +81,4 @@ def _names() -> dict[str, str]:
 
 def slot_of(name: str) -> str:
     """Return the slot that the kind `name` belongs to."""
-    return next(slot for slot, known in CATALOGUE.items() if name in known)
+    return next(slot for slot, lines in CATALOGUE.items() if name in lines)

@@ -1,4 +1,4 @@
-"""What ``[fit]`` does to a curve before it is fitted: nothing that was not asked for, each step told in a sentence."""
+"""Corrections of a curve before the fit of ``[fit]``: only those requested, each described in a sentence."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from winkler.fitting.curves.corrections import (
     without_drift,
 )
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.plot.series import told
-from winkler.study.language.segmenting import segmented, segments_told
+from winkler.readable import with_unit
+from winkler.study.language.segmenting import segmented, segments_text
 
 __all__ = ["CORRECTIONS", "Corrected", "corrected"]
 
 
 class Corrected(NamedTuple):
-    """A curve, and what was done to it."""
+    """A curve, and the sentences about its corrections."""
 
     curve: ForceCurve
     steps: tuple[str, ...]
@@ -34,21 +34,21 @@ class Corrected(NamedTuple):
 def _baseline(curve: ForceCurve) -> Corrected:
     line = free_line(curve)
     sentence = (
-        f"baseline: a straight line through the points out of contact was subtracted, {told(line.baseline, 'N')} with "
-        f"a slope of {told(line.tilt, 'N/m')}; the force scatters about it by {told(line.noise, 'N')}."
+        f"baseline: a straight line through the points out of contact was subtracted, {with_unit(line.baseline, 'N')} "
+        f"with a slope of {with_unit(line.tilt, 'N/m')}; the force scatters about it by {with_unit(line.noise, 'N')}."
     )
     return Corrected(without_baseline(curve, line), (sentence,))
 
 
 def _drift(curve: ForceCurve) -> Corrected:
     rate = drift_rate(curve.hold)
-    sentence = f"drift: positions were corrected by {told(rate, 'm/s')}, found where the tip was held."
+    sentence = f"drift: positions were corrected by {with_unit(rate, 'm/s')}, determined where the tip was held."
     return Corrected(without_drift(curve, rate), (sentence,))
 
 
 def _drag(curve: ForceCurve) -> Corrected:
     drag = drag_force(curve)
-    sentence = f"drag: the force of the liquid, {told(drag, 'N')} against the motion, was subtracted."
+    sentence = f"drag: the force of the liquid, {with_unit(drag, 'N')} against the motion, was subtracted."
     return Corrected(without_drag(curve, drag), (sentence,))
 
 
@@ -66,7 +66,7 @@ CORRECTIONS: dict[str, Callable[[ForceCurve], Corrected]] = {
     "drag": _drag,
     "saturation": _saturation,
 }
-"""What ``correct`` may ask for."""
+"""Corrections that ``correct`` may list."""
 
 
 def corrected(
@@ -93,13 +93,13 @@ def corrected(
         If the curve does not hold what a correction needs.
     """
     curve = segmented(curve, segments) if segments else curve
-    steps = list(segments_told(curve))
+    steps = list(segments_text(curve))
     if np.isfinite(frame_stiffness):
         curve = on_frame(curve, 1.0 / frame_stiffness)
-        steps.append(f"frame: its stiffness of {told(frame_stiffness, 'N/m')} was taken into account.")
+        steps.append(f"frame: its stiffness of {with_unit(frame_stiffness, 'N/m')} was taken into account.")
     for name in names:
-        curve, told_ = CORRECTIONS[name](curve)
-        steps += told_
+        curve, sentences = CORRECTIONS[name](curve)
+        steps += sentences
     match part:
         case "approach":
             curve = curve.approach

@@ -1,4 +1,4 @@
-"""Designs: which points of a sweep are solved.
+"""Designs of a sweep: the choice of the points that are solved.
 
 `Crossed`, every combination; `Zipped`, the first values of all keys, then the second ones; or points that are drawn:
 `LatinHypercube`, each key evenly covered whatever the others do; `Sobol`, all keys together covered more evenly than by
@@ -35,7 +35,7 @@ class Crossed:
 
     kind: ClassVar[str] = "crossed"
     draws: ClassVar[bool] = False
-    told: ClassVar[str] = "Every combination was solved."
+    sentence: ClassVar[str] = "Every combination was solved."
 
 
 @value
@@ -44,7 +44,7 @@ class Zipped:
 
     kind: ClassVar[str] = "zipped"
     draws: ClassVar[bool] = False
-    told: ClassVar[str] = "They vary together."
+    sentence: ClassVar[str] = "They vary together."
 
 
 def _refuse_uneven(count: int) -> None:
@@ -79,10 +79,10 @@ class LatinHypercube:
     kind: ClassVar[str] = "latin_hypercube"
     section: ClassVar[str] = "sweep.design"
     draws: ClassVar[bool] = True
-    told: ClassVar[str] = "The points are a Latin hypercube."
+    sentence: ClassVar[str] = "The points are a Latin hypercube."
 
     def shares(self, keys: int) -> Array:
-        """Return where the points stand in the ranges of so many keys, shape ``(points, keys)``, from zero to one."""
+        """Return the places of the points in the ranges of the keys, shape ``(points, keys)``, from zero to one."""
         from scipy.stats import qmc
 
         return np.asarray(qmc.LatinHypercube(keys, seed=np.random.default_rng(self.seed)).random(self.count))
@@ -112,13 +112,13 @@ class Sobol:
     kind: ClassVar[str] = "sobol"
     section: ClassVar[str] = "sweep.design"
     draws: ClassVar[bool] = True
-    told: ClassVar[str] = "The points are a scrambled Sobol sequence."
+    sentence: ClassVar[str] = "The points are a scrambled Sobol sequence."
 
     def __post_init__(self) -> None:
         _refuse_uneven(self.count)
 
     def shares(self, keys: int) -> Array:
-        """Return where the points stand in the ranges of so many keys, shape ``(points, keys)``, from zero to one."""
+        """Return the places of the points in the ranges of the keys, shape ``(points, keys)``, from zero to one."""
         from scipy.stats import qmc
 
         return np.asarray(qmc.Sobol(keys, seed=np.random.default_rng(self.seed)).random(self.count))
@@ -126,7 +126,7 @@ class Sobol:
 
 @value
 class Sensitivity:
-    """Points from which it follows how much of the scatter of the answers each key makes.
+    """Points from which the indices of Sobol follow: the part of the variance of the answers due to each key.
 
     Pairs of points A and B of a Sobol sequence, and for every key the point A with this key taken from B:
     ``count (keys + 2)`` points, those of one pair one after the other.
@@ -150,13 +150,13 @@ class Sensitivity:
     kind: ClassVar[str] = "sensitivity"
     section: ClassVar[str] = "sweep.design"
     draws: ClassVar[bool] = True
-    told: ClassVar[str] = "Pairs of points of a Sobol sequence have their keys exchanged one by one."
+    sentence: ClassVar[str] = "Pairs of points of a Sobol sequence have their keys exchanged one by one."
 
     def __post_init__(self) -> None:
         _refuse_uneven(self.count)
 
     def shares(self, keys: int) -> Array:
-        """Return where the points stand in the ranges of so many keys, shape ``(points, keys)``, from zero to one."""
+        """Return the places of the points in the ranges of the keys, shape ``(points, keys)``, from zero to one."""
         pairs = Sobol(self.count, self.seed).shares(2 * keys)
         first, second = pairs[:, :keys], pairs[:, keys:]
         rows = np.repeat(first[:, np.newaxis, :], keys + 2, axis=1)
@@ -174,12 +174,12 @@ DESIGNS: dict[str, type[Design]] = {one.kind: one for one in (Crossed, Zipped, L
 
 @functools.lru_cache(maxsize=8)
 def axes_of(design: Design, lines: tuple[Axis | Range, ...]) -> tuple[Axis, ...]:
-    """Return what every key takes: of a design that draws its points, one value for each point.
+    """Return the values of every key: of a design that draws its points, one value for each point.
 
     Parameters
     ----------
     design
-        Which points are solved.
+        The design.
     lines
         The keys, with their values or ranges.
 

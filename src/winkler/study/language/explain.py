@@ -1,4 +1,4 @@
-"""What a kind takes: every key with symbol, unit, meaning and range, read from the class and the glossary."""
+"""The keys of a kind with symbol, unit, meaning and range, from the class and the glossary."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ class Key(NamedTuple):
     word
         Symbol, unit and meaning after the glossary.
     takes
-        What may stand there: a unit, the allowed kinds, text.
+        Allowed values: a unit, kinds, text.
     range
-        What the class says about it.
+        Range as the docstring of the class states it.
     required
         Whether it must be given.
     """
@@ -62,39 +62,39 @@ def summary(cls: type) -> str:
 
 
 def _parameters(cls: Any) -> dict[str, str]:
-    """Return name -> what the numpydoc section Parameters of a class or function says, without its type."""
+    """Return name -> text of the numpydoc section Parameters of a class or function, without the type."""
     text = inspect.getdoc(cls) or ""
     match = re.search(r"^Parameters\n-+\n(.*?)(?=^\w[\w ]*\n-{3,}$|\Z)", text, flags=re.DOTALL | re.MULTILINE)
-    found: dict[str, str] = {}
+    rows: dict[str, str] = {}
     for names, body in re.findall(
         r"^([\w, ]+?)(?: : [^\n]*)?\n((?:[ \t]+[^\n]*\n?|\n)+)", match[1] if match else "", re.M
     ):
         for name in names.split(","):
-            found[name.strip()] = " ".join(body.split())
-    return found
+            rows[name.strip()] = " ".join(body.split())
+    return rows
 
 
 def keys_of(name: str) -> tuple[Key, ...]:
     """Return the keys of a kind, in the order of its class."""
     line = kinds()[name]
-    told = _parameters(line.cls)
-    found = []
+    parameters = _parameters(line.cls)
+    rows = []
     fields = {field.name: field for field in dataclasses.fields(line.cls)}
     for field, hint in hints(line.cls).items():
         required = fields[field].default is fields[field].default_factory is dataclasses.MISSING
-        known = word(line.cls.__name__, field)
-        found.append(Key(field, known, _takes(line.cls, field, hint), told.get(field, ""), required))
+        entry = word(line.cls.__name__, field)
+        rows.append(Key(field, entry, _takes(line.cls, field, hint), parameters.get(field, ""), required))
     if line.reader is not None:
         meaning = "a file with the same content, beside the study, in place of the other keys"
-        found.append(Key("file", Word("", None, meaning), "path", "", False))
-        told = _parameters(line.reader)
+        rows.append(Key("file", Word("", None, meaning), "path", "", False))
+        parameters = _parameters(line.reader)
         for option, hint in options(line).items():
             if option not in fields:
                 plain = hint in (bool, int, str)
                 how = Word("", None, "how the file is read") if plain else word(line.cls.__name__, option)
                 how = how._replace(meaning=f"{how.meaning}; with a file only")
-                found.append(Key(option, how, _takes(line.cls, option, hint), told.get(option, ""), False))
-    return tuple(found)
+                rows.append(Key(option, how, _takes(line.cls, option, hint), parameters.get(option, ""), False))
+    return tuple(rows)
 
 
 def _takes(cls: type, field: str, hint: Any) -> str:
@@ -155,9 +155,9 @@ def _completed(content: Any) -> Any:
 
 
 def place_of(name: str) -> str:
-    """Return a key of a study at which a kind may stand, such as ``problem.bed.profile`` for a sphere.
+    """Return a key of a study at which a kind is allowed, such as ``problem.bed.profile`` for a sphere.
 
-    In an example study, what is around it stands there if the kind alone would have no answer.
+    An example study adds the surrounding values if the kind alone would have no solution.
     """
     if slot_of(name) == "problem":
         return "problem"
@@ -174,7 +174,7 @@ def _number(holder: str, field: str, name: str) -> int:
 
 
 def table_at(table: Any, place: str) -> Any:
-    """Return what stands in a table at a key such as ``problem.bed.medium.layers.0``."""
+    """Return the value in a table at a key such as ``problem.bed.medium.layers.0``."""
     for part in place.split("."):
         table = table[int(part) if part.isdecimal() else part]
     return table
@@ -186,14 +186,14 @@ def _holder(name: str) -> tuple[str, str]:
 
     The problem that its line in the catalogue names comes first, then a key that has it by default.
     """
-    found = [
+    rows = [
         (holder, field, _by_default(holder, field, name) and slot_of(holder) not in ("path", "step"))
         for holder, line in kinds().items()
         for field, hint in hints(line.cls).items()
         if slot_of(holder) != slot_of(name) and name in (allowed_kinds(hint) or allowed_in_list(hint))
     ]
-    named = [(holder, field) for holder, field, _ in found if holder == kinds()[name].problem]
-    return (named or [(holder, field) for holder, field, default in found if default] or [found[0][:2]])[0]
+    named = [(holder, field) for holder, field, _ in rows if holder == kinds()[name].problem]
+    return (named or [(holder, field) for holder, field, default in rows if default] or [rows[0][:2]])[0]
 
 
 def _by_default(holder: str, field: str, name: str) -> bool:
@@ -216,7 +216,7 @@ def example_study(name: str, **chosen: str) -> dict[str, Any]:
     table = completed({"kind": problem})
     for kind in sorted(picks.values(), key=lambda kind: place_of(kind).count(".")):
         if not _placed(table, kind) and not (_placed(table, _holder(kind)[0]) and _placed(table, kind)):
-            raise InvalidInput(f"{problem} has no place for {kind}, a {slot_of(kind)}; `winkler show {problem}` tells.")
+            raise InvalidInput(f"{problem} has no place for {kind}, a {slot_of(kind)}; see `winkler show {problem}`.")
     return {"title": f"{problem} ({name})".replace("_", " "), "problem": table}
 
 
@@ -228,13 +228,13 @@ def _problem_with(name: str) -> str:
 
 
 def _placed(table: dict[str, Any], kind: str) -> bool:
-    """Put an example of `kind` where it may stand inside `table`; tell whether there was such a place."""
+    """Put an example of `kind` where it is allowed inside `table`; return whether there is such a place."""
     holder = str(table["kind"])
-    known = hints(kinds()[holder].cls)
-    places = [field for field, hint in known.items() if kind in (allowed_kinds(hint) or allowed_in_list(hint))]
+    entry = hints(kinds()[holder].cls)
+    places = [field for field, hint in entry.items() if kind in (allowed_kinds(hint) or allowed_in_list(hint))]
     places.sort(key=lambda field: not _by_default(holder, field, kind))
     if places:
-        present, listed = table.get(places[0]), not allowed_kinds(known[places[0]])
+        present, listed = table.get(places[0]), not allowed_kinds(entry[places[0]])
         there = [item["kind"] for item in (present if isinstance(present, list) else [present]) if item]
         if kind not in there:
             example = _completed(kinds()[kind].within or {"kind": kind})

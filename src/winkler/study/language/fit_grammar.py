@@ -1,4 +1,4 @@
-"""The grammar of the section ``[fit]`` of a study file, but for the numbers that are free."""
+"""The grammar of the section ``[fit]`` of a study file, except for the free numbers."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from winkler.study.language.segmenting import stated_segments
 
 __all__ = ["fit_form"]
 
-PART: Any = Literal["approach", "hold", "retract", "both"]
-FIT: Any = Literal["force", "position"]
+PARTS: Any = Literal["approach", "hold", "retract", "both"]
+FITTED_QUANTITIES: Any = Literal["force", "position"]
 
 
 def corrections(raw: Any) -> tuple[str, ...]:
@@ -32,10 +32,10 @@ def corrections(raw: Any) -> tuple[str, ...]:
 
 def _positive(unit: str) -> Any:
     def check(raw: Any) -> float:
-        found = float(quantities.number(raw, unit))
-        if not found > 0.0:
+        positive = float(quantities.number(raw, unit))
+        if not positive > 0.0:
             wrong(f"{WHERE} is {raw!r}; it must be positive.")
-        return found
+        return positive
 
     return Annotated[Any, BeforeValidator(check)]
 
@@ -47,9 +47,9 @@ def fit_form() -> type[BaseModel]:
         "fit",
         __config__=FORBID,
         curve=(StrictStr, ...),
-        part=(PART, ...),
+        part=(PARTS, ...),
         segments=(Annotated[Any, BeforeValidator(stated_segments)], MISSING),
-        fitted=(FIT, MISSING),
+        fitted=(FITTED_QUANTITIES, MISSING),
         free=(dict[str, Any], ...),
         spring_constant=(_positive("N/m"), MISSING),
         sensitivity=(_positive("m/V"), MISSING),

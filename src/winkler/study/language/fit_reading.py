@@ -1,4 +1,4 @@
-"""Studies with ``[fit]`` read from TOML: the model, the files of curves, and what is free."""
+"""Studies with ``[fit]`` read from TOML: the model, the files of curves, and the free numbers."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError, suggest
 from winkler.fitting.parameters import found
-from winkler.io.foreign import reason_of, shown
+from winkler.io.foreign import path_text, reason_of
 from winkler.limits import MOST_CURVES
 from winkler.loading import Depth, Force
 from winkler.path import Path as MotionPath
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.study.language import keys
-from winkler.study.language.build import NEIGHBOURS, assembled
+from winkler.study.language.build import MOST_NEIGHBOURS, assembled
 from winkler.study.language.fit_study import OF_A_CURVE, OF_A_TIMED_CURVE, FitStudy, Free, word_of
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.segmenting import FOUND
@@ -31,8 +31,8 @@ FITTED = ("indentation", "adhesive_indentation", "viscoelastic_indentation")
 """Problems that can be the model of a curve."""
 PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
 PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}
-PATTERN = re.compile(r"[*?\[]")
-OTHERS = ("sweep", "fields", "expect", "source", "grade")
+GLOB_MARKS = re.compile(r"[*?\[]")
+EXCLUDED_SECTIONS = ("sweep", "fields", "expect", "source", "grade")
 
 
 def read_fit_study(path: str | Path, *, segments: tuple[str, ...] = ()) -> FitStudy:
@@ -77,7 +77,7 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
     at = f"{file}: " if file else ""
     if "fit" not in raw:
         raise InvalidInput(f"{at}the study has no section [fit]; add it, or take `winkler run`.")
-    for name in OTHERS:
+    for name in EXCLUDED_SECTIONS:
         if name in raw:
             raise InvalidInput(f"{at}a study with [fit] has no {name}; leave it out.")
     _placeholder(raw, at)
@@ -126,7 +126,7 @@ def _placeholder(raw: dict[str, Any], at: str) -> None:
 
 
 def _unloaded(problem: Any, given: dict[str, Any]) -> Any:
-    """Return the model with a placeholder for its load, or for its path, which says what drives."""
+    """Return the model with a placeholder for its load, or for its path, whose type states what is prescribed."""
     part, fitted = given["part"], given.get("fitted", "force")
     if not isinstance(problem, ViscoelasticIndentation):
         for key, content in (("part", part if part == "hold" else ""), ("fitted", fitted if fitted != "force" else "")):
@@ -156,50 +156,50 @@ def _noise(raw: Any, unit: str) -> float:
 def _sources(given: str, folder: Path) -> tuple[str, ...]:
     """Return the files that `curve` names."""
     try:
-        found_, what = _named(given, folder)
-        files = sorted(itertools.islice(found_, MOST_CURVES + 1), key=_in_numbers)
+        paths, what = _named(given, folder)
+        files = sorted(itertools.islice(paths, MOST_CURVES + 1), key=_in_numbers)
     except InvalidInput:
         raise
     except (OSError, ValueError, NotImplementedError, RecursionError) as error:
         raise InvalidInput(
-            f"fit.curve is '{shown(given)}', which cannot be looked at ({reason_of(error)}); give a file, a folder or "
-            "a pattern from the study."
+            f"fit.curve is '{path_text(given)}', which cannot be accessed ({reason_of(error)}); give a file, a folder "
+            "or a pattern from the study."
         ) from None
     if not files:
         raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
     if len(files) > MOST_CURVES:
         raise InvalidInput(
-            f"fit.curve is '{shown(given)}', which are more than {MOST_CURVES} files; fit them in parts."
+            f"fit.curve is '{path_text(given)}', which are more than {MOST_CURVES} files; fit them in parts."
         )
     return tuple(str(item) for item in files)
 
 
 def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
-    """Return the files that `curve` names, and what to say if there are none."""
+    """Return the files that `curve` names, and the error text if there are none."""
     path = folder / given
     if path.is_file():
         return iter((path,)), ""
     if path.is_dir():
         inside = (item for item in path.iterdir() if item.is_file() and not item.name.startswith("."))
         return inside, f"the folder '{given}' holds no files"
-    if PATTERN.search(given):
+    if GLOB_MARKS.search(given):
         if given.count("**") > 1:
-            raise InvalidInput(f"fit.curve is '{shown(given)}'; give a pattern with ** once, or without.")
+            raise InvalidInput(f"fit.curve is '{path_text(given)}'; give a pattern with ** once, or without.")
         absolute = Path(given).is_absolute()
         root = Path(Path(given).anchor) if absolute else folder
         pattern = str(Path(given).relative_to(root)) if absolute else given
-        return (item for item in root.glob(pattern) if item.is_file()), f"no file fits the pattern '{shown(given)}'"
+        return (item for item in root.glob(pattern) if item.is_file()), f"no file fits the pattern '{path_text(given)}'"
     beside = path.parent.iterdir() if path.parent.is_dir() else ()
-    near = sorted(item.name for item in itertools.islice(beside, NEIGHBOURS))
+    near = sorted(item.name for item in itertools.islice(beside, MOST_NEIGHBOURS))
     hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
     raise InvalidInput(
-        f"fit.curve is '{shown(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
+        f"fit.curve is '{path_text(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
         "pattern from there."
     )
 
 
 def _in_numbers(path: Path) -> tuple[Any, ...]:
-    """Return what sorts curve2 before curve10."""
+    """Return a sort key that puts curve2 before curve10."""
     parts = re.split(r"(\d+)", path.as_posix())
     return tuple((int(part), "") if part.isdecimal() else (-1, part) for part in parts)
 
@@ -215,7 +215,7 @@ def _free_row(key: str, raw: Any, problem: Any) -> tuple[Free, ...]:
     plain = re.sub(r"\[(\d+)\]", r".\1", key).removeprefix("problem.")
     try:
         content = keys.content_at(problem, plain) if key.startswith("problem.") else ()
-    except InvalidInput:  # told below
+    except InvalidInput:  # the error is raised below
         content = ()
     if not isinstance(content, np.ndarray):
         return (_free(key, raw, problem),)

@@ -1,4 +1,4 @@
-"""A study with ``[fit]``: measured curves, a problem as their model, and the numbers that the curves are to tell.
+"""A study with ``[fit]``: measured curves, a problem as their model, and the numbers to be fitted.
 
 ::
 
@@ -36,7 +36,7 @@ OF_A_TIMED_CURVE = OF_A_CURVE | {
     "drift": Word("u", "m/s", "drift of the position"),
     "drag": Word("c_v", "N s/m", "drag of the liquid on the cantilever, over its velocity"),
 }
-"""What a curve leaves open where the model relaxes."""
+"""Free numbers of a curve where the model relaxes."""
 
 
 @value
@@ -57,7 +57,7 @@ class Free:
 
     @property
     def path(self) -> str:
-        """The name that `winkler.fitting.fit.fit` knows it by."""
+        """Its name in `winkler.fitting.fit.fit`."""
         return re.sub(r"\.(\d+)(?=\.|$)", r"[\1]", self.key.removeprefix("problem."))
 
     @property
@@ -66,8 +66,8 @@ class Free:
         return re.sub(r"^.*?(\w+(\.\d+)*)$", r"\1", self.key)
 
     @property
-    def asked(self) -> tuple[float, ...] | float:
-        """What `winkler.fitting.fit.fit` takes for it."""
+    def start_or_bounds(self) -> tuple[float, ...] | float:
+        """Its start or bounds, as `winkler.fitting.fit.fit` takes them."""
         return self.given[0] if len(self.given) == 1 else self.given
 
 
@@ -88,13 +88,13 @@ class FitStudy:
     part
         approach, hold (with the approach), retract or both.
     segments : tuple of str
-        "found", or kinds with their beginnings, as "hold 12 s"; empty: as the file says, or found where it does not.
+        "found", or kinds with their beginnings, as "hold 12 s"; empty: as the file states, or as detected.
     fitted
         force, or of a body that relaxes position, under the measured forces.
     correct : tuple of str
         Corrections in their order.
     spring_constant, sensitivity
-        [N/m] and [m/V], zero where the files tell them.
+        [N/m] and [m/V], zero where the files state them.
     frame_stiffness
         [N/m].
     noise
@@ -106,7 +106,7 @@ class FitStudy:
     text
         The study file, word for word.
     folder
-        Where it lies; names of curves are told from there.
+        Where it lies; names of curves are relative to it.
     """
 
     title: str
@@ -141,12 +141,12 @@ def word_of(problem: Any, key: str) -> Word:
     """Return symbol, unit and meaning of a number that is free in `problem`, by its key in the study."""
     if key in OF_A_TIMED_CURVE:
         return OF_A_TIMED_CURVE[key]
-    told = keys.word_at(problem, key.removeprefix("problem."))
-    return told._replace(unit=_unit(problem, key))
+    entry = keys.word_at(problem, key.removeprefix("problem."))
+    return entry._replace(unit=_unit(problem, key))
 
 
 def _unit(problem: Any, key: str) -> str:
-    """Return the unit of a key of the problem, with the numbers put in that it depends on."""
+    """Return the unit of a key of the problem, with the numbers inserted on which it depends."""
     from winkler.study.language import quantities
 
     owner, field, _ = keys.owner_at(problem, key.removeprefix("problem."))

@@ -1,4 +1,4 @@
-"""The grammar of a study file above its kinds: title, sweep, fields, output, expect."""
+"""The grammar of the sections of a study file: title, sweep, fields, output, expect."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ __all__ = ["SECTIONS", "expectation", "section_keys", "study_form", "unit_of_qua
 SECTIONS: dict[str, dict[str, str]] = {
     "the study": {
         "title": "one line for tables, figures and the report; the name of the file if left out",
-        "problem": "what is asked: a table with a kind",
+        "problem": "what is solved: a table with a kind",
         "sweep": "keys of the problem that vary",
-        "fit": "measured curves, and which numbers of the problem they are to tell; for `winkler fit`",
+        "fit": "measured curves, and the numbers of the problem to be fitted; for `winkler fit`",
         "fields": "where pressures, displacements and stresses are restored",
         "output": "what is written",
         "expect": "numbers that must come out, one [[expect]] each",
@@ -42,13 +42,13 @@ SECTIONS: dict[str, dict[str, str]] = {
     "fit": {
         "curve": "a file, a folder or a pattern such as 'gel/*.csv', relative to the study",
         "part": "approach, hold (with the approach, of a body that relaxes), retract or both",
-        "segments": 'where the curve is loaded, held and unloaded, if not as found: a list such as "hold 12 s" or, by '
-        'the number of the point, "hold 1200"; or "found", whatever the file says',
+        "segments": 'where the curve is loaded, held and unloaded, if not as detected: a list such as "hold 12 s" or, '
+        'by the number of the point, "hold 1200"; or "found", whatever the file states',
         "fitted": "force, or of a body that relaxes position, which then follows from the measured forces",
         "free": "what is fitted: a table, one key of the problem or of the curve in each line",
-        "spring_constant": "of the cantilever, where the file does not tell it; taken in place of the file's",
+        "spring_constant": "of the cantilever, where the file does not state it; replaces the file's",
         "sensitivity": "deflection per volt, where the file holds a voltage",
-        "frame_stiffness": "of the frame of the machine, which gives way too",
+        "frame_stiffness": "of the frame of the machine, which deforms too",
         "correct": "corrections in their order: a list of baseline, drift, drag, saturation",
         "noise": "standard deviation of what is fitted; read from the points out of contact if left out",
         "time_limit": "the longest that the fit of one curve may take; without end if left out",
@@ -78,11 +78,11 @@ SECTIONS: dict[str, dict[str, str]] = {
         "z": "of a field below the surface: depth",
     },
 }
-"""Section -> key -> what it says."""
+"""Section -> key -> meaning."""
 
 
-PLACE = ("r", "x", "y", "z")
-"""Where ``[[expect]]`` asks for a field."""
+PLACE_KEYS = ("r", "x", "y", "z")
+"""Keys of ``[[expect]]`` that give the place in a field."""
 
 
 def places(raw: Any) -> Places:
@@ -119,15 +119,15 @@ def expectation(table: dict[str, Any]) -> Expectation:
     """Return one ``[[expect]]``.  Its value is a quantity, or a number with its unit in ``unit``."""
     name = table["quantity"]
     unit = unit_of_quantity(name)
-    raw, given = table["value"], table["unit"]
-    if given is not MISSING and isinstance(raw, int | float) and not isinstance(raw, bool):
-        raw = f"{raw!r} {given}".strip()
-    elif given is not MISSING and isinstance(raw, list):
-        raw = {"values": raw, "unit": given}
+    raw, unit_text = table["value"], table["unit"]
+    if unit_text is not MISSING and isinstance(raw, int | float) and not isinstance(raw, bool):
+        raw = f"{raw!r} {unit_text}".strip()
+    elif unit_text is not MISSING and isinstance(raw, list):
+        raw = {"values": raw, "unit": unit_text}
     scale = table["scale"]
-    if given is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
-        scale = f"{scale!r} {given}".strip()
-    place = tuple((key, float(_at(key, table[key], "m"))) for key in PLACE if table[key] is not MISSING)
+    if unit_text is not MISSING and isinstance(scale, int | float) and not isinstance(scale, bool):
+        scale = f"{scale!r} {unit_text}".strip()
+    place = tuple((key, float(_at(key, table[key], "m"))) for key in PLACE_KEYS if table[key] is not MISSING)
     if tuple(key for key, _ in place) not in ((), ("r",), ("r", "z"), ("x",), ("x", "y", "z")):
         raise InvalidInput(
             f"expect gives {' and '.join(key for key, _ in place)}; give r on the surface, r and z below it, "
@@ -150,12 +150,12 @@ def unit_of_quantity(name: str) -> str:
     Raises
     ------
     InvalidInput
-        If the glossary does not know it.
+        If it is not in the glossary.
     """
     last = named(name)
-    known = sorted({key for key, word in GLOSSARY.items() if word.unit is not None})
-    if last not in known:
-        raise InvalidInput(f"quantity is '{name}'{suggest(last, known)}; give a quantity of the glossary.")
+    names = sorted({key for key, word in GLOSSARY.items() if word.unit is not None})
+    if last not in names:
+        raise InvalidInput(f"quantity is '{name}'{suggest(last, names)}; give a quantity of the glossary.")
     return GLOSSARY[last].unit or ""
 
 

@@ -1,4 +1,4 @@
-"""Keys of a study: ``problem.load.force`` names a place inside the value, to be read, named or replaced.
+"""Keys of a study: ``problem.load.force`` is the path of a value inside the study, to be read, described or replaced.
 
 Parts of lists are named by their number from zero (``parts.1``), entries of a table of names by the name
 (``constants.R``).
@@ -45,8 +45,8 @@ def _step(content: Any, part: str, key: str) -> tuple[Any, Any]:
         fields = [field.name for field in dataclasses.fields(content) if field.init]
         if part in fields:
             return part, getattr(content, part)
-        known = f"; known are {', '.join(fields)}" if fields else "; nothing is adjustable there"
-        raise InvalidInput(f"the key '{key}': there is no '{part}'{suggest(part, fields)}{known}.")
+        advice = f"; known are {', '.join(fields)}" if fields else "; nothing is adjustable there"
+        raise InvalidInput(f"the key '{key}': there is no '{part}'{suggest(part, fields)}{advice}.")
     raise InvalidInput(f"the key '{key}': nothing lies below the part before '{part}', which is {label(content)}.")
 
 
@@ -67,7 +67,7 @@ def _walk(root: Any, key: str) -> list[tuple[Any, Any]]:
 
 
 def content_at(root: Any, key: str) -> Any:
-    """Return what stands at `key` inside `root`."""
+    """Return the value at `key` inside `root`."""
     content = root
     for part in _parts(key):
         _, content = _step(content, part, key)
@@ -82,7 +82,7 @@ def owner_at(root: Any, key: str) -> tuple[Any, str, tuple[Any, ...]]:
 
 
 def replaced(root: Any, key: str, content: Any) -> Any:
-    """Return `root` with `content` at `key`; every value on the way is made anew, and so checked again."""
+    """Return `root` with `content` at `key`; every value on the path is created anew, and so checked again."""
     for owner, place in reversed(_walk(root, key)):
         if dataclasses.is_dataclass(owner) and not isinstance(owner, type):
             content = _remade(owner, place, content)
@@ -98,7 +98,7 @@ def replaced(root: Any, key: str, content: Any) -> Any:
 
 
 def _remade(owner: Any, field: str, content: Any) -> Any:
-    """Return a value with one field changed; the works of adhesion hang together, and `work` is that of opening."""
+    """Return a value with one field changed; the works of adhesion change together; `work` is that of opening."""
     if not isinstance(owner, ShortRange):
         return dataclasses.replace(owner, **{field: content})
     if field == "work" and owner.work_closing == owner.work_opening:
@@ -108,21 +108,21 @@ def _remade(owner: Any, field: str, content: Any) -> Any:
 
 
 def word_at(root: Any, key: str) -> Word:
-    """Return symbol, unit and meaning of what stands at `key`."""
+    """Return symbol, unit and meaning of the value at `key`."""
     owner, field, below = owner_at(root, key)
-    told = word(type(owner).__name__, field)
+    entry = word(type(owner).__name__, field)
     if below and isinstance(below[0], int):
         names = _names(getattr(owner, field))
-        return told._replace(symbol=names[below[0]] if names else f"{told.symbol}[{below[0]}]", unit=told.unit or "")
-    return told
+        return entry._replace(symbol=names[below[0]] if names else f"{entry.symbol}[{below[0]}]", unit=entry.unit or "")
+    return entry
 
 
 def label(content: Any) -> str:
-    """Return a short text for what stands at a key: a number, a name, or a value with its numbers."""
+    """Return a short text for the value at a key: a number, a name, or a value with its numbers."""
     if isinstance(content, float):
         return f"{content:.6g}"
     if dataclasses.is_dataclass(content):
-        shown = ((field.name, getattr(content, field.name)) for field in dataclasses.fields(content))
-        numbers = [f"{name}={number:.6g}" for name, number in shown if isinstance(number, float)]
+        contents = ((field.name, getattr(content, field.name)) for field in dataclasses.fields(content))
+        numbers = [f"{name}={number:.6g}" for name, number in contents if isinstance(number, float)]
         return f"{type(content).__name__}({', '.join(numbers)})"
     return str(content)

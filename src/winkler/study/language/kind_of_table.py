@@ -1,4 +1,4 @@
-"""Why a table of a study is of none of the kinds that are allowed in its place, in one sentence."""
+"""The sentence that states why a table of a study is of no allowed kind."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from winkler.errors import suggest
 from winkler.study.language.catalogue import REFUSED, kinds, slot_of
 from winkler.study.language.quantities import WHERE, wrong
 
-__all__ = ["refuse", "shown"]
+__all__ = ["refuse_kind", "value_text"]
 
 
-def refuse(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
-    """Say why `raw` is not a table of one of the `allowed` kinds."""
+def refuse_kind(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
+    """Raise why `raw` is not a table of one of the `allowed` kinds."""
     if not isinstance(raw, Mapping):
-        wrong(f'{WHERE} is {shown(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
+        wrong(f'{WHERE} is {value_text(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
     if "kind" not in raw:
         add = f"one of {', '.join(allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
         wrong(f"{WHERE} has no kind; add kind, {add}.")
     tag = raw["kind"]
     if not isinstance(tag, str):
-        wrong(f"{WHERE}.kind is {shown(tag)}, not text; allowed are {', '.join(allowed)}.")
+        wrong(f"{WHERE}.kind is {value_text(tag)}, not text; allowed are {', '.join(allowed)}.")
     if tag in REFUSED:
         try:
             REFUSED[tag](1.0)
@@ -33,8 +33,8 @@ def refuse(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
     wrong(f"{WHERE}.kind is '{tag}'{suggest(tag, allowed)}; allowed are {', '.join(allowed)}.")
 
 
-def shown(given: Any) -> str:
-    """Return what was given, short enough for a sentence."""
+def value_text(given: Any) -> str:
+    """Return a value, short enough for a sentence."""
     if isinstance(given, Mapping):
         return "a table"
     if isinstance(given, list):

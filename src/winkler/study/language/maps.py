@@ -1,4 +1,4 @@
-"""Height maps in a study: rows of quantities, rows of numbers with one unit, or, packed, every bit of a large map."""
+"""Height maps in a study: rows of quantities, rows of numbers with one unit, or all bits of a large map, packed."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ MAPS: frozenset[tuple[str, str]] = frozenset({("Topography", "heights")})
 """Fields that are maps of quantities, row by row."""
 PAIRS: frozenset[tuple[str, str]] = frozenset({("Topography", "lengths"), ("RandomTopography", "lengths")})
 """Fields that are two quantities."""
-SMALL = 64
-"""Larger maps are packed when they are written."""
+MOST_READABLE = 64
+"""Pixels up to which a map is written as numbers; larger ones are packed."""
 
 
 def height_map(raw: Any, unit: str | None) -> Array:
     """Return a map in SI units from rows of quantities, ``{ values, unit }`` or ``{ packed, shape }``."""
     if isinstance(raw, dict) and "packed" in raw:
-        return _unpacked(raw)
+        return _unpacked_map(raw)
     if isinstance(raw, dict) and isinstance(rows := raw.get("values"), list) and rows:
         lists = [row if isinstance(row, list) else [row] for row in rows]
-        _even(lists)
+        _refuse_uneven(lists)
         flat = numbers({**raw, "values": [item for row in lists for item in row]}, unit)
         return flat.reshape(len(lists), -1)
     if not isinstance(raw, list) or not all(isinstance(row, list) for row in raw):
         wrong(f'{WHERE} is no map; give rows of heights, such as [["1 um", "2 um"], ["2 um", "3 um"]], or a file.')
-    _even(raw)
-    found: Array = number_or_numbers(raw, unit)
-    return found
+    _refuse_uneven(raw)
+    heights: Array = number_or_numbers(raw, unit)
+    return heights
 
 
-def _even(rows: list[Any]) -> None:
+def _refuse_uneven(rows: list[Any]) -> None:
     if len({len(row) for row in rows}) > 1:
         wrong(f"{WHERE} has rows of {len(rows[0])} and of other numbers of heights; give rows of one length.")
 
 
-def _unpacked(raw: dict[str, Any]) -> Array:
+def _unpacked_map(raw: dict[str, Any]) -> Array:
     for key in raw:
         if key not in ("packed", "shape"):
             wrong(f"{WHERE}.{key} is not known; a packed map takes packed, shape.")
@@ -54,15 +54,15 @@ def _unpacked(raw: dict[str, Any]) -> Array:
     try:
         size = 8 * shape[0] * shape[1]
         stored = zlib.decompressobj().decompress(base64.b64decode(raw["packed"], validate=True), size + 1)
-        found: Array = np.frombuffer(stored, dtype="<f8").reshape(shape).astype(float)
+        heights: Array = np.frombuffer(stored, dtype="<f8").reshape(shape).astype(float)
     except (ValueError, TypeError, zlib.error):
         wrong(f"{WHERE}.packed is damaged, or does not fit its shape; it is written by winkler alone, give the file.")
-    return found
+    return heights
 
 
 def written_map(content: Array, unit: str) -> dict[str, Any]:
     """Return a map as a study file writes it: readable while it is small, packed otherwise."""
-    if content.size <= SMALL and np.all(np.isfinite(content)):
+    if content.size <= MOST_READABLE and np.all(np.isfinite(content)):
         return {"values": content.tolist(), "unit": unit}
     stored = zlib.compress(np.ascontiguousarray(content, dtype="<f8").tobytes(), 6)
     return {"packed": base64.b64encode(stored).decode("ascii"), "shape": list(content.shape)}
@@ -79,12 +79,12 @@ def counts(raw: Any, where: str = WHERE) -> tuple[int, int]:
 def pair(raw: Any, unit: str | None) -> Array:
     """Return two quantities; one stands for both."""
     try:
-        found = numbers(raw if isinstance(raw, list | dict) else [raw], unit)
+        heights = numbers(raw if isinstance(raw, list | dict) else [raw], unit)
     except PydanticCustomError as error:
         sentence = str((error.context or {})["sentence"])
         wrong(sentence if isinstance(raw, list | dict) else sentence.replace(f"{WHERE}[0]", WHERE))
-    if found.size == 1:
-        found = np.repeat(found, 2)
-    if found.size != 2:
-        wrong(f'{WHERE} has {found.size} entries; give two, such as ["1 mm", "1 mm"].')
-    return found
+    if heights.size == 1:
+        heights = np.repeat(heights, 2)
+    if heights.size != 2:
+        wrong(f'{WHERE} has {heights.size} entries; give two, such as ["1 mm", "1 mm"].')
+    return heights

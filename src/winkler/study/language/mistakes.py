@@ -1,4 +1,4 @@
-"""What is wrong with a study, in one sentence each: file, key, what it was, what is allowed, the nearest known word."""
+"""Error sentences about a study: file, key, its value, what is allowed, the nearest allowed word."""
 
 from __future__ import annotations
 
@@ -10,43 +10,43 @@ from pydantic import ValidationError
 from winkler.errors import InvalidInput, nearest, suggest
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.grammar import SECTIONS, section_keys
-from winkler.study.language.kind_of_table import shown
+from winkler.study.language.kind_of_table import value_text
 from winkler.study.language.quantities import WHERE, sample, unit_of
 from winkler.study.language.schema import form
 from winkler.vocabulary import word
 
-__all__ = ["MANY", "sentences", "worded"]
+__all__ = ["MOST_SENTENCES", "sentences", "worded"]
 
-MANY = 10
-"""So many sentences are shown at most."""
+MOST_SENTENCES = 10
+"""Most sentences that are shown."""
 
 
-def worded(file: str, found: list[str]) -> InvalidInput:
-    """Return the error for the sentences `found` about `file`."""
-    shown = [f"{file}: {sentence}" if file else sentence for sentence in found[:MANY]]
-    if len(found) > MANY:
-        shown.append(f"{len(found) - MANY} more mistakes are not shown.")
-    return InvalidInput("\n".join(shown))
+def worded(file: str, reasons: list[str]) -> InvalidInput:
+    """Return the error with the sentences `reasons` about `file`."""
+    lines = [f"{file}: {sentence}" if file else sentence for sentence in reasons[:MOST_SENTENCES]]
+    if len(reasons) > MOST_SENTENCES:
+        lines.append(f"{len(reasons) - MOST_SENTENCES} more mistakes are not shown.")
+    return InvalidInput("\n".join(lines))
 
 
 def sentences(error: ValidationError, raw: Any, root: str = "") -> list[str]:
     """Return one sentence for every mistake that pydantic found in `raw`.
 
-    With a `root`, `raw` is ``{"content": ...}``, and what stands there is named by that key.
+    With a `root`, `raw` is ``{"content": ...}``, and its content is named by that key.
     """
-    found: dict[str, str] = {}
+    by_key: dict[str, str] = {}
     misspelt: set[str] = set()
     for mistake in sorted(error.errors(include_url=False), key=lambda mistake: mistake["type"] == "missing"):
         path, table = _place(mistake["loc"], raw)
         key = _joined([root, *path[1:]] if root else path) or "the study"
-        if len(found) >= MANY:  # counted, never shown: each sentence costs a search for the nearest word
-            found.setdefault(key, "")
+        if len(by_key) >= MOST_SENTENCES:  # counted only, since each sentence costs a search for the nearest word
+            by_key.setdefault(key, "")
             continue
         if mistake["type"] == "extra_forbidden":
             misspelt.add(f"{_parent(key)}.{nearest(str(path[-1]), _allowed(key, table))}")
         if mistake["type"] != "missing" or f"{_parent(key)}.{path[-1]}" not in misspelt:
-            found.setdefault(key, _sentence(mistake, key, path, table))
-    return list(found.values())
+            by_key.setdefault(key, _sentence(mistake, key, path, table))
+    return list(by_key.values())
 
 
 def _joined(path: list[Any]) -> str:
@@ -73,7 +73,7 @@ def _parent(key: str) -> str:
 def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
     given, context = mistake["input"], mistake.get("ctx", {})
     name = str(path[-1]) if path else ""
-    if _kindless(key) and isinstance(table, Mapping):  # a kind has no business there, and says nothing of the table
+    if _kindless(key) and isinstance(table, Mapping):  # a kind is not allowed there, and does not describe the table
         table = {word: content for word, content in table.items() if word != "kind"}
     owner = kinds().get(str(table.get("kind"))) if isinstance(table, Mapping) else None
     match mistake["type"]:
@@ -85,24 +85,24 @@ def _sentence(mistake: Any, key: str, path: list[Any], table: Any) -> str:
             return _missing(key, name, owner)
         case "literal_error":
             allowed = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
-            return f"{key} is {shown(given)}{suggest(str(given), allowed)}; give {' or '.join(allowed)}."
+            return f"{key} is {value_text(given)}{suggest(str(given), allowed)}; give {' or '.join(allowed)}."
         case "model_attributes_type" | "model_type" | "dict_type" | "dataclass_type":
-            return f"{key} is {shown(given)}, not a table; write it as {{ key = value, ... }} or as [{key}]."
+            return f"{key} is {value_text(given)}, not a table; write it as {{ key = value, ... }} or as [{key}]."
         case "list_type":
             right = f"with two brackets, as [[{key}]]" if isinstance(given, Mapping) else "as [ ..., ... ]"
-            return f"{key} is {shown(given)}, not a list; write it {right}."
+            return f"{key} is {value_text(given)}, not a list; write it {right}."
         case "string_type":
-            return f'{key} is {shown(given)}, not text; write it in quotes, as {name} = "...".'
+            return f'{key} is {value_text(given)}, not text; write it in quotes, as {name} = "...".'
         case "bool_type":
-            return f"{key} is {shown(given)}; give true or false."
+            return f"{key} is {value_text(given)}; give true or false."
         case "int_type":
-            return f"{key} is {shown(given)}; give a whole number."
+            return f"{key} is {value_text(given)}; give a whole number."
         case _:
-            return f"{key} is {shown(given)}: {mistake['msg']}."
+            return f"{key} is {value_text(given)}: {mistake['msg']}."
 
 
 def _kindless(key: str) -> bool:
-    """Return whether the table around a key is a section that is of no kind, such as [[expect]]."""
+    """Return whether the table around a key is a section without a kind, such as [[expect]]."""
     section = _parent(key).partition("[")[0]
     return section in SECTIONS and "kind" not in SECTIONS[section] and section != "problem"
 
@@ -122,10 +122,10 @@ def _allowed(key: str, table: Any) -> tuple[str, ...]:
 def _missing(key: str, name: str, owner: Any) -> str:
     where = _parent(key)
     if owner is None:
-        told_ = SECTIONS.get(where.partition("[")[0], {}).get(name, "")
-        return f"{where} has no '{name}'{f' ({told_.partition(chr(59))[0]})' if told_ else ''}; add it."
-    told = word(owner.cls.__name__, name)
+        meaning = SECTIONS.get(where.partition("[")[0], {}).get(name, "")
+        return f"{where} has no '{name}'{f' ({meaning.partition(chr(59))[0]})' if meaning else ''}; add it."
+    entry = word(owner.cls.__name__, name)
     unit = unit_of(owner.cls, name)
     such = owner.example.get(name)
     example = f', such as {name} = "{such if isinstance(such, str) else sample(unit)}"' if unit else ""
-    return f"{where} has no '{name}' ({told.meaning}); add it{example}."
+    return f"{where} has no '{name}' ({entry.meaning}); add it{example}."

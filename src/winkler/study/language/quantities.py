@@ -1,7 +1,7 @@
-"""Numbers as people write them in a study file: quantities, lists, ranges, and tables of named constants.
+"""Numbers of a study file: quantities, lists, ranges, and tables of named constants.
 
-Each function here takes what TOML gave for one key and returns SI numbers, or raises one sentence in which `WHERE`
-stands for the key.
+Each function takes the TOML value of one key and returns SI numbers, or raises one sentence in which `WHERE` stands
+for the key.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ __all__ = [
 WHERE = "\x00"
 """Stands for the path of the key in a sentence."""
 
-SAMPLES = {
+SAMPLE_QUANTITIES = {
     "m": "10 mm",
     "Pa": "210 GPa",
     "N": "10 N",
@@ -57,9 +57,9 @@ SAMPLES = {
     "J": "1 uJ",
     "J/m^2": "50 mJ/m^2",
 }
-"""What a quantity of each unit may look like, for hints and examples."""
+"""Sample quantity of each unit, for hints and examples."""
 
-RANGE = ("from", "to", "count", "spacing")
+RANGE_KEYS = ("from", "to", "count", "spacing")
 
 
 INDEXED: dict[tuple[str, str], Callable[[int], str]] = {
@@ -76,22 +76,22 @@ INFINITE = "infinite"
 
 
 def wrong(sentence: str, *key: str) -> NoReturn:
-    """Raise `sentence` about the value at hand, or about a `key` inside it."""
+    """Raise `sentence` about the value of the key, or about a `key` inside it."""
     raise PydanticCustomError("winkler", "{sentence}", {"sentence": sentence, "key": key})
 
 
 def sample(unit: str) -> str:
-    """Return what a quantity of `unit` may look like."""
-    return SAMPLES.get(unit, f"1 {unit}" if unit else "0.3")
+    """Return a sample quantity of `unit`."""
+    return SAMPLE_QUANTITIES.get(unit, f"1 {unit}" if unit else "0.3")
 
 
 def unit_of(owner: type, field: str) -> str | None:
-    """Return the unit of a field after the glossary; None if it is no quantity."""
+    """Return the unit of a field from the glossary; None if it is no quantity."""
     return word(owner.__name__, field).unit
 
 
 def endless(owner: type, field: str) -> bool:
-    """Return whether a number may be infinite, after its type."""
+    """Return whether a number may be infinite, from its type."""
     number = numbers_taken(owner, field)
     return number is not None and number.admits(math.inf)
 
@@ -156,11 +156,11 @@ def numbers(raw: Any, unit: str | None) -> Array:
         wrong(f'{WHERE} is {raw!r}; give a list, such as ["{one}"], or a range {{ from, to, count }}.')
     if not raw:
         wrong(f"{WHERE} is an empty list; give at least one quantity.")
-    return np.concatenate([_stretch(item, unit, f"[{place}]") for place, item in enumerate(raw)])
+    return np.concatenate([_entry(item, unit, f"[{place}]") for place, item in enumerate(raw)])
 
 
-def _stretch(raw: Any, unit: str | None, below: str) -> Array:
-    """Return one entry of a list, a quantity or a range of them: there and back takes two ranges."""
+def _entry(raw: Any, unit: str | None, below: str) -> Array:
+    """Return one entry of a list, a quantity or a range of them."""
     if not isinstance(raw, dict):
         return np.array([_inside(raw, unit, below)])
     try:
@@ -201,7 +201,7 @@ def _inside(raw: Any, unit: str | None, below: str) -> float:
         wrong(str((error.context or {})["sentence"]).replace(WHERE, WHERE + below))
 
 
-def _known_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str, ...], what: str) -> None:
+def _check_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str, ...], what: str) -> None:
     for key in raw:
         if key not in allowed:
             wrong(f"{WHERE}.{key} is not known{suggest(key, allowed)}; {what} takes {', '.join(allowed)}.")
@@ -211,7 +211,7 @@ def _known_keys(raw: dict[str, Any], allowed: tuple[str, ...], needed: tuple[str
 
 
 def _range(raw: dict[str, Any], unit: str | None) -> Array:
-    _known_keys(raw, RANGE, RANGE[:3], "a range")
+    _check_keys(raw, RANGE_KEYS, RANGE_KEYS[:3], "a range")
     first, last = (_inside(raw[key], unit, f".{key}") for key in ("from", "to"))
     count, spacing = raw["count"], raw.get("spacing", "linear")
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= 1_000_000:
@@ -225,30 +225,32 @@ def _range(raw: dict[str, Any], unit: str | None) -> Array:
             )
         return np.geomspace(first, last, count)
     values = np.linspace(first, last, count)
-    # a range across zero meets it, not the rounding of its steps
+    # a range across zero contains zero, not the rounding error of its steps
     return np.where(np.abs(values) < 1e-12 * np.ptp(values), 0.0, values)
 
 
 def _with_one_unit(raw: dict[str, Any], unit: str | None) -> Array:
-    _known_keys(raw, ("values", "unit"), ("values",) if not unit else ("values", "unit"), "a table of values")
-    values, given = raw["values"], raw.get("unit", "")
+    _check_keys(raw, ("values", "unit"), ("values",) if not unit else ("values", "unit"), "a table of values")
+    values, unit_name = raw["values"], raw.get("unit", "")
     if not isinstance(values, list) or not values:
         wrong(f"{WHERE}.values is {values!r}; give a list with at least one number.")
     for place, item in enumerate(values):
         if isinstance(item, bool) or not isinstance(item, int | float) or not np.isfinite(item):
             wrong(f"{WHERE}.values[{place}] is {item!r}; give finite numbers, their unit stands in unit.")
-    if not isinstance(given, str):
-        wrong(f'{WHERE}.unit is {given!r}; give a unit that fits {unit}, such as "{sample(unit or "").split()[-1]}".')
-    if given == unit:
+    if not isinstance(unit_name, str):
+        wrong(
+            f'{WHERE}.unit is {unit_name!r}; give a unit that fits {unit}, such as "{sample(unit or "").split()[-1]}".'
+        )
+    if unit_name == unit:
         return np.array(values, dtype=float)
-    texts = [f"{repr(float(item)).removesuffix('.0')} {given}".strip() for item in values]
+    texts = [f"{repr(float(item)).removesuffix('.0')} {unit_name}".strip() for item in values]
     return np.array([_inside(text, unit, f".values[{place}]") for place, text in enumerate(texts)])
 
 
 def indexed(raw: Any, units: Callable[[int], str]) -> Array:
     """Return a list of quantities where each has its own unit, ``units(place)``."""
     if isinstance(raw, dict):
-        _known_keys(raw, ("values", "unit"), ("values",), "a table of values")
+        _check_keys(raw, ("values", "unit"), ("values",), "a table of values")
         raw = raw["values"]
         if isinstance(raw, list) and all(isinstance(item, int | float) and not isinstance(item, bool) for item in raw):
             return np.array(raw, dtype=float)
@@ -269,22 +271,22 @@ def named(raw: Any) -> tuple[tuple[str, float], ...]:
     """Return a table of named constants, each a number or a quantity of any dimension, in SI units."""
     if not isinstance(raw, dict):
         wrong(f'{WHERE} is {raw!r}; give a table of named constants, such as {{ R = "10 mm" }}.')
-    found = []
+    constants = []
     for name, item in raw.items():
         if isinstance(item, str):
             try:
-                found.append((name, to_si(item, what=f"{WHERE}.{name}")))
+                constants.append((name, to_si(item, what=f"{WHERE}.{name}")))
             except InvalidInput as error:
                 wrong(str(error))
         else:
-            found.append((name, _inside(item, "", f".{name}")))
-    return tuple(found)
+            constants.append((name, _inside(item, "", f".{name}")))
+    return tuple(constants)
 
 
 def either_file_or(
     raw: Any, *, required: list[str], others: list[str], options: tuple[str, ...], alone: tuple[str, ...]
 ) -> Any:
-    """Refuse a table with a file and with keys that the file stands for, or with neither.
+    """Refuse a table with a file and with keys that the file replaces, or with neither.
 
     Parameters
     ----------
@@ -293,7 +295,7 @@ def either_file_or(
     required, others
         Keys of the class that must be given, and those that may.
     options
-        What the reader of the file takes.
+        Options of the reader of the file.
     alone
         Those of them that are no keys of the class.
     """
@@ -306,11 +308,11 @@ def either_file_or(
             wrong(f"{WHERE} has both file and {given[0]}; give the file, or {listed}.")
         for key in others:
             if key in raw and key not in options:
-                wrong(f"{WHERE} has both file and {key}, which the file tells; leave one of them out.")
+                wrong(f"{WHERE} has both file and {key}, which the file states; leave one of them out.")
         return raw
     for key in alone:
         if key in raw:
-            wrong(f"{WHERE}.{key} tells how a file is read, but there is no file; leave it out.")
+            wrong(f"{WHERE}.{key} states how a file is read, but there is no file; leave it out.")
     if len(given) < len(required):
         missing = next(key for key in required if key not in raw)
         wrong(f"{WHERE} has no '{missing}'; give {listed}, or a file.")

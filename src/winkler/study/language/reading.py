@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.errors import InvalidInput, WinklerError
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.io.text_file import content_of
 from winkler.limits import STUDY_BYTES, STUDY_MARKS
 from winkler.study.language import axes
@@ -26,13 +26,15 @@ if TYPE_CHECKING:
 
 __all__ = ["parse_study", "parsed", "read_study", "read_text", "study_text"]
 
-DEEPEST = 50
+MOST_LEVELS = 50
 """Levels of tables and lists within each other."""
-DOTTED = re.compile(rf"(?<![\w.-])(?:(?:[\w-]++|\"[^\"\n]*+\"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{DEEPEST}}}", re.ASCII)
-"""A key of more parts; TOML is read in a time that grows with the square of their number."""
-SEPARATING = (",", "=", "\n", "[", "{", "\\")
-SPACES = 20
-"""So many spaces cost the time of one entry."""
+DEEP_KEY = re.compile(
+    rf"(?<![\w.-])(?:(?:[\w-]++|\"[^\"\n]*+\"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{MOST_LEVELS}}}", re.ASCII
+)
+"""A key of more parts; the time to parse TOML grows with the square of their number."""
+SEPARATORS = (",", "=", "\n", "[", "{", "\\")
+SPACES_PER_ENTRY = 20
+"""Spaces that cost the parsing time of one entry."""
 
 
 def read_study(path: str | Path) -> Study:
@@ -50,7 +52,7 @@ def read_study(path: str | Path) -> Study:
     Raises
     ------
     InvalidInput
-        With one sentence for every mistake: file, key, what it was, what is allowed.
+        With one sentence for every mistake: file, key, its value, what is allowed.
     """
     path = Path(path)
     return parse_study(read_text(path), file=path.name, folder=path.parent)
@@ -66,21 +68,21 @@ def read_text(path: Path) -> str:
     """
     try:
         if path.is_dir():
-            raise InvalidInput(f"{shown(path)} is a folder; give a study file in it.")
+            raise InvalidInput(f"{path_text(path)} is a folder; give a study file in it.")
         if not path.exists():
             near = sorted(item.name for item in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
             others = f"; there are {', '.join(near)}" if near else ""
             raise InvalidInput(
-                f"{shown(path)}: there is no such file{others}; `winkler new indentation` writes one."
+                f"{path_text(path)}: there is no such file{others}; `winkler new indentation` writes one."
             ) from None
         if not path.is_file():
-            raise InvalidInput(f"{shown(path)}: this is not a file with contents; give a study file.")
+            raise InvalidInput(f"{path_text(path)}: this is not a file with contents; give a study file.")
         return content_of(path, STUDY_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InvalidInput(f"{path}: byte {error.start} is not UTF-8; save the study as UTF-8 text.") from None
     except OSError as error:
         raise InvalidInput(
-            f"{shown(path)}: cannot be read ({error.strerror or error}); give a readable study file."
+            f"{path_text(path)}: cannot be read ({error.strerror or error}); give a readable study file."
         ) from None
 
 
@@ -108,7 +110,7 @@ def parse_study(text: str, *, file: str = "", folder: Path = Path()) -> Study:
     if "function" in raw:
         command = f"winkler validate {file}" if file else "winkler validate"
         raise InvalidInput(
-            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{command}` judges it."
+            f"{_at(file)}the study has a section [function]: it is a case of the ledger; `{command}` runs it."
         )
     return _study(raw, file, folder)
 
@@ -121,13 +123,13 @@ def parsed(text: str, file: str) -> dict[str, Any]:
     InvalidInput
         If it is not TOML, or empty.
     """
-    marks = sum(map(text.count, SEPARATING)) + text.count(" ") // SPACES
+    marks = sum(map(text.count, SEPARATORS)) + text.count(" ") // SPACES_PER_ENTRY
     if marks > STUDY_MARKS:
         raise InvalidInput(
             f"{_at(file)}the study has more than {STUDY_MARKS} entries; put long lists into a table, and name its file."
         )
-    if DOTTED.search(text):
-        raise InvalidInput(f"{_at(file)}a key has more than {DEEPEST} parts; a study needs about ten levels.")
+    if DEEP_KEY.search(text):
+        raise InvalidInput(f"{_at(file)}a key has more than {MOST_LEVELS} parts; a study needs about ten levels.")
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -136,8 +138,8 @@ def parsed(text: str, file: str) -> dict[str, Any]:
         raise InvalidInput(f"{_at(file)}a number has thousands of digits; write it as 1e9.") from None
     except RecursionError:
         raise InvalidInput(f"{_at(file)}tables or lists are nested too deep; a study needs about ten levels.") from None
-    if _deep(raw):
-        raise InvalidInput(f"{_at(file)}tables or lists are nested more than {DEEPEST} deep; write it more simply.")
+    if _too_deep(raw):
+        raise InvalidInput(f"{_at(file)}tables or lists are nested more than {MOST_LEVELS} deep; write it more simply.")
     if controlled := next(_controlled(raw), ""):
         raise InvalidInput(
             f"{_at(file)}the text {controlled!a:.60} holds a control character; leave it out, only line breaks and "
@@ -150,10 +152,10 @@ def parsed(text: str, file: str) -> dict[str, Any]:
     return raw
 
 
-def _deep(content: Any) -> bool:
-    """Return whether anything is nested deeper than a study needs."""
+def _too_deep(content: Any) -> bool:
+    """Return whether a table or list is nested deeper than a study needs."""
     level = [content]
-    for _ in range(DEEPEST):
+    for _ in range(MOST_LEVELS):
         level = [
             inner
             for outer in level
@@ -215,8 +217,8 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
                 axes.line(key, values, problem, design, file=file, folder=folder) for key, values in form.sweep.items()
             ),
             design=design,
-            fields=Fields() if form.fields is MISSING else Fields(**_given(form.fields)),
-            output=Output() if form.output is MISSING else Output(**_given(form.output)),
+            fields=Fields() if form.fields is MISSING else Fields(**_stated(form.fields)),
+            output=Output() if form.output is MISSING else Output(**_stated(form.output)),
             expect=tuple(expect),
             source=form.source,
             grade=form.grade,
@@ -227,7 +229,7 @@ def _study(raw: dict[str, Any], file: str, folder: Path) -> Study:
         raise type(error)(f"{_at(file)}{error}") from None
 
 
-def _given(form: BaseModel) -> dict[str, Any]:
+def _stated(form: BaseModel) -> dict[str, Any]:
     from winkler.study.language.schema import MISSING
 
     return {name: content for name, content in form if content is not MISSING}
@@ -250,8 +252,8 @@ def study_text(study: Study) -> str:
     text = tomli_w.dumps(table) + _sweep(study)
     table = {}
     if study.fields != Fields():
-        asked = (("r", study.fields.r), ("z", study.fields.z))
-        table["fields"] = {name: _places(places) for name, places in asked if places.values.size}
+        grids = (("r", study.fields.r), ("z", study.fields.z))
+        table["fields"] = {name: _places(places) for name, places in grids if places.values.size}
     if study.output != Output():
         table["output"] = _output(study.output)
     return f"{text}\n{tomli_w.dumps(table)}" if table else text

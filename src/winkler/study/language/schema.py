@@ -1,8 +1,8 @@
-"""Input models, derived from the dataclasses: what a study file may say, key by key.
+"""Input models, derived from the dataclasses: the keys that a study file may have.
 
 Every class of the catalogue becomes a pydantic model with the same keys and a ``kind``; extra keys are forbidden.  A
-float becomes a quantity in the glossary's unit, a contract any of the kinds that fulfil it.  The model of a kind is
-made when a table first names the kind.  The models only check and convert; the plain dataclasses are made from them
+float becomes a quantity in the glossary's unit, a protocol any of the kinds that fulfil it.  The model of a kind is
+created when a table first names the kind.  The models only check and convert; the plain dataclasses are made from them
 in `winkler.study.language.build`.
 """
 
@@ -32,7 +32,7 @@ from winkler.numerics.types import Array
 from winkler.study.chapters.kind import path_of
 from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
-from winkler.study.language.kind_of_table import refuse
+from winkler.study.language.kind_of_table import refuse_kind
 
 __all__ = [
     "FORBID",
@@ -58,19 +58,19 @@ def _checked(convert: Callable[[Any], Any]) -> Any:
 
 
 def choice(hint: Any) -> Any:
-    """Return what checks a table of one of the kinds that may stand where a class asks for `hint`."""
+    """Return the validator of a table of one of the kinds that are allowed for the type `hint`."""
     return _checked(functools.partial(_chosen, hint=hint))
 
 
 def _chosen(raw: Any, hint: Any) -> BaseModel:
     tag = raw.get("kind") if isinstance(raw, Mapping) else None
     if not (isinstance(tag, str) and tag in kinds() and _may_stand(tag, hint)):
-        refuse(raw, allowed_kinds(hint))
+        refuse_kind(raw, allowed_kinds(hint))
     return form(tag).model_validate(raw)
 
 
 def annotation(owner: type, field: str, hint: Any) -> Any:
-    """Return what pydantic checks the key `field` of `owner` by; `hint` is its type in the class.
+    """Return the annotation by which pydantic checks the key `field` of `owner`; `hint` is its type in the class.
 
     Raises
     ------
@@ -110,7 +110,7 @@ def annotation(owner: type, field: str, hint: Any) -> Any:
 
 
 def allowed_kinds(hint: Any) -> tuple[str, ...]:
-    """Return the kinds that may stand where a class asks for `hint`; none if it does not ask for one.
+    """Return the kinds that are allowed for the type `hint`; none if it is no type of kinds.
 
     A `hint` that is a text is the name of a slot.
     """
@@ -123,7 +123,7 @@ def allowed_kinds(hint: Any) -> tuple[str, ...]:
 
 
 def _may_stand(name: str, hint: Any) -> bool:
-    """Return whether one kind may stand where a class asks for `hint`; no other kind is loaded for it."""
+    """Return whether a kind is allowed for the type `hint`; no other kind is loaded for it."""
     if isinstance(hint, str) or hint in SLOTS:
         return name in CATALOGUE[SLOTS.get(hint, hint)]
     if typing.get_origin(hint) in (Union, types.UnionType):
@@ -138,7 +138,7 @@ def _kinds_of(cls: type) -> tuple[str, ...]:
 
 
 def allowed_in_list(hint: Any) -> tuple[str, ...]:
-    """Return the kinds that may stand in a list where a class asks for ``tuple[X, ...]``; none if it does not."""
+    """Return the kinds that are allowed in a list for the type ``tuple[X, ...]``; none for other types."""
     inner = typing.get_args(hint)
     listed = typing.get_origin(hint) is tuple and len(inner) == 2 and inner[1] is Ellipsis
     return allowed_kinds(inner[0]) if listed else ()
@@ -147,16 +147,16 @@ def allowed_in_list(hint: Any) -> tuple[str, ...]:
 @functools.cache
 def hints(owner: type) -> dict[str, Any]:
     """Return field -> type of a dataclass, in the order of its fields."""
-    known = typing.get_type_hints(owner)
-    return {field.name: known[field.name] for field in dataclasses.fields(owner) if field.init}
+    hint_of = typing.get_type_hints(owner)
+    return {field.name: hint_of[field.name] for field in dataclasses.fields(owner) if field.init}
 
 
 def options(line: Kind) -> dict[str, Any]:
-    """Return name -> type of what a kind's reader takes beside the file: its keyword-only arguments."""
+    """Return name -> type of the options of a kind's reader: its keyword-only arguments."""
     if line.reader is None:
         return {}
-    known, types_ = inspect.signature(line.reader).parameters.values(), typing.get_type_hints(line.reader)
-    return {item.name: types_[item.name] for item in known if item.kind is inspect.Parameter.KEYWORD_ONLY}
+    arguments, types_ = inspect.signature(line.reader).parameters.values(), typing.get_type_hints(line.reader)
+    return {item.name: types_[item.name] for item in arguments if item.kind is inspect.Parameter.KEYWORD_ONLY}
 
 
 def _model(name: str, line: Kind) -> type[BaseModel]:
@@ -198,11 +198,11 @@ def _adapter(shape: Any) -> TypeAdapter[Any]:
 
 @functools.cache
 def slot_adapter(slot: str) -> TypeAdapter[Any]:
-    """Return what checks ``{"content": table}`` where the table is any kind of `slot`."""
+    """Return the validator of ``{"content": table}`` where the table is any kind of `slot`."""
     return _adapter(choice(slot))
 
 
 @functools.cache
 def adapter(owner: type, field: str, hint: Any) -> TypeAdapter[Any]:
-    """Return what checks ``{"content": x}`` where x of the type `hint` stands at the key `field` of `owner`."""
+    """Return the validator of ``{"content": x}`` where x of the type `hint` is the key `field` of `owner`."""
     return _adapter(annotation(owner, field, hint))

@@ -1,9 +1,9 @@
-"""``segments`` of ``[fit]``: where the curve is loaded, held and unloaded, stated in place of what is found.
+"""``segments`` of ``[fit]``: the segments of a curve, stated instead of detected.
 
 ::
 
     segments = ["loading 0 s", "hold 12 s", "unloading 17 s"]    # times, or numbers of points: "hold 1200"
-    segments = "found"                                          # by the curve itself, whatever the file says
+    segments = "found"                                          # detected from the curve, whatever the file states
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from winkler.fitting.curves.segments import SegmentKind
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.units import quantity
 
-__all__ = ["FOUND", "segmented", "segments_told", "stated_segments"]
+__all__ = ["FOUND", "segmented", "segments_text", "stated_segments"]
 
 FOUND = "found"
 EXAMPLE = '["loading 0 s", "hold 12 s", "unloading 17 s"]'
-MOST_TOLD = 12
+MOST_LISTED = 12
 
 
 def stated_segments(raw: Any) -> tuple[str, ...]:
@@ -76,13 +76,13 @@ def _parts(text: str) -> tuple[str, str]:
     raise InvalidInput(f"fit.segments: '{text}' has no beginning; give a list such as {EXAMPLE}.")
 
 
-def segments_told(curve: ForceCurve) -> tuple[str, ...]:
-    """Return a sentence about the segments of a curve that is more than one way in and one way out."""
+def segments_text(curve: ForceCurve) -> tuple[str, ...]:
+    """Return a sentence about the segments of a curve that is more than one loading and one unloading."""
     parts = curve.segments
     kinds = [part.kind for part in parts]
     plain = ([SegmentKind.LOADING], [SegmentKind.LAST_UNLOADING], [SegmentKind.LOADING, SegmentKind.LAST_UNLOADING])
     if kinds in plain:
         return ()
-    said = [f"{part.kind.value} ({part.first} to {part.last})" for part in parts[:MOST_TOLD]]
-    more = f" and {len(parts) - MOST_TOLD} more" if len(parts) > MOST_TOLD else ""
-    return (f"segments: by the numbers of their points, {', '.join(said)}{more}.",)
+    listed = [f"{part.kind.value} ({part.first} to {part.last})" for part in parts[:MOST_LISTED]]
+    more = f" and {len(parts) - MOST_LISTED} more" if len(parts) > MOST_LISTED else ""
+    return (f"segments: by the numbers of their points, {', '.join(listed)}{more}.",)

@@ -1,8 +1,8 @@
 """A study: a problem in a text file, with what to vary, what to restore, what to write and what to expect.
 
 A study is a value like everything else: read from TOML (`winkler.study.language.reading.read_study`), or made in
-Python, it runs to the same numbers.  ``[sweep]`` varies keys of the problem, ``[fields]`` asks for pressures and
-stresses, ``[output]`` says what is written, ``[[expect]]`` what must come out.
+Python, it runs to the same numbers.  ``[sweep]`` varies keys of the problem, ``[fields]`` requests pressures and
+stresses, ``[output]`` states what is written, ``[[expect]]`` the expected numbers.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ PICTURES = ("svg", "png", "pdf")
 """Formats that figures can be written in."""
 
 GRADES = ("analytical", "cross-code", "independent implementation", "published table", "measured")
-"""How independent a literature case is of this package."""
+"""Grades of independence of a literature case."""
 
 
 @value
@@ -38,7 +38,7 @@ class Places:
     Parameters
     ----------
     values : ndarray, shape (n,)
-        Distances [m], or multiples of the contact radius if `relative`; empty: not asked for.
+        Distances [m], or multiples of the contact radius if `relative`; empty: none.
     relative
         Whether the values are multiples of the contact radius of each solution.
     """
@@ -55,12 +55,12 @@ class Places:
 
 @value
 class Fields:
-    """What ``[fields]`` asks for: fields on the surface at `r`, and below it on the grid of `r` and `z`.
+    """The fields of ``[fields]``: on the surface at `r`, and below it on the grid of `r` and `z`.
 
     Parameters
     ----------
     r
-        Distances from the axis, not negative; empty if no fields are asked for.
+        Distances from the axis, not negative; empty for no fields.
     z
         Depths below the surface, positive in the first body, negative in the second; empty for surface fields only.
     """
@@ -80,7 +80,7 @@ class Fields:
 
 @value
 class Output:
-    """What ``[output]`` says about the results.
+    """The output of ``[output]``.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ class Output:
 
 
 def named(quantity: str) -> str:
-    """Return the word of the glossary at the end of a path; numbers behind it are places among many answers.
+    """Return the glossary name at the end of a path; numbers behind it are indices among many answers.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def named(quantity: str) -> str:
 
 @value
 class Expectation:
-    """One ``[[expect]]``: a number that must come out.
+    """One ``[[expect]]``: an expected number.
 
     Parameters
     ----------
@@ -161,24 +161,24 @@ class Expectation:
 
 @value
 class Study:
-    """A problem, and what to do with it.
+    """A problem with its sweep, fields, output and expected numbers.
 
     Parameters
     ----------
     title
         One line for tables, figures and the report.
     problem
-        What is asked: a value with a method ``solve()``.
+        The problem: a value with a method ``solve()``.
     sweep
         The keys that vary.
     design
-        Which points are solved: every combination, unless it says otherwise.
+        Choice of the points: every combination by default.
     fields
         Where fields are restored.
     output
-        What is written.
+        Files that are written.
     expect
-        What must come out; checked at every point of the study.
+        Expected numbers; compared at every point of the study.
     source, grade
         Of a literature case: where the expected numbers come from, and how independent they are (analytical,
         cross-code, published table, measured).

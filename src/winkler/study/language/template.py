@@ -12,9 +12,9 @@ from winkler.study.language.schema import hints
 
 __all__ = ["example_text", "inline", "template", "whole_text"]
 
-WIDTH = 44
+COMMENT_COLUMN = 44
 
-SWEEP = {
+SWEEP_LINES = {
     "force": '"problem.load.force" = { from = "1 N", to = "100 N", count = 9, spacing = "log" }',
     "depth": '"problem.load.depth" = { from = "1 um", to = "5 um", count = 9 }',
     "law": '"problem.law.work" = ["20 mJ/m^2", "50 mJ/m^2", "100 mJ/m^2"]',
@@ -22,13 +22,13 @@ SWEEP = {
     "radius": '"problem.load.radius" = { from = "0.02 mm", to = "0.1 mm", count = 9 }',
 }
 
-FIELDS = """
+FIELDS_SECTION = """
 # [fields]                                  # fields to restore, in lengths or in contact radii a
 # r = {{ from = "0 a", to = "3 a", count = 61 }}
 # z = {{ from = "0.05 a", to = "3 a", count = 41 }}  # below the surface; leave it out for surface fields only
 """
 
-OUTPUT = """
+OUTPUT_SECTION = """
 # [output]
 # folder = "results/{name}"
 # figures = ["svg"]
@@ -51,18 +51,18 @@ def inline(content: Any) -> str:
 
 def _comment(key: Key) -> str:
     unit = key.word.unit
-    told = " ".join(
+    label = " ".join(
         part for part in (plain_symbol(key.word.symbol), f"[{unit or '-'}]" if unit is not None else "") if part
     )
-    return f"{told}: {key.word.meaning}" if told else key.word.meaning
+    return f"{label}: {key.word.meaning}" if label else key.word.meaning
 
 
 def _line(text: str, comment: str) -> str:
-    return f"{text:<{WIDTH - 2}}  # {comment}" if comment else text
+    return f"{text:<{COMMENT_COLUMN - 2}}  # {comment}" if comment else text
 
 
 def _heading(place: str) -> str:
-    """Return what stands above the table at a key; parts of lists have two brackets, and no number."""
+    """Return the heading of the table at a key; parts of lists have two brackets, and no number."""
     path = ".".join(part for part in place.split(".") if not part.isdecimal())
     return f"[[{path}]]" if place.rpartition(".")[2].isdecimal() else f"[{path}]"
 
@@ -112,10 +112,10 @@ def template(name: str, *, file: str = "study", **chosen: str) -> str:
         f"title = {inline(table['title'])}",
     ]
     tail = []
-    if varied in SWEEP:
-        tail = ["", "# [sweep]", f"# {SWEEP[varied]}"]
-        tail += [FIELDS.rstrip("\n").format()] if "load" in used else []  # only one load has fields to restore
-        tail += [OUTPUT.format(name=file).rstrip("\n")]
+    if varied in SWEEP_LINES:
+        tail = ["", "# [sweep]", f"# {SWEEP_LINES[varied]}"]
+        tail += [FIELDS_SECTION.rstrip("\n").format()] if "load" in used else []  # only one load has fields to restore
+        tail += [OUTPUT_SECTION.format(name=file).rstrip("\n")]
     return "\n".join([*head, *_section("problem", used), *tail]) + "\n"
 
 
@@ -128,8 +128,8 @@ def whole_text(name: str) -> str:
 def example_text(name: str) -> str:
     """Return the part of a study file that describes an example of a kind."""
     place, study = place_of(name), example_study(name)
-    held, _, last = place.rpartition(".")
-    places = [f"{held}.{number}" for number in range(int(last) + 1)] if last.isdecimal() else [place]
-    lines = [line for one in places for line in _section(one, table_at(study, one))]  # a step goes on from others
+    parent, _, last = place.rpartition(".")
+    places = [f"{parent}.{number}" for number in range(int(last) + 1)] if last.isdecimal() else [place]
+    lines = [line for one in places for line in _section(one, table_at(study, one))]  # a step follows others
     title = [f'title = "{name.replace("_", " ")}"'] if slot_of(name) == "problem" else []
     return "\n".join([*title, *lines]).strip() + "\n"

@@ -14,7 +14,7 @@ from winkler.values import value
 __all__ = ["SCALES", "Axis", "Range"]
 
 SCALES = ("linear", "log")
-"""How a range is covered evenly."""
+"""Scales on which a range is covered evenly."""
 
 
 def _checked(key: str) -> None:
@@ -32,7 +32,7 @@ class Axis:
         Path of the key, from ``problem`` on, with dots: ``problem.load.force``; a part of a list is named by its
         number, from zero: ``problem.bed.profile.parts.1.amplitude``.
     values
-        What stands there in turn: SI numbers for quantities, otherwise whatever the key takes (a profile, a load).
+        Its values in turn: SI numbers for quantities, else the values that the key takes (a profile, a load).
     """
 
     key: str
@@ -51,7 +51,7 @@ class Axis:
         return all(isinstance(item, int | float) for item in self.values)
 
     def spread(self, shares: Array) -> Axis:
-        """Return the axis of what stands at `shares` from zero to one: every value has an equal part of it."""
+        """Return the axis of the values at `shares` from zero to one: every value has an equal part."""
         count = len(self.values)
         places = np.minimum((shares * count).astype(int), count - 1)
         return Axis(self.key, tuple(self.values[place] for place in places))
@@ -95,9 +95,9 @@ class Range:
             )
 
     def spread(self, shares: Array) -> Axis:
-        """Return the axis of what stands at `shares` from zero to one of the range."""
+        """Return the axis of the numbers at `shares` from zero to one of the range."""
         if self.scale == "log":
-            found = self.start * (self.stop / self.start) ** shares
+            numbers = self.start * (self.stop / self.start) ** shares
         else:
-            found = self.start + (self.stop - self.start) * shares
-        return Axis(self.key, tuple(found.tolist()))
+            numbers = self.start + (self.stop - self.start) * shares
+        return Axis(self.key, tuple(numbers.tolist()))

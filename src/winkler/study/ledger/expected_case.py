@@ -1,4 +1,4 @@
-"""The ``[[expect]]`` of a case that is no study: read alone, beside what is fitted or which function is asked."""
+"""The ``[[expect]]`` of a case that is no plain study: of a fit, or of a function."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from winkler.study.language.study import Expectation
 
 __all__ = ["expectations"]
 
-SHOWN = ("unit", "scale", *grammar.PLACE)
+OPTIONAL_KEYS = ("unit", "scale", *grammar.PLACE_KEYS)
 """Keys of ``[[expect]]`` that may be left out."""
 
 
@@ -30,9 +30,9 @@ def expectations(items: Any, file: str) -> tuple[Expectation, ...]:
 
 def _expectation(item: dict[str, Any], file: str) -> Expectation:
     try:
-        return grammar.expectation(dict.fromkeys(SHOWN, MISSING) | item)
+        return grammar.expectation(dict.fromkeys(OPTIONAL_KEYS, MISSING) | item)
     except KeyError as error:
         raise InvalidInput(f"{file}: expect needs {error.args[0]}; add it.") from None
     except InvalidInput as error:
-        told = str(error).removeprefix("expect: ")
-        raise InvalidInput(f"{file}: expect: {told}") from None
+        sentence = str(error).removeprefix("expect: ")
+        raise InvalidInput(f"{file}: expect: {sentence}") from None

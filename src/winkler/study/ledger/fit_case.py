@@ -1,4 +1,4 @@
-"""Literature cases that fit a curve: a study with ``[fit]``, and ``[[expect]]`` for what it must tell.
+"""Literature cases that fit a curve: a study with ``[fit]``, and ``[[expect]]`` for its fitted numbers.
 
 The quantity of an expectation is the key of a free number, ``problem.bed.medium.first.young``.
 """
@@ -25,7 +25,7 @@ __all__ = ["FitCase", "fit_verdicts", "is_fit", "read_fit_case"]
 
 
 class FitCase(NamedTuple):
-    """A study with ``[fit]``, where its expected numbers come from, and these."""
+    """A study with ``[fit]``, its expected numbers, and their source."""
 
     study: FitStudy
     source: str
@@ -50,19 +50,19 @@ def read_fit_case(path: Path) -> FitCase:
 
     raw = parsed(read_text(path), path.name)
     source, grade = str(raw.pop("source", "")), str(raw.pop("grade", ""))
-    asked = expectations(raw.pop("expect", []), path.name)
+    expected = expectations(raw.pop("expect", []), path.name)
     study = parse_fit_study(tomli_w.dumps(raw), file=path.name, folder=path.parent)
     free = [line.key for line in study.free]
-    for item in asked:
+    for item in expected:
         if item.quantity not in free:
             raise InvalidInput(
                 f"{path.name}: expect asks for '{item.quantity}', which is not free; give one of {', '.join(free)}."
             )
-    return FitCase(study, source, grade, asked)
+    return FitCase(study, source, grade, expected)
 
 
 def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
-    """Return the verdicts on what the fits of a case told, curve by curve.
+    """Return the verdicts on the fitted numbers of a case, curve by curve.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def fit_verdicts(case: FitCase) -> tuple[Verdict, ...]:
     paths = {line.key: line.path for line in case.study.free}
     verdicts = []
     for place, result in enumerate(fit_study(case.study).results):
-        for asked in case.expect:
-            got = result.fit.value(paths[asked.quantity]) if isinstance(result, Fitted) else np.nan
-            verdicts.append(Verdict((place,), asked, got, deviation(got, asked)))
+        for item in case.expect:
+            got = result.fit.value(paths[item.quantity]) if isinstance(result, Fitted) else np.nan
+            verdicts.append(Verdict((place,), item, got, deviation(got, item)))
     return tuple(verdicts)

@@ -1,6 +1,6 @@
-"""Cases of the ledger that ask no problem but a function: ``[function]``, and ``[[expect]]`` for what it answers.
+"""Cases of the ledger that evaluate a function: ``[function]``, and ``[[expect]]`` for its value.
 
-Coefficients of a table are no answer of a problem, and still have numbers that were published:
+Coefficients of a table are no solution of a problem, but have published numbers:
 
 .. code-block:: toml
 
@@ -36,11 +36,11 @@ from winkler.study.ledger.functions import FUNCTIONS, Function
 
 __all__ = ["FunctionCase", "function_verdicts", "is_function", "read_function_case"]
 
-KNOWN = ("title", "source", "grade", "function", "expect")
+CASE_KEYS = ("title", "source", "grade", "function", "expect")
 
 
 class FunctionCase(NamedTuple):
-    """A function of the list, its arguments [SI], and what it must answer."""
+    """A function of the list, its arguments [SI], and its expected values."""
 
     title: str
     source: str
@@ -51,7 +51,7 @@ class FunctionCase(NamedTuple):
 
 
 def is_function(path: Path) -> bool:
-    """Return whether a case asks a function."""
+    """Return whether a case evaluates a function."""
     return "function" in parsed(read_text(path), path.name)
 
 
@@ -61,15 +61,15 @@ def read_function_case(path: Path) -> FunctionCase:
     Raises
     ------
     InvalidInput
-        If the function is none of the list, an argument is missing, unknown or of the wrong unit, or the case asks for
-        anything but what the function answers.
+        If the function is none of the list, an argument is missing, unknown or of the wrong unit, or the case expects
+        another quantity than that of the function.
     """
     raw = parsed(read_text(path), path.name)
     for key in raw:
-        if key not in KNOWN:
+        if key not in CASE_KEYS:
             raise InvalidInput(
-                f"{path.name}: {key} is not known{suggest(key, KNOWN)}; a case with [function] takes "
-                f"{', '.join(KNOWN)}."
+                f"{path.name}: {key} is not known{suggest(key, CASE_KEYS)}; a case with [function] takes "
+                f"{', '.join(CASE_KEYS)}."
             )
     table = raw["function"] if isinstance(raw["function"], dict) else {}
     name = str(table.get("name", ""))
@@ -86,27 +86,27 @@ def read_function_case(path: Path) -> FunctionCase:
                 f"{', '.join(function.units)}."
             )
     arguments = {key: _number(path.name, key, given[key], unit) for key, unit in function.units.items()}
-    asked = expectations(raw.get("expect", []), path.name)
-    for item in asked:
+    expected = expectations(raw.get("expect", []), path.name)
+    for item in expected:
         if item.quantity != function.answer or item.place:
             raise InvalidInput(
                 f"{path.name}: expect asks for '{item.quantity}'; {name} answers with {function.answer}, at no place."
             )
-    told = {key: str(raw.get(key, "")) for key in ("title", "source", "grade")}
-    return FunctionCase(**told, function=function, arguments=arguments, expect=asked)
+    texts = {key: str(raw.get(key, "")) for key in ("title", "source", "grade")}
+    return FunctionCase(**texts, function=function, arguments=arguments, expect=expected)
 
 
 def _number(file: str, key: str, raw: Any, unit: str) -> Quantity:
     try:
-        found: Quantity = quantities.number_or_numbers(raw, unit)
+        number: Quantity = quantities.number_or_numbers(raw, unit)
     except PydanticCustomError as error:
-        told = str((error.context or {})["sentence"]).replace(WHERE, f"function.{key}")
-        raise InvalidInput(f"{file}: {told}") from None
-    return found
+        sentence = str((error.context or {})["sentence"]).replace(WHERE, f"function.{key}")
+        raise InvalidInput(f"{file}: {sentence}") from None
+    return number
 
 
 def function_verdicts(case: FunctionCase) -> tuple[Verdict, ...]:
-    """Return the verdicts on what a function answers.
+    """Return the verdicts on the value of a function.
 
     Raises
     ------
@@ -116,5 +116,5 @@ def function_verdicts(case: FunctionCase) -> tuple[Verdict, ...]:
     function = case.function
     result = function.call(**case.arguments)
     got = np.asarray(getattr(result, function.part) if function.part else result, dtype=float)
-    found: Quantity = float(got) if got.ndim == 0 else got
-    return tuple(Verdict((), asked, found, deviation(found, asked)) for asked in case.expect)
+    number: Quantity = float(got) if got.ndim == 0 else got
+    return tuple(Verdict((), expected, number, deviation(number, expected)) for expected in case.expect)

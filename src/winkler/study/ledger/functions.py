@@ -1,6 +1,6 @@
-"""The functions that a case of the ledger may name: a closed list, each with what it takes and what it answers.
+"""The functions that a case of the ledger may name: a closed list, each with its arguments and its quantity.
 
-Coefficients that no problem answers with have their numbers judged by ``[function]``.
+Coefficients that are no solution of a problem are compared by ``[function]``.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ class Function(NamedTuple):
     physics: str
     """The chapter of the ledger."""
     answer: str
-    """The word of the glossary for what is answered."""
+    """The glossary entry of its value."""
     units: Mapping[str, str]
     """Every argument and its unit."""
     part: str = ""
-    """Which attribute of the result is meant; empty if it is the number itself."""
+    """Attribute of the result that is compared; empty if it is the number itself."""
 
 
-FOUR_TERMS = {
+READING_ARGUMENTS = {
     "stiffness": "N/m",
     "force": "N",
     "depth": "m",
@@ -40,7 +40,7 @@ FOUR_TERMS = {
     "c2": "m^1.5",
     "c3": "m^1.75",
 }
-"""A stiffness, and the area function of the tip that found it."""
+"""Stiffness, load and depth, and the area function of the tip."""
 
 
 def _hardness(stiffness: float, force: float, depth: float, c0: float, c1: float, c2: float, c3: float) -> float:
@@ -57,7 +57,7 @@ def _young(
     return sample_young(pair, poisson, Elastic(indenter_young, indenter_poisson))
 
 
-KALKER = {"ratio": "", "poisson": ""}
+CREEP_ARGUMENTS = {"ratio": "", "poisson": ""}
 
 FUNCTIONS: dict[str, Function] = {
     "area_fraction": Function(
@@ -66,15 +66,17 @@ FUNCTIONS: dict[str, Function] = {
         "area_fraction",
         {"pressure": "Pa", "modulus": "Pa", "rms_slope": ""},
     ),
-    "contact_reading.hardness": Function(_hardness, "fits", "hardness", FOUR_TERMS),
+    "contact_reading.hardness": Function(_hardness, "fits", "hardness", READING_ARGUMENTS),
     "contact_reading.young": Function(
-        _young, "fits", "young", FOUR_TERMS | {"poisson": "", "indenter_young": "Pa", "indenter_poisson": ""}
+        _young, "fits", "young", READING_ARGUMENTS | {"poisson": "", "indenter_young": "Pa", "indenter_poisson": ""}
     ),
-    "creep_coefficients.lateral": Function(creep_coefficients, "rolling", "creep_coefficient", KALKER, "lateral"),
+    "creep_coefficients.lateral": Function(
+        creep_coefficients, "rolling", "creep_coefficient", CREEP_ARGUMENTS, "lateral"
+    ),
     "creep_coefficients.longitudinal": Function(
-        creep_coefficients, "rolling", "creep_coefficient", KALKER, "longitudinal"
+        creep_coefficients, "rolling", "creep_coefficient", CREEP_ARGUMENTS, "longitudinal"
     ),
-    "creep_coefficients.spin": Function(creep_coefficients, "rolling", "creep_coefficient", KALKER, "spin"),
+    "creep_coefficients.spin": Function(creep_coefficients, "rolling", "creep_coefficient", CREEP_ARGUMENTS, "spin"),
     "maugis_parameter": Function(
         maugis_parameter,
         "adhesion",
@@ -82,4 +84,4 @@ FUNCTIONS: dict[str, Function] = {
         {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "strength": "Pa"},
     ),
 }
-"""Name of a public function, with what of its answer is meant, and what there is to know of it."""
+"""Name of a public function, with the attribute of its result -> its entry."""

@@ -1,7 +1,7 @@
-"""The validation ledger: literature cases, run and judged.
+"""The validation ledger: literature cases, run and compared.
 
 A case is a study with ``[[expect]]``, a ``source`` and a ``grade``; those of the package lie in ``winkler/cases``.  A
-case with ``[fit]`` fits a curve, and expects what the curve must tell; one with ``[function]`` asks a function of a
+case with ``[fit]`` fits a curve, and expects its fitted numbers; one with ``[function]`` evaluates a function of a
 closed list.
 """
 
@@ -25,14 +25,14 @@ from winkler.study.ledger.function_case import FunctionCase, function_verdicts, 
 from winkler.study.ledger.physics import FITS, physics_of
 from winkler.values import value
 
-__all__ = ["CASES", "Entry", "case_files", "examined", "ledger", "remarks"]
+__all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "remarks", "run_case"]
 
 CASES = Path(__file__).parents[2] / "cases"
 """The folder of the cases that come with the package."""
 
 
 @value
-class Entry:
+class LedgerEntry:
     """One case of the ledger.
 
     Parameters
@@ -40,7 +40,7 @@ class Entry:
     name
         Name of the case file without its ending.
     title, source, grade
-        What the case says about itself.
+        As the case states them.
     physics
         The chapter it belongs to.
     verdicts
@@ -62,7 +62,7 @@ class Entry:
 
     @property
     def passed(self) -> bool:
-        """Whether every number came out."""
+        """Whether every number agrees."""
         return not self.failure and all(verdict.passed for verdict in self.verdicts)
 
     @property
@@ -72,34 +72,34 @@ class Entry:
 
 
 def case_files(names: Iterable[str] = ()) -> list[Path]:
-    """Return the case files that `names` ask for: names of cases of the package, files, or folders; all without names.
+    """Return the case files of `names`: names of cases of the package, files, or folders; all without names.
 
     Raises
     ------
     InvalidInput
         If there is no such case.
     """
-    known = {path.stem: path for path in sorted(CASES.glob("*.toml"))}
-    found: list[Path] = []
+    cases = {path.stem: path for path in sorted(CASES.glob("*.toml"))}
+    files: list[Path] = []
     for name in names:
         path = Path(name)
-        if name in known:
-            found.append(known[name])
+        if name in cases:
+            files.append(cases[name])
         elif path.is_dir():
             inside = sorted(path.glob("*.toml"))
             if not inside:
                 raise InvalidInput(f"validate: the folder '{name}' holds no case (*.toml).")
-            found += inside
+            files += inside
         elif path.is_file():
-            found.append(path)
+            files.append(path)
         else:
             raise InvalidInput(
-                f"validate: '{name}' is no case{suggest(name, known)}; give a case, a file or a folder of them."
+                f"validate: '{name}' is no case{suggest(name, cases)}; give a case, a file or a folder of them."
             )
-    return found or list(known.values())
+    return files or list(cases.values())
 
 
-def examined(path: Path) -> Entry:
+def run_case(path: Path) -> LedgerEntry:
     """Run one case.
 
     Raises
@@ -108,12 +108,12 @@ def examined(path: Path) -> Entry:
         If the file is no case: it cannot be read, or lacks source, grade or expectations.
     """
     if is_fit(path):
-        return _fitted(path)
+        return _fit_entry(path)
     if is_function(path):
-        return _asked(path)
+        return _function_entry(path)
     study = read_study(path)
     _complete(path, study.source, study.grade, study.expect)
-    entry = Entry(path.stem, study.title, study.source, study.grade, physics_of(study), (), ())
+    entry = LedgerEntry(path.stem, study.title, study.source, study.grade, physics_of(study), (), ())
     try:
         outcome = gather(study, solve_points(study), started=time.perf_counter(), source=path.name)
     except WinklerError as error:
@@ -122,49 +122,49 @@ def examined(path: Path) -> Entry:
     return dataclasses.replace(entry, verdicts=outcome.verdicts, points=_points(outcome), failure=failure)
 
 
-def _fitted(path: Path) -> Entry:
+def _fit_entry(path: Path) -> LedgerEntry:
     case = read_fit_case(path)
-    return _judged(path, case.study.title, case, FITS, lambda: fit_verdicts(case))
+    return _entry_of(path, case.study.title, case, FITS, lambda: fit_verdicts(case))
 
 
-def _asked(path: Path) -> Entry:
+def _function_entry(path: Path) -> LedgerEntry:
     case = read_function_case(path)
-    return _judged(path, case.title, case, case.function.physics, lambda: function_verdicts(case))
+    return _entry_of(path, case.title, case, case.function.physics, lambda: function_verdicts(case))
 
 
-def _judged(
+def _entry_of(
     path: Path, title: str, case: FitCase | FunctionCase, physics: str, verdicts: Callable[[], tuple[Verdict, ...]]
-) -> Entry:
+) -> LedgerEntry:
     """Return the entry of a case that is no study."""
     _complete(path, case.source, case.grade, case.expect)
     if case.grade not in GRADES:
         raise InvalidInput(f"{path.name}: grade: '{case.grade}' is not known; give one of {', '.join(GRADES)}.")
-    entry = Entry(path.stem, title, case.source, case.grade, physics, (), ())
+    entry = LedgerEntry(path.stem, title, case.source, case.grade, physics, (), ())
     try:
-        found = verdicts()
+        compared = verdicts()
     except WinklerError as error:
         return dataclasses.replace(entry, failure=str(error))
-    return dataclasses.replace(entry, verdicts=found, points=("",) * len(found))
+    return dataclasses.replace(entry, verdicts=compared, points=("",) * len(compared))
 
 
 def _complete(path: Path, source: str, grade: str, expect: tuple[object, ...]) -> None:
     for key, content in (("source", source), ("grade", grade), ("[[expect]]", expect)):
         if not content:
-            raise InvalidInput(f"{path.name}: a case needs {key}; add it, `winkler show study` tells how.")
+            raise InvalidInput(f"{path.name}: a case needs {key}; add it, see `winkler show study`.")
 
 
 def _points(outcome: Outcome) -> tuple[str, ...]:
     """Return the point of the sweep that each verdict stands for: ``poisson = 0.25``."""
     settings = {point.index: point.settings for point in outcome.points}
-    told = []
+    texts = []
     for verdict in outcome.verdicts:
         pairs = zip(outcome.study.axes, settings[verdict.index], strict=True)
-        told.append(", ".join(_told(outcome, axis, content) for axis, content in pairs))
-    return tuple(told)
+        texts.append(", ".join(_setting_text(outcome, axis, content) for axis, content in pairs))
+    return tuple(texts)
 
 
-def _told(outcome: Outcome, axis: Axis, content: object) -> str:
-    """Return what stands at a key as text: a number with its unit, or which of its values it is."""
+def _setting_text(outcome: Outcome, axis: Axis, content: object) -> str:
+    """Return the value of a key as text: a number with its unit, or the index of the value."""
     name = axis.key.rpartition(".")[2]
     if isinstance(content, int | float):
         unit = keys.word_at(outcome.study.problem, axis.key.removeprefix("problem.")).unit or ""
@@ -172,11 +172,11 @@ def _told(outcome: Outcome, axis: Axis, content: object) -> str:
     return f"{name} {axis.values.index(content) + 1} of {len(axis.values)}"
 
 
-def ledger(paths: Iterable[Path]) -> Iterator[Entry]:
+def ledger(paths: Iterable[Path]) -> Iterator[LedgerEntry]:
     """Yield the entries of the ledger as the cases are run."""
-    yield from map(examined, paths)
+    yield from map(run_case, paths)
 
 
 def remarks() -> str:
-    """Return what is to be said of the ledger of the package as a whole, in Markdown."""
+    """Return the remarks on the ledger of the package as a whole, in Markdown."""
     return (CASES / "remarks.md").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""The ledger as a page of the manual: a table of all physics, then case by case what was expected and what came out."""
+"""The ledger as a page of the manual: a table of all physics, then the numbers of each case."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import numpy as np
 
 from winkler.study.batch.outcome import Verdict
 from winkler.study.language.study import GRADES, Expectation
-from winkler.study.ledger.ledger import Entry
+from winkler.study.ledger.ledger import LedgerEntry
 from winkler.study.ledger.physics import CHAPTERS
 from winkler.values import value
 
-__all__ = ["Chapter", "chapters", "digits", "markdown", "shown", "where"]
+__all__ = ["LedgerChapter", "chapters", "digits", "markdown", "number_text", "where"]
 
-MEANT = {
+GRADE_MEANINGS = {
     "analytical": "a closed form, or an integral done at 30 digits",
     "cross-code": "a program of others",
     "independent implementation": "the same equations by a second program or formula of this project: it "
@@ -27,7 +27,7 @@ MEANT = {
 
 
 @value
-class Chapter:
+class LedgerChapter:
     """The cases of one physics.
 
     Parameters
@@ -39,21 +39,21 @@ class Chapter:
     """
 
     physics: str
-    entries: tuple[Entry, ...]
+    entries: tuple[LedgerEntry, ...]
 
     @property
     def numbers(self) -> int:
-        """How many numbers are expected."""
+        """Number of expected numbers."""
         return sum(len(entry.verdicts) for entry in self.entries)
 
     @property
     def missed(self) -> int:
-        """How many of them did not come out, and how many cases have no answer."""
+        """Number of those that do not agree, and of cases that failed."""
         wrong = sum(not verdict.passed for entry in self.entries for verdict in entry.verdicts)
         return wrong + sum(bool(entry.failure) for entry in self.entries)
 
     @property
-    def worst(self) -> Entry:
+    def worst(self) -> LedgerEntry:
         """The case whose digits agree least."""
         return min(self.entries, key=lambda entry: entry.digits)
 
@@ -63,25 +63,25 @@ class Chapter:
 
     def digits(self, grade: str) -> str:
         """Return the fewest digits that agree among the cases of a grade, as text; empty without one."""
-        found = [entry.digits for entry in self.entries if entry.grade == grade]
-        return f"{math.floor(10.0 * min(found)) / 10.0:.1f}" if found else ""
+        fewest = [entry.digits for entry in self.entries if entry.grade == grade]
+        return f"{math.floor(10.0 * min(fewest)) / 10.0:.1f}" if fewest else ""
 
 
-def chapters(entries: Iterable[Entry]) -> tuple[Chapter, ...]:
+def chapters(entries: Iterable[LedgerEntry]) -> tuple[LedgerChapter, ...]:
     """Return the entries sorted by physics."""
-    found = list(entries)
-    every = ((physics, tuple(entry for entry in found if entry.physics == physics)) for physics in CHAPTERS)
-    return tuple(Chapter(physics, inside) for physics, inside in every if inside)
+    ordered = list(entries)
+    every = ((physics, tuple(entry for entry in ordered if entry.physics == physics)) for physics in CHAPTERS)
+    return tuple(LedgerChapter(physics, inside) for physics, inside in every if inside)
 
 
 def where(expectation: Expectation, point: str = "") -> str:
     """Return the quantity, its place and the point of the sweep as text: ``pressure at r = 0 m``."""
     place = ", ".join(f"{name} = {number:.6g} m" for name, number in expectation.place)
-    told = ", ".join(part for part in (place, point) if part)
-    return f"{expectation.quantity} at {told}" if told else expectation.quantity
+    setting = ", ".join(part for part in (place, point) if part)
+    return f"{expectation.quantity} at {setting}" if setting else expectation.quantity
 
 
-def shown(number: object, expectation: Expectation) -> str:
+def number_text(number: object, expectation: Expectation) -> str:
     """Return a number with its unit, or the first of several."""
     numbers = np.ravel(np.asarray(number, dtype=float))
     more = f" ... ({numbers.size})" if numbers.size > 1 else ""
@@ -95,7 +95,7 @@ def digits(verdict: Verdict) -> str:
     return f"{math.floor(10.0 * verdict.digits) / 10.0:.1f}" + ("" if verdict.passed else " (missed)")
 
 
-def markdown(entries: Iterable[Entry], remarks: str = "") -> str:
+def markdown(entries: Iterable[LedgerEntry], remarks: str = "") -> str:
     """Return the page of the manual that shows the ledger, with `remarks` at its end."""
     parts = chapters(entries)
     used = [grade for grade in GRADES if any(part.count(grade) for part in parts)]
@@ -113,7 +113,7 @@ def markdown(entries: Iterable[Entry], remarks: str = "") -> str:
         "",
         *_summary(parts, used),
         "",
-        *(f"- *{grade.capitalize()}*: {MEANT[grade]}." for grade in used),
+        *(f"- *{grade.capitalize()}*: {GRADE_MEANINGS[grade]}." for grade in used),
     ]
     for part in parts:
         lines += ["", f"## {part.physics.capitalize()}"]
@@ -122,24 +122,24 @@ def markdown(entries: Iterable[Entry], remarks: str = "") -> str:
     return "\n".join(lines) + "\n" + remarks
 
 
-def _summary(parts: tuple[Chapter, ...], used: list[str]) -> list[str]:
+def _summary(parts: tuple[LedgerChapter, ...], used: list[str]) -> list[str]:
     heads = ["physics", "cases", "numbers", *(f"{grade}: cases, digits" for grade in used)]
     lines = [f"| {' | '.join(heads)} |", f"|{'---|' * len(heads)}"]
     for part in parts:
-        told = [f"{part.count(grade)}, {part.digits(grade)}" if part.count(grade) else "" for grade in used]
-        cells = [part.physics, str(len(part.entries)), str(part.numbers), *told]
+        by_grade = [f"{part.count(grade)}, {part.digits(grade)}" if part.count(grade) else "" for grade in used]
+        cells = [part.physics, str(len(part.entries)), str(part.numbers), *by_grade]
         lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 
-def _entry(entry: Entry) -> list[str]:
+def _entry(entry: LedgerEntry) -> list[str]:
     lines = ["", f"### {entry.title}", "", f"`{entry.name}`, {entry.grade}. Source: {entry.source}", ""]
     if entry.failure:
         lines += [f"Not answered: {entry.failure}", ""]
     if entry.verdicts:
         lines += ["| quantity | expected | got | digits | tolerance |", "|---|---|---|---|---|"]
     for verdict, point in zip(entry.verdicts, entry.points, strict=True):
-        asked = verdict.expectation
-        cells = (where(asked, point), shown(asked.expected, asked), shown(verdict.got, asked), digits(verdict))
-        lines.append(f"| {' | '.join(cells)} | {asked.tolerance:.0e} |")
+        item = verdict.expectation
+        cells = (where(item, point), number_text(item.expected, item), number_text(verdict.got, item), digits(verdict))
+        lines.append(f"| {' | '.join(cells)} | {item.tolerance:.0e} |")
     return lines

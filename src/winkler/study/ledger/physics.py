@@ -1,7 +1,7 @@
-"""Which physics a study belongs to: the chapters of the validation ledger.
+"""The physics of a study: the chapters of the validation ledger.
 
-A problem belongs to the chapter that it stands in; a normal contact to the medium under it, or to the fields
-that are asked of it.
+A problem belongs to the chapter that it stands in; a normal contact to the medium under it, or to its expected
+fields.
 """
 
 from __future__ import annotations
@@ -18,21 +18,23 @@ from winkler.study.language.study import Study
 __all__ = ["CHAPTERS", "FITS", "physics_of"]
 
 NORMAL, FIELDS, COATINGS, GRADED, FITS = "normal contact", "fields", "coatings", "graded bodies", "fits"
-OTHER = "other contacts"
-NOT_ROUND = dict.fromkeys(("elliptic_indentation", "nearly_round_indentation"), "measured and rough surfaces")
-"""Normal contacts that stand with the surfaces of any shape."""
-PHYSICS = {kind: chapter.physics for chapter in contents.CHAPTERS for kind in chapter.answers} | NOT_ROUND
+OTHER_CONTACTS = "other contacts"
+NON_ROUND_CONTACTS = dict.fromkeys(("elliptic_indentation", "nearly_round_indentation"), "measured and rough surfaces")
+"""Normal contacts that are listed with the surfaces of any shape."""
+PHYSICS = {kind: chapter.physics for chapter in contents.CHAPTERS for kind in chapter.answers} | NON_ROUND_CONTACTS
 """Kind of problem -> its physics."""
 
 CHAPTERS = tuple(
-    dict.fromkeys((NORMAL, FIELDS, COATINGS, GRADED, *(chapter.physics for chapter in contents.CHAPTERS), FITS, OTHER))
+    dict.fromkeys(
+        (NORMAL, FIELDS, COATINGS, GRADED, *(chapter.physics for chapter in contents.CHAPTERS), FITS, OTHER_CONTACTS)
+    )
 )
 """The physics, in the order of the ledger."""
 
 
 def physics_of(study: Study) -> str:
     """Return the chapter that a study belongs to, one of `CHAPTERS`."""
-    physics = PHYSICS.get(kind_of(type(study.problem)), OTHER)
+    physics = PHYSICS.get(kind_of(type(study.problem)), OTHER_CONTACTS)
     return _normal(study) if physics == NORMAL else physics
 
 
@@ -42,4 +44,4 @@ def _normal(study: Study) -> str:
         return COATINGS
     if isinstance(medium, GradedHalfSpace | DepthGradedHalfSpace):
         return GRADED
-    return FIELDS if study.expect and all(asked.place for asked in study.expect) else NORMAL
+    return FIELDS if study.expect and all(item.place for item in study.expect) else NORMAL

@@ -1,18 +1,18 @@
-"""Numbers to keep: NetCDF with units, meanings and provenance, and CSV that every spreadsheet reads.
+"""Archives of numbers: NetCDF with units, meanings and provenance, and CSV for spreadsheets.
 
 ::
 
     results.nc     every answer over the axes of the sweep, and every restored field; read it with xarray
     results.csv    one row per point and load: what was varied, then the answers; units in the header
-    surface.csv    the fields on the surface, if [fields] asked for them
+    surface.csv    the fields on the surface, if [fields] requests them
     jumps.csv, branches.csv, limit.csv, stages.csv
                    one row per jump of an adhesive cycle or curve, stable branch, limit of a sheared contact, or stage
                    of sticking and sliding in an impact
     sensitivity.csv
-                   one row per answer and varied key: how much of the scatter it makes, if the design is sensitivity
+                   one row per answer and varied key: indices of Sobol, if the design is sensitivity
 
-All numbers are SI and have all their digits.  What was restored below the surface is in results.nc only, and so are
-heights, pressure and distance over the pixels of a height map.
+All numbers are SI and have all their digits.  Fields below the surface are in results.nc only, and so are heights,
+pressure and distance over the pixels of a height map.
 """
 
 from __future__ import annotations
@@ -28,37 +28,36 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import Answered, Column, Outcome
-from winkler.study.batch.sensitivity import SENSITIVITY
+from winkler.study.batch.sensitivity import SENSITIVITY, write_indices
 from winkler.study.batch.sensitivity import variables as index_variables
-from winkler.study.batch.sensitivity import write as write_indices
 from winkler.study.language import keys
 from winkler.study.language.reading import study_text
 from winkler.study.report.archive_maps import add_maps
-from winkler.study.report.event_rows import columns_of, found_in
-from winkler.study.report.netcdf import LARGE, netcdf_attributes, write_variables
+from winkler.study.report.event_rows import columns_of, rows_of
+from winkler.study.report.netcdf import LEAST_COMPRESSED, netcdf_attributes, write_variables
 from winkler.vocabulary import Word, word
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write", "write_netcdf", "write_table"]
+__all__ = ["CSV", "NETCDF", "SURFACE", "dataset", "heading", "write_archive", "write_netcdf", "write_table"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 
-ACROSS = "load"
-"""Dimension of the loads that one point asks for at once."""
+LOAD_DIMENSION = "load"
+"""Dimension of the loads of one point."""
 
-EXTRA = ("von_mises", "max_shear")
-"""What is kept of the stresses beside their components."""
+EXTRA_STRESSES = ("von_mises", "max_shear")
+"""Stresses that are stored beside the components."""
 
 
-def write(outcome: Outcome, folder: Path) -> None:
+def write_archive(outcome: Outcome, folder: Path) -> None:
     """Write the numbers of a study into a folder.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        The outcome of a study.
     folder
         Must exist; files of the same names are replaced.
     """
@@ -73,7 +72,7 @@ def write(outcome: Outcome, folder: Path) -> None:
             _write_events(outcome, name, folder / f"{name}.csv")
 
 
-def heading(name: str, told: Word) -> str:
+def heading(name: str, entry: Word) -> str:
     """Return the heading of a column: its name, and its unit in brackets; ``-`` for numbers without one.
 
     Examples
@@ -81,12 +80,16 @@ def heading(name: str, told: Word) -> str:
     >>> heading("force", Word("F_N", "N", "normal force")), heading("failure", Word("", None, "why"))
     ('force [N]', 'failure')
     """
-    return name if told.unit is None else f"{name} [{told.unit or '-'}]"
+    return name if entry.unit is None else f"{name} [{entry.unit or '-'}]"
 
 
 def write_netcdf(data: xarray.Dataset, path: Path) -> None:
     """Write a dataset; long rows of numbers are compressed, without loss."""
-    large = {name: {"zlib": True} for name, item in data.data_vars.items() if item.size > LARGE and item.dtype == float}
+    large = {
+        name: {"zlib": True}
+        for name, item in data.data_vars.items()
+        if item.size > LEAST_COMPRESSED and item.dtype == float
+    }
     data.to_netcdf(path, engine="h5netcdf", encoding=large)
 
 
@@ -112,7 +115,7 @@ def _write_surface(outcome: Outcome, path: Path) -> None:
     many = any(len(point.surface) > 1 for point in outcome.solved)
     first = next(fields for point in outcome.solved for fields in point.surface)
     names = [field.name for field in dataclasses.fields(first)]
-    headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([ACROSS] if many else [])
+    headings = [heading(key, _swept_word(outcome, key)) for key in swept] + ([LOAD_DIMENSION] if many else [])
     headings += [heading(name, word(type(first).__name__, name)) for name in names]
 
     def rows() -> Any:
@@ -131,7 +134,7 @@ def _write_events(outcome: Outcome, name: str, path: Path) -> None:
     headings += [heading(one.name, one.word) for one in columns_of(outcome, name)]
 
     def rows() -> Any:
-        for point, events in found_in(outcome, name):
+        for point, events in rows_of(outcome, name):
             settings = [item if isinstance(item, int | float) else keys.label(item) for item in point.settings]
             for event in events:
                 yield [*settings, *(one.content for one in event)]
@@ -140,27 +143,27 @@ def _write_events(outcome: Outcome, name: str, path: Path) -> None:
 
 
 def _swept_word(outcome: Outcome, key: str) -> Word:
-    told = outcome.word(key)
+    entry = outcome.word(key)
     axis = next(axis for axis in outcome.study.axes if axis.key == key)
-    return told if axis.numeric else told._replace(unit=None)
+    return entry if axis.numeric else entry._replace(unit=None)
 
 
 # ---------------------------------------------------------------------------------------------------- NetCDF
 
 
 def dataset(outcome: Outcome) -> xarray.Dataset:
-    """Return everything that a study came to as an xarray dataset, with units and provenance.
+    """Return all numbers of a study as an xarray dataset, with units and provenance.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        The outcome of a study.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions: the keys of the sweep (``point`` if they are not crossed), ``load`` if points ask for many loads at
-        once, ``r`` and ``z`` of restored fields (``r_over_a`` and ``z_over_a`` if they were given as multiples of the
+        Dimensions: the keys of the sweep (``point`` if they are not crossed), ``load`` if points have many
+        loads, ``r`` and ``z`` of restored fields (``r_over_a`` and ``z_over_a`` if they were given as multiples of the
         contact radius; r and z then are coordinates), ``jumps``, ``branches`` or ``limit`` where answers have them.
         NaN where a point has no answer.
     """
@@ -175,16 +178,16 @@ def _dataset(outcome: Outcome) -> tuple[dict[str, Any], dict[str, Any], dict[str
     dims = study.dims
     coords: dict[str, Any] = {}
     for place, axis in enumerate(study.axes):
-        told = _swept_word(outcome, axis.key)
-        values = [item if told.unit is not None else keys.label(item) for item in axis.values]
+        entry = _swept_word(outcome, axis.key)
+        values = [item if entry.unit is not None else keys.label(item) for item in axis.values]
         along = dims[place] if len(dims) == len(study.axes) else dims[0]
-        coords[axis.key] = ((along,), np.array(values), netcdf_attributes(told))
+        coords[axis.key] = ((along,), np.array(values), netcdf_attributes(entry))
     variables: dict[str, Any] = {}
     for name in outcome.answers:
         content = outcome.answer(name)
-        across = () if content.shape[-1] == 1 else (ACROSS,)
-        shown = content if across else content[..., 0]
-        variables[name] = ((*dims, *across), shown, netcdf_attributes(outcome.word(name)))
+        across = () if content.shape[-1] == 1 else (LOAD_DIMENSION,)
+        numbers = content if across else content[..., 0]
+        variables[name] = ((*dims, *across), numbers, netcdf_attributes(outcome.word(name)))
     if outcome.failed:
         reasons = np.full(outcome.shape, "", dtype=object)
         for point in outcome.failed:
@@ -207,22 +210,22 @@ def _add_fields(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, An
         first = next(fields[0] for _, fields in of_point if fields)
         owner = type(first).__name__
         loads = max(len(fields) for _, fields in of_point)
-        outer = (*dims, *((ACROSS,) if loads > 1 else ()))
+        outer = (*dims, *((LOAD_DIMENSION,) if loads > 1 else ()))
         inner = _place_dims(outcome, owner, below, outer, of_point, coords)
         names = [field.name for field in dataclasses.fields(first) if field.name not in ("r", "z")]
-        for name in [*names, *(EXTRA if below else ())]:
-            free = f"field_{name}" if name in outcome.answers else name
+        for name in [*names, *(EXTRA_STRESSES if below else ())]:
+            variable = f"field_{name}" if name in outcome.answers else name
             content = _stacked(outcome, of_point, name, loads)
-            variables[free] = ((*outer, *inner), content, netcdf_attributes(word(owner, name)))
+            variables[variable] = ((*outer, *inner), content, netcdf_attributes(word(owner, name)))
 
 
 def _add_events(outcome: Outcome, dims: tuple[str, ...], variables: dict[str, Any]) -> None:
     for name in EVENTS:
-        found = found_in(outcome, name)
-        count = max((len(events) for _, events in found), default=0)
+        point_rows = rows_of(outcome, name)
+        count = max((len(events) for _, events in point_rows), default=0)
         for place, one in enumerate(columns_of(outcome, name)):
             content = np.full((*outcome.shape, count), np.nan)
-            for point, events in found:
+            for point, events in point_rows:
                 content[point.index][: len(events)] = [event[place].content for event in events]
             variables[f"{name}_{one.name}"] = ((*dims, name), content, netcdf_attributes(one.word))
 
@@ -233,22 +236,22 @@ def _place_dims(
     """Add the places of the fields to `coords`, and return their dimensions."""
     dims = []
     for number, name in enumerate(("r", "z") if below else ("r",)):
-        asked = getattr(outcome.study.fields, name)
-        told = word(owner, name)
-        free = f"field_{name}" if name in outcome.answers else name
-        if not asked.relative:
-            coords[free] = ((free,), asked.values, netcdf_attributes(told))
-            dims.append(free)
+        grid = getattr(outcome.study.fields, name)
+        entry = word(owner, name)
+        variable = f"field_{name}" if name in outcome.answers else name
+        if not grid.relative:
+            coords[variable] = ((variable,), grid.values, netcdf_attributes(entry))
+            dims.append(variable)
             continue
-        relative = f"{free}_over_a"
-        meaning = Word(f"{told.symbol}/a", "", f"{told.meaning}, over the contact radius")
-        coords[relative] = ((relative,), asked.values, netcdf_attributes(meaning))
+        relative = f"{variable}_over_a"
+        meaning = Word(f"{entry.symbol}/a", "", f"{entry.meaning}, over the contact radius")
+        coords[relative] = ((relative,), grid.values, netcdf_attributes(meaning))
         dims.append(relative)
         loads = max(len(fields) for _, fields in of_point)
         content = _stacked(outcome, of_point, name, loads)
         if below:
             content = content[..., :, 0] if number == 0 else content[..., 0, :]
-        coords[free] = ((*outer, relative), content, netcdf_attributes(told))
+        coords[variable] = ((*outer, relative), content, netcdf_attributes(entry))
     return tuple(dims)
 
 

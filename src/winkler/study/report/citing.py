@@ -27,7 +27,7 @@ class Reference(NamedTuple):
     key
         BibTeX key.
     text
-        One line to read.
+        One line of text.
     bibtex
         The entry.
     doi
@@ -56,7 +56,7 @@ def _reference(key: str, bibtex: str) -> Reference:
     fields = {name: text.replace("{", "").replace("}", "").replace("--", "-") for name, text in _fields(plain)}
     authors = [" ".join(reversed(name.split(", "))) for name in fields["author"].split(" and ")]
     if "journal" in fields:
-        # what has appeared online alone has no volume
+        # an article that has appeared online only has no volume
         parts = (fields["journal"], fields.get("volume"), f"({fields['year']})", fields.get("pages"))
         where = " ".join(part for part in parts if part)
     else:
@@ -71,17 +71,17 @@ def _fields(bibtex: str) -> list[tuple[str, str]]:
 
 
 def cite(content: Any) -> tuple[Reference, ...]:
-    """Return the papers that a problem, or a whole study, stands on.
+    """Return the papers on which a problem, or a whole study, is based.
 
     Parameters
     ----------
     content
-        Any value; the values inside it are looked through as well.
+        Any value; the values inside it are included.
 
     Returns
     -------
     tuple of Reference
-        The problem's own first, each once.
+        Those of the problem first, each once.
     """
     return tuple(bibliography()[key] for key in dict.fromkeys(_keys(content)))
 
@@ -92,8 +92,8 @@ def _keys(content: Any) -> list[str]:
     if not dataclasses.is_dataclass(content):
         return []
     cls = type(content)
-    found = list(getattr(cls, "references", ()))
-    found += kinds()[kind_of(cls)].cites if kind_of(cls) else ()
+    keys = list(getattr(cls, "references", ()))
+    keys += kinds()[kind_of(cls)].cites if kind_of(cls) else ()
     for field in dataclasses.fields(content):
-        found += _keys(getattr(content, field.name))
-    return found
+        keys += _keys(getattr(content, field.name))
+    return keys

@@ -1,4 +1,4 @@
-"""A study in words and as a table of inputs, read from the values and the glossary, whatever the problem is."""
+"""A study in sentences and as a table of inputs, from its values and the glossary."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.path_steps import Unchanged
-from winkler.plot.series import scale_of, spoken, told
+from winkler.plot.series import scale_of, spoken
+from winkler.readable import with_unit
 from winkler.study.language import keys
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.explain import summary
@@ -18,7 +19,7 @@ from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis, Range
 from winkler.vocabulary import OWNED, Word, word
 
-__all__ = ["Input", "content_label", "in_words", "inputs", "setting_told", "values_told"]
+__all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "values_text"]
 
 ROLES = {
     "profile": "The shape is {a}.",
@@ -32,18 +33,18 @@ ROLES = {
     "path": "The path: {plain}.",
     "law": "Law: {plain}.",
 }
-"""What a part of a problem is called; other parts are told by their name."""
+"""Sentence for a part of a problem; other parts are described by their name."""
 
-GROUPS = {"first": "body below (z > 0)", "second": "body above (z < 0)", "on": "what carries the layers"}
+GROUP_TITLES = {"first": "body below (z > 0)", "second": "body above (z < 0)", "on": "what carries the layers"}
 
-PARTS = {"layers": "layer", "steps": "step"}
-"""What one of a list is called, where the name of the list is a plural."""
+SINGULARS = {"layers": "layer", "steps": "step"}
+"""Singular of the names of lists."""
 
-LABELS = {"measured": "measured profile"}
-"""Kinds that need another word to be part of a sentence."""
+KIND_LABELS = {"measured": "measured profile"}
+"""Words for kinds whose name does not fit a sentence."""
 
-LISTED = 6
-"""Longer arrays are told by their ends."""
+MOST_LISTED = 6
+"""Numbers of an array that are listed; longer ones are described by their ends."""
 
 
 class Input(NamedTuple):
@@ -55,8 +56,8 @@ class Input(NamedTuple):
         The part of the problem that it belongs to, such as ``profile: sphere``.
     name, symbol
         Of the glossary; the symbol in LaTeX.
-    told
-        What was given, with its unit.
+    text
+        The given value, with its unit.
     meaning
         One line.
     """
@@ -64,23 +65,23 @@ class Input(NamedTuple):
     group: str
     name: str
     symbol: str
-    told: str
+    text: str
     meaning: str
 
 
 def inputs(study: Study) -> tuple[Input, ...]:
-    """Return everything that was given, part by part."""
+    """Return all inputs, part by part."""
     swept = {axis.key: axis for axis in study.sweep}
     return tuple(_rows(study.problem, "problem", _label(study.problem), swept))
 
 
 def _label(content: Any) -> str:
     kind = kind_of(type(content)) or type(content).__name__
-    return LABELS.get(kind, kind).replace("_", " ")
+    return KIND_LABELS.get(kind, kind).replace("_", " ")
 
 
 def _name(owner: str, field: str) -> str:
-    """Return the name of a field as it is spoken; a word that means something else for its owner keeps its own name."""
+    """Return the name of a field in words; a name with another meaning for its owner stays as it is."""
     return field.replace("_", " ") if (owner, field) in OWNED else spoken(field)
 
 
@@ -89,36 +90,36 @@ def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -
     below: list[tuple[Any, str, str]] = []
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
-        if not field.init or isinstance(inside, Unchanged):  # what follows from the others, and what was not told
+        if not field.init or isinstance(inside, Unchanged):  # computed fields, and values that were not given
             continue
         entry = word(owner, field.name)
         key = f"{path}.{field.name}"
         name = _name(owner, field.name)
         if key in swept:
-            yield Input(group, name, entry.symbol, f"varied: {_axis_told(swept[key], entry)}", entry.meaning)
+            yield Input(group, name, entry.symbol, f"varied: {_axis_text(swept[key], entry)}", entry.meaning)
         elif dataclasses.is_dataclass(inside):
-            title = f"{GROUPS.get(field.name, name)}: {_label(inside)}"
-            if field.name == "solid":  # of a layer, whose number tells it from the others
+            title = f"{GROUP_TITLES.get(field.name, name)}: {_label(inside)}"
+            if field.name == "solid":  # of a layer, which is identified by its number
                 title = f"{group}, {title}"
             below.append((inside, key, title))
             if not dataclasses.fields(inside):
                 yield Input(title, "", "", "nothing to give", entry.meaning)
         elif isinstance(inside, tuple) and inside and all(dataclasses.is_dataclass(item) for item in inside):
             for number, item in enumerate(inside):
-                single = PARTS.get(field.name, name)
+                single = SINGULARS.get(field.name, name)
                 label = _label(item)
                 title = f"{single} {number + 1}" + (f": {label}" if label != single else "")
                 below.append((item, f"{key}.{number}", title))
         elif not _is_left_out(inside, field):
             yield Input(
-                group, name, entry.symbol, _content_told(content, field.name, inside, path, swept), entry.meaning
+                group, name, entry.symbol, _content_text(content, field.name, inside, path, swept), entry.meaning
             )
     for inside, key, title in below:
         yield from _rows(inside, key, title, swept)
 
 
 def _is_left_out(content: Any, field: dataclasses.Field[Any]) -> bool:
-    """Return whether a number stands for `not asked about`: infinite, as its default."""
+    """Return whether a number is infinite by default, and so not given."""
     return isinstance(content, float) and math.isinf(content) and field.default == content
 
 
@@ -134,80 +135,80 @@ def _unit(owner: Any, field: str) -> str | None:
     return unit
 
 
-def _content_told(owner: Any, field: str, content: Any, path: str, swept: dict[str, Axis | Range]) -> str:
+def _content_text(owner: Any, field: str, content: Any, path: str, swept: dict[str, Axis | Range]) -> str:
     from winkler.study.language import quantities
 
     indexed = quantities.INDEXED.get((type(owner).__name__, field))
     if indexed is not None:
-        return ", ".join(told(float(number), indexed(place), 6) for place, number in enumerate(content))
+        return ", ".join(with_unit(float(number), indexed(place), 6) for place, number in enumerate(content))
     if isinstance(content, tuple) and all(isinstance(number, int) for number in content):
         return " × ".join(map(str, content))
     if isinstance(content, tuple):
         parts = [
-            f"{name} = varied" if f"{path}.{field}.{name}" in swept else f"{name} = {told(float(number), '', 6)}"
+            f"{name} = varied" if f"{path}.{field}.{name}" in swept else f"{name} = {with_unit(float(number), '', 6)}"
             for name, number in content
         ]
         return ", ".join(parts) or "none"
     if isinstance(content, bool | str):
         return {True: "yes", False: "no"}.get(content, str(content)) if isinstance(content, bool) else content
-    return values_told(content, _unit(owner, field))
+    return values_text(content, _unit(owner, field))
 
 
-def values_told(content: Any, unit: str | None) -> str:
+def values_text(content: Any, unit: str | None) -> str:
     """Return a number or an array for reading, with its unit.
 
     Examples
     --------
-    >>> values_told(0.01, "m"), values_told(np.linspace(0.0, 5e-9, 200), "m")
+    >>> values_text(0.01, "m"), values_text(np.linspace(0.0, 5e-9, 200), "m")
     ('10 mm', '200 values from 0 to 5 nm')
     """
     numbers = np.ravel(np.asarray(content, dtype=float))
-    if numbers.size <= LISTED:
-        return ", ".join(told(float(number), unit, 6) for number in numbers)
+    if numbers.size <= MOST_LISTED:
+        return ", ".join(with_unit(float(number), unit, 6) for number in numbers)
     low, high = float(numbers.min()), float(numbers.max())
     scale = scale_of(unit, numbers)
     if low == 0.0 or abs(low) > 1e-3 * abs(high):
-        return f"{numbers.size} values from {told(low / scale.factor, '', 6)} to {told(high, unit, 6)}"
-    return f"{numbers.size} values from {told(low, unit, 6)} to {told(high, unit, 6)}"
+        return f"{numbers.size} values from {with_unit(low / scale.factor, '', 6)} to {with_unit(high, unit, 6)}"
+    return f"{numbers.size} values from {with_unit(low, unit, 6)} to {with_unit(high, unit, 6)}"
 
 
-def _axis_told(axis: Axis | Range, entry: Word) -> str:
+def _axis_text(axis: Axis | Range, entry: Word) -> str:
     if isinstance(axis, Range):
-        ends = f"{told(axis.start, entry.unit, 6)} to {told(axis.stop, entry.unit, 6)}"
+        ends = f"{with_unit(axis.start, entry.unit, 6)} to {with_unit(axis.stop, entry.unit, 6)}"
         return ends if axis.scale == "linear" else f"{ends}, evenly in its logarithm"
     if axis.numeric:
-        return values_told(np.array(axis.values, dtype=float), entry.unit)
+        return values_text(np.array(axis.values, dtype=float), entry.unit)
     return ", ".join(content_label(item) for item in axis.values)
 
 
 def content_label(content: Any) -> str:
-    """Return a short name for what a varied key takes: ``sphere (curvature radius = 10 mm)``."""
+    """Return a short name for a value of a varied key: ``sphere (curvature radius = 10 mm)``."""
     return _described(content, "", set()) if dataclasses.is_dataclass(content) else keys.label(content)
 
 
-def setting_told(study: Study, axis: Axis | Range, content: Any) -> str:
+def setting_text(study: Study, axis: Axis | Range, content: Any) -> str:
     """Return one value of a varied key for reading: ``force = 10 N``."""
     name = axis.key.rpartition(".")[2].replace("_", " ")
     if isinstance(content, int | float):
-        return f"{name} = {told(float(content), keys.word_at(study, axis.key).unit, 6)}"
+        return f"{name} = {with_unit(float(content), keys.word_at(study, axis.key).unit, 6)}"
     return f"{name}: {content_label(content)}"
 
 
 def in_words(study: Study) -> str:
-    """Return what was asked, in sentences."""
+    """Return the problem in sentences."""
     swept = {axis.key for axis in study.sweep}
     sentences = [summary(type(study.problem))]
     for path, role, content in _parts(study.problem, "problem"):
         known = ROLES.get(role, f"{role.replace('_', ' ').capitalize()}: {{plain}}.")
-        told_by = _listed if isinstance(content, tuple) else _described
-        plain = "varied" if path in swept else told_by(content, path, swept)
+        describe_part = _listed if isinstance(content, tuple) else _described
+        plain = "varied" if path in swept else describe_part(content, path, swept)
         article = "" if plain == "varied" else "an " if plain[:1] in "aeiou" else "a "
         sentences.append(known.format(a=f"{article}{plain}", adjective=plain, plain=plain))
     for axis in study.sweep:
         entry = keys.word_at(study, axis.key)
-        sentences.append(f"Varied: {axis.key.removeprefix('problem.')} = {_axis_told(axis, entry)}.")
+        sentences.append(f"Varied: {axis.key.removeprefix('problem.')} = {_axis_text(axis, entry)}.")
     if len(study.sweep) > 1 or study.design.draws:
-        sentences.append(study.design.told)
+        sentences.append(study.design.sentence)
     return " ".join(sentences)
 
 
@@ -246,7 +247,7 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
             parts.append(_listed(inside, key, swept))
         elif isinstance(inside, float | np.ndarray) and not _is_left_out(inside, field):
             name = _name(type(content).__name__, field.name)
-            parts.append(f"{name} = {_content_told(content, field.name, inside, path, {})}")
+            parts.append(f"{name} = {_content_text(content, field.name, inside, path, {})}")
         elif isinstance(inside, str):
             parts.append(inside)
     label = _label(content)

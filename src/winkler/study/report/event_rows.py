@@ -6,15 +6,15 @@ from winkler.study.batch.events import Event
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import Answered
 
-__all__ = ["columns_of", "found_in"]
+__all__ = ["columns_of", "rows_of"]
 
 
 def columns_of(outcome: Outcome, name: str) -> tuple[Event, ...]:
     """Return the first row of events of a kind in a study, whose names and words all rows share; empty if none."""
-    return next((rows[0] for _, rows in found_in(outcome, name)), ())
+    return next((rows[0] for _, rows in rows_of(outcome, name)), ())
 
 
-def found_in(outcome: Outcome, name: str) -> list[tuple[Answered, tuple[tuple[Event, ...], ...]]]:
+def rows_of(outcome: Outcome, name: str) -> list[tuple[Answered, tuple[tuple[Event, ...], ...]]]:
     """Return the points that have events of a kind, with their rows."""
     pairs = [(point, point.events(name)) for point in outcome.solved]
     return [(point, rows) for point, rows in pairs if rows]

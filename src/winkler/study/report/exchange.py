@@ -1,6 +1,6 @@
-"""Answers for other programs: any solution, field or outcome of a study as an xarray dataset or a pandas table.
+"""Exchange with other programs: any solution, field or outcome of a study as an xarray dataset or a pandas table.
 
-Numbers stay in SI units.  Units, meanings and symbols of the glossary travel with them: in the attributes of every
+Numbers stay in SI units.  Units, meanings and symbols of the glossary are added: in the attributes of every
 variable of a dataset, and in ``attrs["units"]``, ``attrs["meanings"]`` of a table.
 """
 
@@ -16,7 +16,7 @@ from winkler.errors import InvalidInput, OutsideValidity, WinklerError
 from winkler.study.batch.outcome import Outcome, answers_of
 from winkler.study.language.reading import study_text
 from winkler.study.language.study import Study
-from winkler.study.report.archive import ACROSS, dataset
+from winkler.study.report.archive import LOAD_DIMENSION, dataset
 from winkler.study.report.netcdf import netcdf_attributes
 from winkler.vocabulary import Word, word
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 
 __all__ = ["to_pandas", "to_xarray"]
 
-PLACES = ("r", "x", "y", "z")
-"""Words of a field that tell where."""
-PLANE = ("direction", ("x", "y"))
-"""Last axis of what has a direction along the surface: its name, and those of the parts."""
-PRINCIPAL = ("principal_axis", ("greatest", "middle", "least"))
+PLACE_NAMES = ("r", "x", "y", "z")
+"""Fields that are coordinates."""
+PLANE_AXIS = ("direction", ("x", "y"))
+"""Last axis of vectors along the surface: its name, and those of the components."""
+PRINCIPAL_AXIS = ("principal_axis", ("greatest", "middle", "least"))
 """Last axis of the principal stresses."""
 
 
@@ -40,16 +40,16 @@ def to_xarray(answer: Any) -> xarray.Dataset:
     Parameters
     ----------
     answer : solution, fields or outcome of a study
-        What ``solve()``, ``restore(...)`` and its kin, or ``winkler.study.batch.run.run(study)`` returns.
+        What ``solve()``, ``restore(...)`` and similar functions, or ``winkler.study.batch.run.run(study)`` returns.
 
     Returns
     -------
     xarray.Dataset
-        Every answer that the glossary gives a unit, in SI units.  Dimensions: ``load`` where many loads or the points
-        of a path were asked for; the places of fields (``r``, ``z`` or ``x``, ``y``, ``z``); the keys of the sweep of
+        Every quantity with a unit in the glossary, in SI units.  Dimensions: ``load`` for many loads or the points
+        of a path; the places of fields (``r``, ``z`` or ``x``, ``y``, ``z``); the keys of the sweep of
         an outcome.  Each variable has the attributes ``units``, ``long_name`` and ``symbol``.  That of a solution
-        has its validity notes as the attribute ``validity``, and the study that asks for it again as ``study``, where
-        a study file can ask it.
+        has its validity notes as the attribute ``validity``, and its study as ``study``, where a study file
+        can hold it.
 
     Raises
     ------
@@ -80,8 +80,10 @@ def to_xarray(answer: Any) -> xarray.Dataset:
     owner = type(answer).__name__
     variables = {}
     for name, content in answers_of(answer).items():
-        told = netcdf_attributes(_told(owner, name))
-        variables[name] = ((ACROSS,), content, told) if np.ndim(content) == 1 else _grid(name, content, told)
+        attributes = netcdf_attributes(_entry(owner, name))
+        variables[name] = (
+            ((LOAD_DIMENSION,), content, attributes) if np.ndim(content) == 1 else _grid(name, content, attributes)
+        )
     return xarray.Dataset(variables, attrs=_attributes(answer))
 
 
@@ -97,7 +99,7 @@ def to_pandas(answer: Any) -> pandas.DataFrame:
     -------
     pandas.DataFrame
         One row per load, point of a path, or place of a field; of an outcome, one per point and load, as in its
-        results.csv.  Numbers are in SI units; ``attrs["units"]`` and ``attrs["meanings"]`` say which, column by column.
+        results.csv.  Numbers are in SI units; ``attrs["units"]`` and ``attrs["meanings"]`` hold those of each column.
 
     Raises
     ------
@@ -111,61 +113,61 @@ def to_pandas(answer: Any) -> pandas.DataFrame:
     else:
         _check("to_pandas", answer)
         owner = type(answer).__name__
-        columns = {name: (content, _told(owner, name)) for name, content in _flat(answer).items()}
+        columns = {name: (content, _entry(owner, name)) for name, content in _flat(answer).items()}
     rows = max(np.size(content) for content, _ in columns.values())
     table = pandas.DataFrame(
         {name: np.broadcast_to(np.ravel(content), (rows,)).copy() for name, (content, _) in columns.items()}
     )
-    table.attrs["units"] = {name: told.unit for name, (_, told) in columns.items() if told.unit is not None}
-    table.attrs["meanings"] = {name: told.meaning for name, (_, told) in columns.items()}
+    table.attrs["units"] = {name: entry.unit for name, (_, entry) in columns.items() if entry.unit is not None}
+    table.attrs["meanings"] = {name: entry.meaning for name, (_, entry) in columns.items()}
     return table
 
 
-def _check(asker: str, answer: Any) -> None:
+def _check(caller: str, answer: Any) -> None:
     """Refuse what is no answer."""
     solved = hasattr(answer, "problem") or hasattr(answer, "validity") or _is_field(answer)
     if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or not solved:
         made = "a class" if isinstance(answer, type) else f"a {type(answer).__name__}"
         raise InvalidInput(
-            f"{asker}: this is {made}; give what solve(), restore() or run() returns (solve a problem first)."
+            f"{caller}: this is {made}; give what solve(), restore() or run() returns (solve a problem first)."
         )
     if not _is_field(answer) and not answers_of(answer):
-        raise InvalidInput(f"{asker}: the {type(answer).__name__} holds no quantities of the glossary.")
+        raise InvalidInput(f"{caller}: the {type(answer).__name__} holds no quantities of the glossary.")
 
 
 def _is_field(answer: Any) -> bool:
-    """Return whether a value holds quantities at places, and nothing of a problem."""
+    """Return whether a value holds quantities at places, and no problem."""
     if isinstance(answer, type) or not dataclasses.is_dataclass(answer) or hasattr(answer, "problem"):
         return False
     names = [field.name for field in dataclasses.fields(answer)]
-    return names[0] in PLACES and all(isinstance(getattr(answer, name), np.ndarray | float) for name in names)
+    return names[0] in PLACE_NAMES and all(isinstance(getattr(answer, name), np.ndarray | float) for name in names)
 
 
-def _told(owner: str, name: str) -> Word:
-    """Return the word of an answer; that of a part (``shift_x``) is the word of the whole."""
+def _entry(owner: str, name: str) -> Word:
+    """Return the glossary entry of an answer; that of a component (``shift_x``) is the entry of the vector."""
     whole, _, part = name.rpartition("_")
-    return word(owner, whole if whole and part in (*PLANE[1], *PRINCIPAL[1]) else name)
+    return word(owner, whole if whole and part in (*PLANE_AXIS[1], *PRINCIPAL_AXIS[1]) else name)
 
 
 def _parts(name: str) -> tuple[str, tuple[str, ...]]:
     """Return the last axis of a field that has one more than its places."""
-    return PRINCIPAL if name == "principal" else PLANE
+    return PRINCIPAL_AXIS if name == "principal" else PLANE_AXIS
 
 
-def _grid(name: str, content: Any, told: dict[str, str]) -> tuple[tuple[str, ...], Any, dict[str, str]]:
-    dims = () if np.ndim(content) == 0 else tuple(f"{ACROSS}_{place}" for place in range(np.ndim(content)))
-    return dims, content, told
+def _grid(name: str, content: Any, attributes: dict[str, str]) -> tuple[tuple[str, ...], Any, dict[str, str]]:
+    dims = () if np.ndim(content) == 0 else tuple(f"{LOAD_DIMENSION}_{place}" for place in range(np.ndim(content)))
+    return dims, content, attributes
 
 
 def _attributes(answer: Any) -> dict[str, str]:
     notes = getattr(answer, "validity", ())
-    found = {"title": type(answer).__name__, "program": "winkler"}
+    texts = {"title": type(answer).__name__, "program": "winkler"}
     if notes:
-        found["validity"] = "\n".join(f"{note.standing.value}: {note.statement}" for note in notes)
+        texts["validity"] = "\n".join(f"{note.standing.value}: {note.statement}" for note in notes)
     if hasattr(answer, "problem"):
-        with contextlib.suppress(WinklerError):  # a law that is a function cannot stand in a study file
-            found["study"] = study_text(Study("", answer.problem))
-    return found
+        with contextlib.suppress(WinklerError):  # a law that is a function cannot be written in a study file
+            texts["study"] = study_text(Study("", answer.problem))
+    return texts
 
 
 def _flat(answer: Any) -> dict[str, Any]:
@@ -184,7 +186,7 @@ def _flat(answer: Any) -> dict[str, Any]:
 
 
 def _where(field: Any) -> list[str]:
-    return [item.name for item in dataclasses.fields(field) if item.name in PLACES]
+    return [item.name for item in dataclasses.fields(field) if item.name in PLACE_NAMES]
 
 
 def _of_field(field: Any) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -223,12 +225,12 @@ def _axes(owner: str, where: dict[str, Any], shape: tuple[int, ...]) -> tuple[tu
         dims.append(alone[0] if len(alone) == 1 and others == alone else f"place_{axis}")
     coords: dict[str, Any] = {}
     for name, places in where.items():
-        told = netcdf_attributes(word(owner, name))
+        attributes = netcdf_attributes(word(owner, name))
         if name in dims:
             axis = dims.index(name)
-            coords[name] = ((name,), np.moveaxis(places, axis, 0).reshape(shape[axis], -1)[:, 0], told)
+            coords[name] = ((name,), np.moveaxis(places, axis, 0).reshape(shape[axis], -1)[:, 0], attributes)
         elif not along[name] and places.size:
-            coords[name] = ((), float(places.ravel()[0]), told)
+            coords[name] = ((), float(places.ravel()[0]), attributes)
         else:
-            coords[name] = (tuple(dims), places, told)
+            coords[name] = (tuple(dims), places, attributes)
     return tuple(dims), coords

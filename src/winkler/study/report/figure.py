@@ -1,4 +1,4 @@
-"""One figure of a study: its name, what it says, and its picture."""
+"""One figure of a study: its name, its caption, and its picture."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ if TYPE_CHECKING:
     from winkler.plot.panel import Sheet
     from winkler.plot.picture import Picture
 
-__all__ = ["Shown", "capital", "drawn"]
+__all__ = ["ReportFigure", "capital", "drawn"]
 
 
-class Shown(NamedTuple):
-    """A figure of a study, or why there is none.
+class ReportFigure(NamedTuple):
+    """A figure of a study, or the reason why it is missing.
 
     Parameters
     ----------
     name
         The stem of its files: a picture of the method, or ``answer_`` and the name of an answer.
     title, sentence
-        What it shows.
+        Its caption.
     picture
         The figure; None if it could not be drawn.
     svg
@@ -44,7 +44,7 @@ class Shown(NamedTuple):
         return self.name in CAPTIONS
 
 
-def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> Shown:
+def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> ReportFigure:
     """Return a figure with its text, laid out once for all formats."""
     from winkler.plot.render import render  # matplotlib is loaded by the first figure
 
@@ -52,7 +52,7 @@ def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> Shown:
     _lay_out(picture)
     store = io.BytesIO()
     picture.savefig(store, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
-    return Shown(name, title, sentence, picture, store.getvalue().decode("utf-8"))
+    return ReportFigure(name, title, sentence, picture, store.getvalue().decode("utf-8"))
 
 
 def _lay_out(picture: Picture) -> None:
@@ -68,7 +68,7 @@ def _lay_out(picture: Picture) -> None:
         FigureCanvasSVG(picture)
         with styled():
             engine.execute(picture)
-            picture.set_layout_engine(None)  # with an engine matplotlib draws twice, first to find the places
+            picture.set_layout_engine(None)  # with an engine matplotlib draws twice, first for the layout
     finally:
         picture.set_canvas(canvas)
         picture.dpi = dpi

@@ -1,4 +1,4 @@
-"""The figures of a study: the pictures of the method for one load, and the answers over what was varied."""
+"""The figures of a study: the pictures of the method for one load, and the answers over the varied keys."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.study.batch.outcome import Answered, Outcome
 from winkler.study.chapters.answer import ALONG, Answer
-from winkler.study.chapters.answer import Contact as Shows
+from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.language.designs import POINT
 from winkler.study.language.study import Axis, Study
-from winkler.study.report.beside import Beside, beside
-from winkler.study.report.describe import content_label, setting_told
-from winkler.study.report.figure import Shown, capital, drawn
+from winkler.study.report.describe import content_label, setting_text
+from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
+from winkler.study.report.figure import ReportFigure, capital, drawn
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 
 __all__ = [
-    "Shown",
+    "ReportFigure",
     "answers_over",
     "drawn",
     "figures_of",
@@ -43,7 +43,7 @@ __all__ = [
 ]
 
 MOST_CURVES = 24
-"""More curves are not drawn into one figure; the table holds all."""
+"""Curves in one figure; the table holds all."""
 MOST_BARS = 40
 
 
@@ -53,7 +53,7 @@ def shown_point(outcome: Outcome) -> Answered:
 
 
 def shown_contact(point: Answered) -> Contact | None:
-    """Return the contact of a point that the pictures show, its last load; None if there is no contact to show."""
+    """Return the contact of a point in the pictures, of its last load; None if there is none."""
     shows = answer_of(point.problem).contact
     if shows is Shows.NONE:
         return None
@@ -71,30 +71,30 @@ def shown_contact(point: Answered) -> Contact | None:
     return Indentation(bed, Depth(float(np.max(depth)))).solve()
 
 
-def figures_of(outcome: Outcome) -> tuple[Shown, ...]:
-    """Return every figure of a study, the answers over what was varied first."""
-    found = list(answers_over(outcome))
+def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
+    """Return every figure of a study, first the answers over the varied keys."""
+    figures = list(answers_over(outcome))
     contact = shown_contact(shown_point(outcome))
     if contact is None:
-        return tuple(found)
+        return tuple(figures)
     wanted = pictures_of(contact)
     answer = answer_of(shown_point(outcome).problem)
-    if answer.contact is Shows.EDGE and answer.picture is not None:  # which has F(d), as the edge came here
+    if answer.contact is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
         wanted = tuple(name for name in wanted if name != "force")
     captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
     for name in wanted:
         try:
-            found.append(drawn(name, *captions[name], method_sheet(name, contact)))
+            figures.append(drawn(name, *captions[name], method_sheet(name, contact)))
         except WinklerError as error:
-            found.append(Shown(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
-    return tuple(found)
+            figures.append(ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error))))
+    return tuple(figures)
 
 
 # ------------------------------------------------------------------------------------- answers over what was varied
 
 
-def answers_over(outcome: Outcome) -> Iterator[Shown]:
-    """Yield a figure for every answer over what was varied; none if nothing was."""
+def answers_over(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield a figure for every answer over the varied keys; none if no key is varied."""
     columns = {column.name: column.content for column in outcome.table()}
     yield from _sheets(outcome)
     answer = answer_of(shown_point(outcome).problem)
@@ -112,11 +112,11 @@ def answers_over(outcome: Outcome) -> Iterator[Shown]:
         return
     if len(outcome.points) < 2:
         return
-    yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _told_apart(outcome, columns)})
+    yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _varying_answers(outcome, columns)})
 
 
-def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
-    """Yield a figure for every one of the answers, one number at each point, over what was varied."""
+def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
+    """Yield a figure for every one of the answers, one number at each point, over the varied keys."""
     study = outcome.study
     numeric = [axis for axis in study.axes if axis.numeric]
     if study.design.draws and numeric:
@@ -142,32 +142,32 @@ def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
 
 
 def _curves(study: Study, along: Axis) -> list[tuple[str, Any]]:
-    """Return ``(label, where)`` of every curve over one axis of the sweep: where it stands in an array of answers."""
+    """Return ``(label, index)`` of every curve over one axis of the sweep: its index in an array of answers."""
     if study.dims == (POINT,):
         return [("", slice(None))]
     place = study.axes.index(along)
     others = [axis for axis in study.axes if axis is not along]
     curves: list[tuple[str, Any]] = []
     for index in np.ndindex(*(len(axis.values) for axis in others)):
-        told = (setting_told(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
-        curves.append((", ".join(told), (*index[:place], slice(None), *index[place:])))
+        texts = (setting_text(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
+        curves.append((", ".join(texts), (*index[:place], slice(None), *index[place:])))
     return curves
 
 
-def _told_apart(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
-    """Return the answers that are worth a figure: numbers that vary and are not what was given."""
+def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
+    """Return the answers worth a figure: numbers that vary and do not repeat a varied key."""
     given = [columns[axis.key] for axis in outcome.study.sweep]
-    found = []
+    names = []
     for name in outcome.answers:
-        known = np.isfinite(columns[name])
-        content = columns[name][known]
-        same = any(one.dtype.kind == "f" and np.array_equal(one[known], content) for one in given)
+        finite = np.isfinite(columns[name])
+        content = columns[name][finite]
+        same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
         if not same and content.size and np.ptp(content) > 0.0:
-            found.append(name)
-    return found or list(outcome.answers)
+            names.append(name)
+    return names or list(outcome.answers)
 
 
-def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
+def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
     points = outcome.points[:MOST_BARS]
     labels = [", ".join(content_label(item) for item in point.settings) for point in points]
     cut = f" The first {MOST_BARS} of {len(outcome.points)} are shown." if len(outcome.points) > MOST_BARS else ""
@@ -177,62 +177,62 @@ def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
         yield drawn(f"answer_{name}", capital(spoken(name)), sentence, bar_sheet(labels, of))
 
 
-def _sheets(outcome: Outcome) -> Iterator[Shown]:
-    """Yield the picture of an answer that is a curve by itself: of the last point."""
+def _sheets(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield the picture of the whole answer, of the last point."""
     point = shown_point(outcome)
-    wanted, caption = [*beside(point.solution)], answer_of(point.problem).picture
-    if caption is not None:
-        wanted.append(Beside(caption, point.solution))
+    wanted, picture = [*extra_pictures(point.solution)], answer_of(point.problem).picture
+    if picture is not None:
+        wanted.append(ExtraPicture(picture, point.solution))
     where = settings_of(outcome, point)
-    for (name, title, told_by), item in wanted:
-        from winkler.plot import sheet_of  # with every picture it knows, which the method's own do not need
+    for (name, title, caption), item in wanted:
+        from winkler.plot import sheet_of  # loads all pictures, which those of the method do not need
 
-        sentence = f"{told_by} Shown is {where}." if where else told_by
+        sentence = f"{caption} Shown is {where}." if where else caption
         try:
             yield drawn(f"answer_{name}", title, sentence, sheet_of(item))
         except WinklerError as error:
-            yield Shown(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
+            yield ReportFigure(f"answer_{name}", title, sentence, None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
 def settings_of(outcome: Outcome, point: Answered) -> str:
-    """Return what was varied, at one point."""
+    """Return the values of the varied keys at one point."""
     pairs = zip(outcome.study.sweep, point.settings, strict=True)
-    return ", ".join(setting_told(outcome.study, axis, item) for axis, item in pairs)
+    return ", ".join(setting_text(outcome.study, axis, item) for axis, item in pairs)
 
 
-def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[Shown]:
+def _side_by_side(outcome: Outcome, compared: tuple[str, ...]) -> Iterator[ReportFigure]:
     """Yield force and radius of cycles or curves of equilibria, one for every point of the sweep, in their order."""
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2:
         return
-    answered, labels = [point.answers for point in points], [settings_of(outcome, point) for point in points]
+    answers_of_points, labels = [point.answers for point in points], [settings_of(outcome, point) for point in points]
     name = "position" if "position" in outcome.answers else "depth"
-    along = [Series(name, outcome.word(name), answers[name]) for answers in answered]
+    along = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
     for what in compared:
-        of = [Series(what, outcome.word(what), answers[what]) for answers in answered]
+        of = [Series(what, outcome.word(what), answers[what]) for answers in answers_of_points]
         picture = family_sheet(along, of, labels, ordered=False)
         title = capital(f"{spoken(what)} over {spoken(name)}")
         yield drawn(f"answer_{what}", title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
-def _loops(outcome: Outcome, answer: Answer) -> Iterator[Shown]:
+def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
     """Yield answers along paths over each other, one curve for every point of the sweep, in its order."""
     points = outcome.solved[:MOST_CURVES]
     if len(points) < 2 and answer.picture is not None:
-        return  # the picture of the answer itself has them
+        return  # the picture of the answer shows them
     labels = [settings_of(outcome, point) for point in points]
-    worth, known = _answers_worth(outcome), set[str]()
+    worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
         if over in outcome.answers and what in worth:
             along, of = (
                 [Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what)
             )
             if len(of) > 1 and all(np.array_equal(one.content, of[0].content) for one in of):
-                continue  # given, not answered
+                continue  # given, not computed
             picture = family_sheet(along, of, labels, ordered=False)
             title = capital(f"{spoken(what)} over {spoken(over)}")
-            name = f"answer_{what}_over_{over}" if what in known else f"answer_{what}"
-            known.add(what)
+            name = f"answer_{what}_over_{over}" if what in used else f"answer_{what}"
+            used.add(what)
             yield drawn(name, title, f"One curve for each point of the sweep.{_cut(outcome)}", picture)
 
 
@@ -247,35 +247,35 @@ def _cut(outcome: Outcome) -> str:
     return f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
 
 
-def _over(outcome: Outcome, over: str) -> Iterator[Shown]:
+def _over(outcome: Outcome, over: str) -> Iterator[ReportFigure]:
     """Yield a figure for every answer to many loads over one of them, one curve for every point of the sweep."""
     points, cut = outcome.solved[:MOST_CURVES], _cut(outcome)
     labels = [settings_of(outcome, point) for point in points]
-    answered = [point.answers for point in points]
-    along = [Series(over, outcome.word(over), answers[over]) for answers in answered]
+    answers_of_points = [point.answers for point in points]
+    along = [Series(over, outcome.word(over), answers[over]) for answers in answers_of_points]
     for name in _answers_worth(outcome):
-        if name != over and all(name in answers for answers in answered):
-            of = [Series(name, outcome.word(name), answers[name]) for answers in answered]
+        if name != over and all(name in answers for answers in answers_of_points):
+            of = [Series(name, outcome.word(name), answers[name]) for answers in answers_of_points]
             sentence = f"All loads that were asked at once.{cut}"
             picture = family_sheet(along, of, labels)
             yield drawn(f"answer_{name}", capital(f"{spoken(name)} over {spoken(over)}"), sentence, picture)
 
 
 def _answers_worth(outcome: Outcome) -> list[str]:
-    """Return the answers whose curves tell something: not those that say yes or no, or the same everywhere."""
-    found = []
+    """Return the answers whose curves vary: not those that are true or false, or constant."""
+    names = []
     for name in outcome.answers:
         content = np.concatenate([point.answers[name] for point in outcome.solved if name in point.answers])
-        known = content[np.isfinite(content)]
-        if name != "stable" and known.size and np.ptp(known) > 1e-9 * np.max(np.abs(known)):
-            found.append(name)
-    return found
+        finite = content[np.isfinite(content)]
+        if name != "stable" and finite.size and np.ptp(finite) > 1e-9 * np.max(np.abs(finite)):
+            names.append(name)
+    return names
 
 
 # ------------------------------------------------------------------------------------------------------- files
 
 
-def svg_element(shown: Shown, description: str) -> str:
+def svg_element(shown: ReportFigure, description: str) -> str:
     """Return a figure as one SVG element for a page: no prolog, its own identifiers, scalable, with a description.
 
     Parameters
@@ -283,7 +283,7 @@ def svg_element(shown: Shown, description: str) -> str:
     shown
         A figure that was drawn; its name is put before every identifier, so that many figures can stand on one page.
     description
-        Read aloud where the figure cannot be seen; already escaped.
+        Description for screen readers; already escaped.
     """
     name = shown.name.replace("_", "-")
     text = shown.svg[shown.svg.index("<svg") :]
@@ -300,7 +300,7 @@ def svg_element(shown: Shown, description: str) -> str:
     return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
 
 
-def save(shown: tuple[Shown, ...], folder: Path, formats: tuple[str, ...]) -> None:
+def save(shown: tuple[ReportFigure, ...], folder: Path, formats: tuple[str, ...]) -> None:
     """Write every figure into ``folder/figures`` in every format."""
     if not formats:
         return

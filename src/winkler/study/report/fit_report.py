@@ -10,34 +10,35 @@ import numpy as np
 from winkler.fitting.outcome import Fit
 from winkler.plot import sheet_of
 from winkler.plot.fitting.fits import Grid, map_sheet, numbers_sheet
-from winkler.plot.series import Series, spoken, told
+from winkler.plot.series import Series, spoken
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome
-from winkler.study.batch.fit_recording import seen_from
+from winkler.study.batch.fit_recording import path_from_study
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.fit_study import FitStudy, Free
 from winkler.study.language.study import Study
 from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
-from winkler.study.report.figures import Shown, drawn
-from winkler.study.report.fit_tables import ROWS, answers, counts, doubts, failures
-from winkler.study.report.fit_writing import CSV, FEW, MAPS, NETCDF, map_grid
+from winkler.study.report.figures import ReportFigure, drawn
+from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
+from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.study.report.tables import given_rows
 
-__all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps", "write"]
+__all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps", "write_fit_report"]
 
-DRAWN = 12
-"""So many curves are drawn, spread evenly over all."""
+MOST_CURVES_DRAWN = 12
+"""Curves that are drawn, spread evenly over all."""
 PLACEHOLDERS = ("load", "path", "normal", "lateral")
 """Parts of a model that its curve replaces."""
-MANY = 3
-"""From so many curves on, their numbers are shown together."""
+LEAST_SHOWN_TOGETHER = 3
+"""Number of curves from which their numbers are shown together."""
 
 
-def write(outcome: FitOutcome, folder: Path) -> None:
+def write_fit_report(outcome: FitOutcome, folder: Path) -> None:
     """Write the figures of fits into ``folder/figures``, and the report into ``report.html``, as the study asks."""
     parts.write_page(outcome, folder, figures_of(outcome), page)
 
@@ -46,16 +47,16 @@ def _series(study: FitStudy, free: Free, content: np.ndarray) -> Series:
     return Series(free.label, study.word(free.key), content)
 
 
-def figures_of(outcome: FitOutcome) -> tuple[Shown, ...]:
+def figures_of(outcome: FitOutcome) -> tuple[ReportFigure, ...]:
     """Return the figures: maps, the numbers of many curves, then single curves with their models."""
     return (*figures_of_many(outcome), *figures_of_curves(outcome))
 
 
-def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
+def figures_of_many(outcome: FitOutcome) -> Iterator[ReportFigure]:
     """Yield maps and the numbers of many curves; nothing of few."""
     study = outcome.study
     grid = map_grid(outcome)
-    many = len(outcome.fitted) >= MANY
+    many = len(outcome.fitted) >= LEAST_SHOWN_TOGETHER
     for free in study.free if many else ():
         of = _series(study, free, outcome.numbers(free))
         stem = _stem(free)
@@ -66,16 +67,16 @@ def figures_of_many(outcome: FitOutcome) -> Iterator[Shown]:
         yield drawn(f"all_{stem}", f"All curves: {spoken(of.name)}", sentence, numbers_sheet(of, outcome.errors(free)))
 
 
-def figures_of_curves(outcome: FitOutcome) -> Iterator[Shown]:
+def figures_of_curves(outcome: FitOutcome) -> Iterator[ReportFigure]:
     """Yield single curves with their models, spread evenly over all."""
-    chosen = np.unique(np.linspace(0, len(outcome.fitted) - 1, min(DRAWN, len(outcome.fitted))).astype(int))
+    chosen = np.unique(np.linspace(0, len(outcome.fitted) - 1, min(MOST_CURVES_DRAWN, len(outcome.fitted))).astype(int))
     for place in chosen.tolist():
         result = outcome.fitted[place]
         sentence = "Above the curve and the fitted model, below what is left over; dashed: first touch."
         if not isinstance(result.fit, Fit):
             sentence = (
                 "Left the curve and the fitted model over time, below what is left over; right the force over the "
-                "depth, and the relaxation with its 95 % interval, grey where the curve cannot tell it."
+                "depth, and the relaxation with its 95 % interval, grey where the curve does not determine it."
             )
         yield drawn(f"curve_{outcome.results.index(result) + 1}", result.name, sentence, sheet_of(result.fit))
 
@@ -84,7 +85,7 @@ def _stem(free: Free) -> str:
     return free.key.removeprefix("problem.").replace(".", "_")
 
 
-def page(outcome: FitOutcome, shown: tuple[Shown, ...] | None = None) -> str:
+def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None) -> str:
     """Return the report as one HTML page with its figures, drawn if left out."""
     study = outcome.study
     shown = figures_of(outcome) if shown is None else shown
@@ -95,7 +96,7 @@ def page(outcome: FitOutcome, shown: tuple[Shown, ...] | None = None) -> str:
         doubts(outcome),
         failures(outcome),
         section("Figures", parts.figure_elements(shown)) if shown else "",
-        _asked(outcome),
+        _question(outcome),
         steps(outcome),
         _formulas(study),
         parts.trust(outcome.validity),
@@ -105,16 +106,16 @@ def page(outcome: FitOutcome, shown: tuple[Shown, ...] | None = None) -> str:
     return parts.framed(title, outcome.provenance.version, body)
 
 
-def _asked(outcome: FitOutcome) -> str:
+def _question(outcome: FitOutcome) -> str:
     study = outcome.study
     rows = []
     for free in study.free:
         unit = study.word(free.key).unit
         match free.given:
             case (low, high):
-                limits = f"between {told(low, unit)} and {told(high, unit)}"
+                limits = f"between {with_unit(low, unit)} and {with_unit(high, unit)}"
             case (start,):
-                limits = f"starting at {told(start, unit)}"
+                limits = f"starting at {with_unit(start, unit)}"
             case _:
                 limits = "without bounds"
         rows.append(f"<tr><td>{safe(free.key)}</td><td>free</td><td>{safe(limits)}</td><td></td></tr>")
@@ -135,26 +136,30 @@ def _asked(outcome: FitOutcome) -> str:
 def _in_words(study: FitStudy) -> str:
     relaxing = isinstance(study.problem, ViscoelasticIndentation)
     motions = {
-        "approach": "the way in",
-        "hold": "the way in with the hold",
-        "retract": "the way out",
-        "both": "the way in, the hold and the way out" if relaxing else "both ways, held points left out,",
+        "approach": "the approach",
+        "hold": "the approach with the hold",
+        "retract": "the retraction",
+        "both": "the approach, the hold and the retraction"
+        if relaxing
+        else "approach and retraction, held points left out,",
     }
     many = f"{len(study.sources)} files" if len(study.sources) != 1 else Path(study.sources[0]).name
     facts = [f"Of {many}, {motions[study.part]} was fitted."]
     if study.fitted == "position":
         facts.append("The measured forces drive the contact, and the positions were fitted.")
     if study.spring_constant:
-        facts.append(f"The spring constant {told(study.spring_constant, 'N/m')} was given, not taken from the files.")
+        facts.append(
+            f"The spring constant {with_unit(study.spring_constant, 'N/m')} was given, not taken from the files."
+        )
     if study.sensitivity:
-        facts.append(f"The sensitivity {told(study.sensitivity, 'm/V')} was given.")
+        facts.append(f"The sensitivity {with_unit(study.sensitivity, 'm/V')} was given.")
     if study.noise:
-        facts.append(f"The noise {told(study.noise, study.spread.unit)} was given.")
+        facts.append(f"The noise {with_unit(study.noise, study.spread.unit)} was given.")
     return " ".join(facts)
 
 
 def steps(outcome: FitOutcome) -> str:
-    """Return what was done to the curves before they were fitted."""
+    """Return the corrections of the curves before the fit."""
     study = outcome.study
     if not any(result.steps for result in outcome.fitted):
         return section("What was done to the curves", "<p>Nothing: they were fitted as they were measured.</p>")
@@ -165,7 +170,7 @@ def steps(outcome: FitOutcome) -> str:
     return section("What was done to the curves", of_many, f"<ol>{items}</ol>", order)
 
 
-RELAXING = {
+RELAXING_FORMULAS = {
     "force": (
         r"d = D - D_0 - u\,t - \frac{F}{k_m}, \quad F = \int_0^{t_1} E^*(t-s)\,\mathrm{d}\Phi(d(s)), \quad "
         r"F_i = F(t_i) + F_0 + t\,(D_i-D_0) + c_v\dot{D}_i + e_i",
@@ -179,32 +184,32 @@ RELAXING = {
         "the force of an elastic contact with E* = 1 Pa, and C(t) the creep.",
     ),
 }
-"""What is fitted where a body relaxes, in a formula and in words."""
+"""The fitted quantity of a body that relaxes, as a formula and in words."""
 
 
 def _formulas(study: FitStudy) -> str:
     if isinstance(study.problem, ViscoelasticIndentation):
-        latex, words = RELAXING[study.fitted]
-        tail = "Least squares make the residuals e small, and their own memory tells how sure the numbers are."
+        latex, words = RELAXING_FORMULAS[study.fitted]
+        tail = "Least squares make the residuals e small, and the uncertainty follows from their autocorrelation."
         return section("The formulas", f"<p>{words} {tail}</p>", formula(latex))
-    found = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
+    formulas = formulas_of(study.problem) if isinstance(study.problem, Indentation) else ()  # without adhesion g(a) = d
     lead = formula(r"d = D - D_0 - \frac{F}{k_m}, \quad F_i = F(d_i) + F_0 + t\,(D_i-D_0) + e_i")
     text = (
-        "<p>The machine of the stiffness k<sub>m</sub> gives way; least squares make the residuals e small, and their "
-        "own memory tells how sure the numbers are.</p>"
+        "<p>The machine of the stiffness k<sub>m</sub> deforms; least squares make the residuals e small, and "
+        "the uncertainty follows from their autocorrelation.</p>"
     )
-    return section("The formulas", text, lead, parts.formula_list(found))
+    return section("The formulas", text, lead, parts.formula_list(formulas))
 
 
 def _made(outcome: FitOutcome) -> str:
     study = outcome.study
-    sources = ", ".join(seen_from(study, path) for path in study.sources[:ROWS])
+    sources = ", ".join(path_from_study(study, path) for path in study.sources[:MOST_ROWS])
     grid = f", {MAPS} (maps)" if isinstance(map_grid(outcome), Grid) else ""
     return parts.origin(
         outcome.provenance,
-        "the question with its curves",
+        "the study with its curves",
         f"<p class='small'>Curves: {safe(sources)}</p>",
         parts.folded("The study file, word for word", study.text) if study.text else "",
         f"<p class='small'>All numbers with all digits: {CSV}, {NETCDF} (with every curve, model and residual){grid}, "
-        f"and as text the first {FEW} curves in the folder curves, beside this page.</p>",
+        f"and as text the first {MOST_CURVES_AS_TEXT} curves in the folder curves, beside this page.</p>",
     )

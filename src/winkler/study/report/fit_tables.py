@@ -1,4 +1,4 @@
-"""The tables in the report of fits: the numbers, what speaks against them, and what has no answer."""
+"""The tables in the report of fits: the numbers, their flags, and the curves that could not be fitted."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from winkler.fitting.compare import AnyFit
-from winkler.plot.series import middle_scale, told
+from winkler.plot.series import middle_scale
+from winkler.readable import with_unit
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_writing import CSV
@@ -16,9 +17,9 @@ from winkler.study.report.mathml import symbol
 from winkler.study.report.tables import reason_list
 from winkler.vocabulary import Word
 
-__all__ = ["ROWS", "answers", "counts", "curve_texts", "doubts", "failures", "number_texts"]
+__all__ = ["MOST_ROWS", "answers", "counts", "curve_texts", "doubts", "failures", "number_texts"]
 
-ROWS = 40
+MOST_ROWS = 40
 """Longer tables are cut; the CSV file holds all rows."""
 
 
@@ -26,20 +27,20 @@ def counts(outcome: FitOutcome) -> str:
     """Return one line: how many curves were fitted."""
     made = outcome.provenance
     one = len(outcome.results) == 1
-    told_ = "One curve was fitted" if one else f"{len(outcome.fitted)} of {len(outcome.results)} curves were fitted"
+    summary = "One curve was fitted" if one else f"{len(outcome.fitted)} of {len(outcome.results)} curves were fitted"
     if outcome.left:
-        told_ += f"; the run was stopped before {outcome.left} more files or curves"
-    return f'<p class="small">{told_}, with winkler {safe(made.version)}, {safe(made.created[:10])}.</p>'
+        summary += f"; the run was stopped before {outcome.left} more files or curves"
+    return f'<p class="small">{summary}, with winkler {safe(made.version)}, {safe(made.created[:10])}.</p>'
 
 
 def answers(outcome: FitOutcome) -> str:
-    """Return the numbers: of one curve with all that is known of them, of many in one table."""
+    """Return the numbers: of one curve with errors and correlations, of many in one table."""
     if len(outcome.fitted) == 1:
-        return section("What the curve tells", _single(outcome, outcome.fitted[0]))
+        return section("Fitted numbers", _single(outcome, outcome.fitted[0]))
     cut = ""
-    if len(outcome.results) > ROWS:
-        cut = f"<p class='small'>The first {ROWS} of {len(outcome.results)} curves are shown; {CSV} holds all.</p>"
-    return section("What the curves tell", _together(outcome), _many(outcome), cut)
+    if len(outcome.results) > MOST_ROWS:
+        cut = f"<p class='small'>The first {MOST_ROWS} of {len(outcome.results)} curves are shown; {CSV} holds all.</p>"
+    return section("Fitted numbers", _together(outcome), _many(outcome), cut)
 
 
 def _single(outcome: FitOutcome, result: Fitted) -> str:
@@ -58,10 +59,10 @@ def _single(outcome: FitOutcome, result: Fitted) -> str:
     facts = [
         f"{fit.count} points were fitted, worth {fit.effective_count:.0f} independent ones: the noise of "
         "neighbours may be alike.",
-        f"The noise is {told(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is {fit.chi_square:.3g}, "
-        f"in contact {fit.chi_square_in_contact:.3g}.",
-        f"The largest depth is {told(float(fit.depth.max()), 'm')}, with a contact radius of "
-        f"{told(float(fit.radius.max()), 'm')}.",
+        f"The noise is {with_unit(fit.noise, outcome.study.spread.unit)}; χ² per degree of freedom is "
+        f"{fit.chi_square:.3g}, in contact {fit.chi_square_in_contact:.3g}.",
+        f"The largest depth is {with_unit(float(fit.depth.max()), 'm')}, with a contact radius of "
+        f"{with_unit(float(fit.radius.max()), 'm')}.",
     ]
     if correlations:
         facts.append(f"Correlations of the errors: {'; '.join(correlations)}.")
@@ -78,20 +79,28 @@ def _together(outcome: FitOutcome) -> str:
         low, middle, high = np.quantile(content, (0.25, 0.5, 0.75))
         typical = float(np.nanmedian(outcome.errors(free)))
         rows.append(
-            f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>{number(safe(told(middle, word.unit, 5)))}"
-            f"{number(safe(f'{told(low, word.unit)} … {told(high, word.unit)}'))}"
-            f"{number(safe(told(typical, word.unit, 3)))}<td class='text small'>{safe(word.meaning)}</td></tr>"
+            f"<tr><td>{safe(free.key)}</td><td>{symbol(word.symbol)}</td>"
+            f"{number(safe(with_unit(middle, word.unit, 5)))}"
+            f"{number(safe(f'{with_unit(low, word.unit)} … {with_unit(high, word.unit)}'))}"
+            f"{number(safe(with_unit(typical, word.unit, 3)))}<td class='text small'>{safe(word.meaning)}</td></tr>"
         )
     heads = ["what", "", "#median of the curves", "#middle half", "#standard error of one", "meaning"]
     return table(heads, rows)
 
 
 def number_texts(outcome: FitOutcome, fit: AnyFit) -> Iterator[tuple[Free, Word, str, str, str, str]]:
-    """Yield every free number of a fit in words: itself, its standard error, and the ends of its interval."""
+    """Yield every free number of a fit as text: itself, its standard error, and the ends of its interval."""
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
-        low, high = (told(end, word.unit, 5) for end in fit.interval(free.path))
-        yield free, word, told(fit.value(free.path), word.unit, 5), told(fit.error(free.path), word.unit, 3), low, high
+        low, high = (with_unit(end, word.unit, 5) for end in fit.interval(free.path))
+        yield (
+            free,
+            word,
+            with_unit(fit.value(free.path), word.unit, 5),
+            with_unit(fit.error(free.path), word.unit, 3),
+            low,
+            high,
+        )
 
 
 def curve_texts(outcome: FitOutcome, free: Free, nothing: str) -> tuple[str, list[str]]:
@@ -118,20 +127,20 @@ def _many(outcome: FitOutcome) -> str:
         bodies.append([number(text) for text in texts])
     bodies.append([f"<td>{safe(one)}</td>" for one in outcome.flags(", ", "no answer")])
     rows = ["<tr>" + "".join(cells) + "</tr>" for cells in zip(*bodies, strict=True)]
-    return table(heads, rows[:ROWS])
+    return table(heads, rows[:MOST_ROWS])
 
 
 def doubts(outcome: FitOutcome) -> str:
     """Return the flags: of one curve every sentence, of many how often each occurs with one sentence."""
-    found: dict[str, list[str]] = {}
+    by_name: dict[str, list[str]] = {}
     for result in outcome.fitted:
         for flag in result.fit.flags:
-            found.setdefault(flag.name, []).append(f"{result.name}: {flag.statement}")
-    if not found:
+            by_name.setdefault(flag.name, []).append(f"{result.name}: {flag.statement}")
+    if not by_name:
         return ""
     single = len(outcome.results) == 1
     items = []
-    for name, sentences in found.items():
+    for name, sentences in by_name.items():
         if single:
             items += [f"<li><strong>{safe(name)}</strong>: {safe(one.partition(': ')[2])}</li>" for one in sentences]
         else:
@@ -146,4 +155,4 @@ def failures(outcome: FitOutcome) -> str:
     if not outcome.refused:
         return ""
     reasons = [(one.name, one.reason) for one in outcome.refused]
-    return section("Curves without an answer", *reason_list(reasons, ROWS, CSV))
+    return section("Curves without an answer", *reason_list(reasons, MOST_ROWS, CSV))

@@ -1,10 +1,10 @@
-"""The numbers of fits to keep.
+"""The files with the numbers of fits.
 
 ::
 
     fit.csv            one row per curve: every free number with unit, error and interval, misfit, flags, failure
     fit.nc             the same, with the correlations of the numbers, and every curve with its model and residuals
-    curves/NAME.csv    the first curves: what was fitted, the model, the residuals
+    curves/NAME.csv    the first curves: the fitted points, the model, the residuals
     maps.nc            of a force map: every free number over x and y
 
 All numbers are SI and have all their digits.
@@ -29,16 +29,16 @@ from winkler.vocabulary import Word
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "FEW", "MAPS", "NETCDF", "dataset", "map_grid", "maps", "write_numbers"]
+__all__ = ["CSV", "MAPS", "MOST_CURVES_AS_TEXT", "NETCDF", "dataset", "map_grid", "maps", "write_numbers"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
-FEW = 24
-"""So many curves are written as text; fit.nc holds all."""
-RELAXING = {
+MOST_CURVES_AS_TEXT = 24
+"""Curves that are written as text; fit.nc holds all."""
+TIMED_COLUMNS = {
     "time": Word("t", "s", "time, as measured"),
     "weight": Word("", "", "what the residual counts; zero where a point only drives"),
 }
-POINTS = {
+POINT_COLUMNS = {
     "position": Word("D", "m", "position as fitted, after the corrections"),
     "force": Word("F_N", "N", "measured force, after the corrections"),
     "fitted_force": Word("F_N", "N", "force of the model, with the baseline"),
@@ -65,7 +65,7 @@ def map_grid(outcome: FitOutcome) -> Grid | tuple[()]:
 
 
 def _points(result: Fitted) -> list[Column]:
-    """Return what was fitted, the model and the residuals, point by point."""
+    """Return the fitted points, the model and the residuals, point by point."""
     fit = result.fit
     creeps = isinstance(fit, CreepFit)
     relaxing = {} if isinstance(fit, Fit) else {"time": fit.curve.time, "weight": fit.weights}
@@ -78,22 +78,28 @@ def _points(result: Fitted) -> list[Column]:
         "fitted_depth": fit.depth,
         "fitted_radius": fit.radius,
     }
-    words = RELAXING | POINTS | ({"residual": Word("", "m", "measured less fitted position")} if creeps else {})
+    words = (
+        TIMED_COLUMNS | POINT_COLUMNS | ({"residual": Word("", "m", "measured less fitted position")} if creeps else {})
+    )
     return [Column(name, words[name], numbers) for name, numbers in content.items()]
 
 
 def _write_curves(outcome: FitOutcome, folder: Path) -> None:
     folder.mkdir()
     taken: set[str] = set()
-    for result in outcome.fitted[:FEW]:
+    for result in outcome.fitted[:MOST_CURVES_AS_TEXT]:
         stem = re.sub(r"[^\w.+-]+", "_", result.name.replace(".csv", "")).strip("._") or "curve"
-        name = next(name for name in (stem, *(f"{stem}_{count}" for count in range(2, FEW + 2))) if name not in taken)
+        name = next(
+            name
+            for name in (stem, *(f"{stem}_{count}" for count in range(2, MOST_CURVES_AS_TEXT + 2)))
+            if name not in taken
+        )
         taken.add(name)
         write_table(_points(result), folder / f"{name}.csv", nothing="")
 
 
 def dataset(outcome: FitOutcome) -> xarray.Dataset:
-    """Return everything that fits came to as an xarray dataset, with units and provenance.
+    """Return all numbers of fits as an xarray dataset, with units and provenance.
 
     Returns
     -------

@@ -1,11 +1,11 @@
-"""Pieces of a page: escaped text, sections, tables; nothing that a reader wrote gets into a page unescaped."""
+"""Pieces of a page: escaped text, sections, tables; all texts of a user are escaped."""
 
 from __future__ import annotations
 
 import html
 import re
 
-__all__ = ["kept", "number", "safe", "section", "table"]
+__all__ = ["number", "safe", "section", "table", "with_fixed_units"]
 
 
 def safe(text: object) -> str:
@@ -19,8 +19,8 @@ def safe(text: object) -> str:
     return html.escape(str(text), quote=True)
 
 
-def kept(sentence: str) -> str:
-    """Return a sentence, escaped, in which a number stays on the line of its unit."""
+def with_fixed_units(sentence: str) -> str:
+    """Return a sentence, escaped, with no line break between a number and its unit."""
     return re.sub(r"(\d) (?=[µa-zA-Z°⁰-⁹/]{1,6}[,.;) ])", "\\1\u00a0", safe(sentence))
 
 

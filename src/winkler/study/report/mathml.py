@@ -1,4 +1,4 @@
-r"""Formulas for web pages: the house's LaTeX becomes MathML, which browsers show without any script or font of ours.
+r"""Formulas for web pages: LaTeX becomes MathML, which browsers display without scripts or fonts of this package.
 
 A small part of LaTeX is understood: letters, numbers, signs, ``_`` and ``^``, primes, groups, ``\frac``, ``\sqrt``,
 ``\int``, ``\oint``, ``\sum``, ``\dot``, ``\bar``, ``\mathrm``, ``\text``, growing brackets by ``\left`` and ``\right``,
@@ -26,10 +26,10 @@ SIGNS = {
     "langle": "⟨", "rangle": "⟩", "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "cdot": "·", "times": "×", "pm": "±",
     "to": "→", "dots": "…", "quad": "\u2003", ",": "\u2009", ";": "\u2005", " ": " ", "!": "",
 }  # fmt: skip
-BIG = {"int": "∫", "oint": "∮", "sum": "∑"}
-ABOVE = {"dot": "˙", "ddot": "¨", "bar": "¯"}
-UPRIGHT = ("mathrm", "text")
-NAMED = ("max", "min", "ln", "log", "sin", "cos", "tan", "arcsin", "arccos", "arctan")
+LARGE_OPERATORS = {"int": "∫", "oint": "∮", "sum": "∑"}
+ACCENTS = {"dot": "˙", "ddot": "¨", "bar": "¯"}
+UPRIGHT_COMMANDS = ("mathrm", "text")
+FUNCTION_NAMES = ("max", "min", "ln", "log", "sin", "cos", "tan", "arcsin", "arccos", "arctan")
 
 
 def formula(latex: str) -> str:
@@ -60,7 +60,7 @@ def inline(latex: str) -> str:
 
 
 def symbol(latex: str) -> str:
-    """Return a symbol inside a line of text; a name that is no formula, such as a reader's constant, as it is written.
+    """Return a symbol inside a line of text; a name that is no formula, such as a user's constant, as it is written.
 
     Examples
     --------
@@ -82,13 +82,13 @@ class _Reader:
         self.place = 0
 
     def whole(self) -> str:
-        found = self.row("")
+        markup = self.row("")
         if self.place < len(self.tokens):
             raise self.unknown(self.tokens[self.place])
-        return found
+        return markup
 
     def unknown(self, token: str) -> InvalidInput:
-        return InvalidInput(f"formula: '{token}' in '{self.latex}' is not understood; write it in another way.")
+        return InvalidInput(f"formula: '{token}' in '{self.latex}' is not understood; write it differently.")
 
     def peek(self) -> str:
         return self.tokens[self.place] if self.place < len(self.tokens) else ""
@@ -120,7 +120,7 @@ class _Reader:
         return inside if len(words) == 1 else f"<mrow>{inside}</mrow>"
 
     def scripted(self) -> str:
-        """Read a piece with what is written below and above it."""
+        """Read a piece with its subscript and superscript."""
         token = self.take()
         base = self.atom(token)
         below, above, primes = "", "", 0
@@ -165,9 +165,9 @@ class _Reader:
             return f"<mfrac>{self.group()}{self.group()}</mfrac>"
         if name == "sqrt":
             return f"<msqrt>{self.group()}</msqrt>"
-        if name in ABOVE:
-            return f'<mover accent="true"><mrow>{self.group()}</mrow><mo>{ABOVE[name]}</mo></mover>'
-        if name in UPRIGHT:
+        if name in ACCENTS:
+            return f'<mover accent="true"><mrow>{self.group()}</mrow><mo>{ACCENTS[name]}</mo></mover>'
+        if name in UPRIGHT_COMMANDS:
             return self.upright(name)
         if name == "left":
             opening = self.take()
@@ -175,11 +175,11 @@ class _Reader:
             if self.take() != "\\right":
                 raise self.unknown("\\left")
             return f"<mrow><mo>{html.escape(opening)}</mo>{inside}<mo>{html.escape(self.take())}</mo></mrow>"
-        if name in BIG:
-            return f"<mo>{BIG[name]}</mo>"
+        if name in LARGE_OPERATORS:
+            return f"<mo>{LARGE_OPERATORS[name]}</mo>"
         if name in LETTERS:
             return f"<mi>{LETTERS[name]}</mi>"
-        if name in NAMED:
+        if name in FUNCTION_NAMES:
             return f'<mi mathvariant="normal">{name}</mi>'
         if name in SIGNS:
             return (

@@ -1,7 +1,7 @@
-"""What the pages of reports share: their frame, figures, formulas, papers, what can be trusted, and what made them.
+"""Common parts of the pages of reports: frame, figures, formulas, papers, validity notes, and provenance.
 
 A page carries its pictures, formulas and styles inside; it opens without a network, on narrow screens and on paper.
-Everything that a reader wrote is escaped.
+All texts of a user are escaped.
 """
 
 from __future__ import annotations
@@ -11,17 +11,17 @@ from pathlib import Path
 from typing import Any
 
 from winkler.study.batch.outcome import Provenance
-from winkler.study.chapters.answer import Formula
+from winkler.study.chapters.answer import Equation
 from winkler.study.report import figures
 from winkler.study.report.citing import cite
-from winkler.study.report.figure import Shown
+from winkler.study.report.figure import ReportFigure
 from winkler.study.report.markup import safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.validity import Note, Standing
 
 __all__ = [
-    "MEANINGS",
     "REPORT",
+    "STANDING_MEANINGS",
     "badge",
     "figure_elements",
     "folded",
@@ -33,11 +33,11 @@ __all__ = [
     "write_page",
 ]
 
-WIDE = 7.0
-"""Figures wider than this [inch], panels side by side, take both columns of the page."""
+WIDE_FIGURE = 7.0
+"""Width [inch] above which figures, panels side by side, take both columns of the page."""
 REPORT = "report.html"
 
-MEANINGS = {
+STANDING_MEANINGS = {
     Standing.EXACT: "holds without error within the stated theory",
     Standing.ASYMPTOTIC: "right in a limit; the deviation is stated",
     Standing.APPROXIMATE: "the error is stated",
@@ -46,7 +46,7 @@ MEANINGS = {
 
 
 def write_page(
-    outcome: Any, folder: Path, shown: tuple[Shown, ...], page: Callable[[Any, tuple[Shown, ...]], str]
+    outcome: Any, folder: Path, shown: tuple[ReportFigure, ...], page: Callable[[Any, tuple[ReportFigure, ...]], str]
 ) -> None:
     """Write figures, and the page that shows them, as the study of an outcome asks."""
     figures.save(shown, folder, outcome.study.output.figures)
@@ -72,24 +72,24 @@ def badge(standing: Standing) -> str:
     return f'<span class="standing {standing.value}">{standing.value}</span>'
 
 
-def figure_elements(shown: Iterable[Shown]) -> str:
+def figure_elements(shown: Iterable[ReportFigure]) -> str:
     """Return figures with their captions for a page."""
     return f'<div class="figures">{"".join(map(_figure_element, shown))}</div>'
 
 
-def _figure_element(one: Shown) -> str:
+def _figure_element(one: ReportFigure) -> str:
     caption = f"<figcaption><h3>{safe(one.title)}</h3><p>{safe(one.sentence)}</p></figcaption>"
     if one.picture is None:
         return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
     drawn = figures.svg_element(one, safe(f"{one.title}. {one.sentence}"))
     # panels side by side would be too small to read in one column of the page
-    kind = ' class="wide"' if one.picture.get_size_inches()[0] > WIDE else ""
+    kind = ' class="wide"' if one.picture.get_size_inches()[0] > WIDE_FIGURE else ""
     return f"<figure{kind}>{caption}{drawn}</figure>"
 
 
-def formula_list(found: Iterable[Formula]) -> str:
-    """Return formulas and what they say; nothing if there are none."""
-    items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in found)
+def formula_list(formulas: Iterable[Equation]) -> str:
+    """Return formulas with their sentences; nothing if there are none."""
+    items = "".join(f"<li>{safe(one.says)}{formula(one.latex)}</li>" for one in formulas)
     return f'<ol class="formulas">{items}</ol>' if items else ""
 
 
@@ -104,14 +104,14 @@ def trust(notes: tuple[Note, ...]) -> str:
         f'<div class="source">{safe(note.assumption.value)}; {safe(note.source)}</div></div></li>'
         for note in ranked
     )
-    legend = "; ".join(f"{standing.value}: {meaning}" for standing, meaning in MEANINGS.items())
+    legend = "; ".join(f"{standing.value}: {meaning}" for standing, meaning in STANDING_MEANINGS.items())
     return section(
         "How far this can be trusted", f'<ul class="notes">{items}</ul>', f'<p class="small">{safe(legend)}.</p>'
     )
 
 
 def papers(content: Any) -> str:
-    """Return a section with the papers that a problem or study stands on; nothing if there are none."""
+    """Return a section with the papers on which a problem or study is based; nothing if there are none."""
     items = []
     for paper in cite(content):
         text = safe(paper.text)
@@ -119,12 +119,12 @@ def papers(content: Any) -> str:
             doi = safe(paper.doi)
             text = text.replace(f"doi:{doi}", f'<a href="https://doi.org/{doi}">doi:{doi}</a>')
         items.append(f"<li>{text}</li>")
-    lead = "<p>If you use these numbers, cite the papers they stand on.</p>"
+    lead = "<p>If you use these numbers, cite the papers on which they are based.</p>"
     return section("Papers", lead, f'<ol class="papers">{"".join(items)}</ol>') if items else ""
 
 
 def origin(made: Provenance, hashed: str, *parts: str) -> str:
-    """Return a section with what made the numbers; `hashed` says what the hash is of."""
+    """Return a section with the provenance of the numbers; `hashed` names the content of the hash."""
     rows = [
         ("winkler", made.version),
         ("study file", made.source or "made in Python"),

@@ -5,28 +5,28 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from winkler.plot.series import told
+from winkler.readable import with_unit
 from winkler.study.batch.outcome import Outcome
-from winkler.study.chapters.answer import Contact
+from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of, formulas_of
 from winkler.study.language.reading import study_text
 from winkler.study.report import page_parts as parts
 from winkler.study.report.archive import CSV, NETCDF
-from winkler.study.report.figures import Shown, figures_of, shown_contact, shown_point
+from winkler.study.report.figures import ReportFigure, figures_of, shown_contact, shown_point
 from winkler.study.report.markup import safe, section
-from winkler.study.report.tables import answered, asked, expected, failures, settings_told
+from winkler.study.report.tables import answer_section, expected, failures, question_section, settings_text
 from winkler.validity import Standing, worst
 
-__all__ = ["page", "write"]
+__all__ = ["page", "write_report"]
 
 
-def write(outcome: Outcome, folder: Path) -> None:
+def write_report(outcome: Outcome, folder: Path) -> None:
     """Write the figures of a study and its report.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        The outcome of a study.
     folder
         Must exist. Figures go into its folder ``figures``, in the formats that the study's output names; the report,
         unless the study's output declines it, into ``report.html``.
@@ -34,13 +34,13 @@ def write(outcome: Outcome, folder: Path) -> None:
     parts.write_page(outcome, folder, figures_of(outcome), page)
 
 
-def page(outcome: Outcome, shown: tuple[Shown, ...] | None = None) -> str:
+def page(outcome: Outcome, shown: tuple[ReportFigure, ...] | None = None) -> str:
     """Return the report as one HTML page.
 
     Parameters
     ----------
     outcome
-        What a study came to.
+        The outcome of a study.
     shown
         Its figures; drawn if left out.
     """
@@ -50,8 +50,8 @@ def page(outcome: Outcome, shown: tuple[Shown, ...] | None = None) -> str:
     notes = outcome.validity
     body = [
         f"<header><h1>{title}</h1>{_standing_line(outcome, worst(notes))}</header>",
-        asked(outcome),
-        answered(outcome),
+        question_section(outcome),
+        answer_section(outcome),
         failures(outcome),
         expected(outcome),
         _pictures(outcome, pictures),
@@ -67,15 +67,15 @@ def _standing_line(outcome: Outcome, standing: Standing) -> str:
     made = outcome.provenance
     counts = f"{len(outcome.points)} points" if len(outcome.points) > 1 else "one point"
     return (
-        f"<p>{parts.badge(standing)} <span class='small'>{parts.MEANINGS[standing]} (the worst of all statements "
-        f"below). Solved with winkler {safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
+        f"<p>{parts.badge(standing)} <span class='small'>{parts.STANDING_MEANINGS[standing]} (the worst of all "
+        f"statements below). Solved with winkler {safe(made.version)}, {safe(made.created[:10])}, {counts}.</span></p>"
     )
 
 
 # ------------------------------------------------------------------------------------------------------ pictures
 
 
-def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
+def _pictures(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> str:
     answers = [one for one in shown if not one.of_method]
     method = [one for one in shown if one.of_method]
     sections = []
@@ -84,10 +84,11 @@ def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
     if method:
         sections.append(section("The method in pictures", _which(outcome), parts.figure_elements(method)))
     point = shown_point(outcome)
-    if shown_contact(point) is None and answer_of(point.problem).contact is not Contact.NONE:
+    if shown_contact(point) is None and answer_of(point.problem).contact is not PicturedContact.NONE:
         kind = type(point.problem).__name__
         sentence = (
-            f"There are no pictures of the method for {kind}: its answer does not tell how the springs are pressed."
+            f"There are no pictures of the method for {kind}: its solution does not state how the springs are "
+            "compressed."
         )
         sections.append(section("The method in pictures", f'<p class="missing">{safe(sentence)}</p>'))
     return "\n".join(sections)
@@ -96,12 +97,12 @@ def _pictures(outcome: Outcome, shown: tuple[Shown, ...]) -> str:
 def _which(outcome: Outcome) -> str:
     point = shown_point(outcome)
     contact = shown_contact(point)
-    where = [settings_told(outcome, point.settings)] if outcome.study.sweep else []
+    where = [settings_text(outcome, point.settings)] if outcome.study.sweep else []
     which = answer_of(point.problem).contact_shown
     if which and contact is not None:
-        where.append(f"{which}, at a depth of {told(float(contact.depth), 'm')}")
+        where.append(f"{which}, at a depth of {with_unit(float(contact.depth), 'm')}")
     if len(point.each) > 1 and contact is not None and not which:
-        where.append(f"load {len(point.each)} of {len(point.each)}, a force of {told(float(contact.force), 'N')}")
+        where.append(f"load {len(point.each)} of {len(point.each)}, a force of {with_unit(float(contact.force), 'N')}")
     return f"<p>Shown is {safe('; '.join(where))}.</p>" if where else ""
 
 
@@ -109,20 +110,20 @@ def _which(outcome: Outcome) -> str:
 
 
 def _formulas(outcome: Outcome) -> str:
-    found = formulas_of(shown_point(outcome).problem)
-    if not found:
-        return section(
-            "The formulas", "<p>For this problem the report knows no formulas; the papers below have them.</p>"
-        )
-    return section("The formulas", parts.formula_list(found))
+    formulas = formulas_of(shown_point(outcome).problem)
+    if not formulas:
+        return section("The formulas", "<p>For this problem the report has no formulas; see the papers below.</p>")
+    return section("The formulas", parts.formula_list(formulas))
 
 
 def _readable(text: str) -> str:
-    """Return the text of a study without packed height maps, which nobody reads."""
-    return re.sub(r'packed = "([^"]*)"', lambda found: f'packed = "... {len(found[1])} letters, in study.toml"', text)
+    """Return the text of a study without packed height maps, which are not readable."""
+    return re.sub(
+        r'packed = "([^"]*)"', lambda formulas: f'packed = "... {len(formulas[1])} letters, in study.toml"', text
+    )
 
 
 def _provenance(outcome: Outcome) -> str:
     text = parts.folded("The study as a file; it gives the same numbers again", _readable(study_text(outcome.study)))
     files = f"<p class='small'>All numbers with all digits: {CSV} and {NETCDF}, beside this page.</p>"
-    return parts.origin(outcome.provenance, "the question", text, files)
+    return parts.origin(outcome.provenance, "the study", text, files)

@@ -1,7 +1,7 @@
-"""One run at a time into a folder of results, and what killed runs have left beside it.
+"""Reserve a folder of results for one run, and remove what killed runs have left beside it.
 
-A run holds the lock ``.NAME.lock`` beside its folder.  Whoever gets it knows that nobody else is writing there: what
-lies beside the folder half-written is of a run that was killed.
+A run holds the lock ``.NAME.lock`` beside its folder.  With the lock no other run is writing there, so that an
+incomplete folder beside it belongs to a run that was killed.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from pathlib import Path
 
 from winkler.errors import InvalidInput
 from winkler.study.batch.locking import locked
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 from winkler.study.report.writing import OLD, PARTIAL, holds_results, unwritable
 
 __all__ = ["reserved"]
 
-HEX = "[0-9a-f]"
+HEX_DIGIT = "[0-9a-f]"
 
 
 @contextlib.contextmanager
 def reserved(folder: Path) -> Iterator[None]:
-    """Keep a folder of results for this run, and remove first what runs that were killed have left beside it.
+    """Reserve a folder of results for this run, and remove first what killed runs have left beside it.
 
     Folders above it are made, and removed again if nothing was put there.
 
@@ -46,7 +46,7 @@ def reserved(folder: Path) -> Iterator[None]:
         with contextlib.ExitStack() as stack:
             try:
                 parent.mkdir(parents=True, exist_ok=True)
-                alone = stack.enter_context(locked(parent / f".{folder.name}.lock"))
+                has_lock = stack.enter_context(locked(parent / f".{folder.name}.lock"))
             except BlockingIOError:
                 raise InvalidInput(
                     f"output: another run is writing into '{folder}'; wait for its end, or give another folder with "
@@ -54,31 +54,31 @@ def reserved(folder: Path) -> Iterator[None]:
                 ) from None
             except OSError as error:
                 raise unwritable(folder, error) from None
-            if alone:
-                _put_right(folder)
+            if has_lock:
+                _clean_up(folder)
             try:
                 yield
             finally:
-                if alone:
-                    _put_right(folder)
+                if has_lock:
+                    _clean_up(folder)
     finally:
         for path in created:
             with contextlib.suppress(OSError):
                 path.rmdir()
 
 
-def _put_right(folder: Path) -> None:
-    """Remove what is half-written, and give results back their name that were put aside and not replaced."""
+def _clean_up(folder: Path) -> None:
+    """Remove incomplete folders, and restore the name of results that were put aside and not replaced."""
     name, parent = glob.escape(folder.name), folder.parent
-    with held():
-        for aside in parent.glob(f".{name}.{HEX * 12}{OLD}"):
+    with deferred_signals():
+        for aside in parent.glob(f".{name}.{HEX_DIGIT * 12}{OLD}"):
             if aside.with_suffix(PARTIAL).exists() and not folder.exists():
                 with contextlib.suppress(OSError):
                     os.rename(aside, folder)
             else:
                 shutil.rmtree(aside, ignore_errors=True)
-        for partial in parent.glob(f".{name}.{HEX * 12}{PARTIAL}"):
+        for partial in parent.glob(f".{name}.{HEX_DIGIT * 12}{PARTIAL}"):
             shutil.rmtree(partial, ignore_errors=True)
-        for part in parent.glob(f"..{name}.{HEX * 16}.*.part"):
+        for part in parent.glob(f"..{name}.{HEX_DIGIT * 16}.*.part"):
             with contextlib.suppress(OSError):
                 part.unlink()

@@ -1,4 +1,4 @@
-"""One file that a command writes: it stands there whole, or what was there before.
+"""Atomic writing of one file by a command: the file is complete, or as it was before.
 
 It is written under a hidden name beside it, ``.NAME.part``, which takes its name when it is complete.  What a killed
 command has left under the hidden name is overwritten by the next one, which holds the lock of the file meanwhile.
@@ -10,9 +10,9 @@ import os
 from pathlib import Path
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.study.batch.locking import locked
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 
 __all__ = ["write_whole"]
 
@@ -34,7 +34,7 @@ def write_whole(path: Path, content: bytes) -> None:
     InvalidInput
         If it cannot be written, or another command is writing it.
     """
-    target = Path(os.path.realpath(path))  # where a link leads
+    target = Path(os.path.realpath(path))  # the target of a link
     part = target.with_name(f".{target.name}{PART}")
     try:
         with locked(target.with_name(f".{target.name}.lock")):
@@ -45,14 +45,15 @@ def write_whole(path: Path, content: bytes) -> None:
                     os.fsync(file.fileno())
                 part.replace(target)
             finally:
-                with held():
+                with deferred_signals():
                     part.unlink(missing_ok=True)
     except BlockingIOError:
         raise InvalidInput(
-            f"output: another command is writing '{shown(path)}'; wait for its end, or give another file with --output."
+            f"output: another command is writing '{path_text(path)}'; wait for its end, or give another file with "
+            "--output."
         ) from None
     except (OSError, ValueError) as error:
         why = (getattr(error, "strerror", None) or str(error)).lower()
         raise InvalidInput(
-            f"output: '{shown(path)}' cannot be written ({why}); give another file with --output."
+            f"output: '{path_text(path)}' cannot be written ({why}); give another file with --output."
         ) from None

@@ -1,4 +1,4 @@
-"""The figures of sweeps with many points: maps of crossed ones, clouds of drawn ones, and what each key tells."""
+"""The figures of sweeps with many points: maps of crossed ones, scatter plots of drawn ones, indices of Sobol."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from winkler.study.language import keys
 from winkler.study.language.designs import Crossed
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis
-from winkler.study.report.figure import Shown, capital, drawn
+from winkler.study.report.figure import ReportFigure, capital, drawn
 
 __all__ = ["clouds", "mapped", "maps", "parts", "varied_series"]
 
-MANY = 12
-"""Two keys with so many values each are shown as a map."""
+LEAST_MAP_VALUES = 12
+"""Values of each of two keys from which they are shown as a map."""
 
 
 def varied_series(study: Study, axis: Axis) -> Series:
     """Return the numbers of a varied key with their word."""
     entry = keys.word_at(study, axis.key)
     if ".constants." in axis.key:
-        entry = entry._replace(symbol="")  # a name that the reader chose, not a symbol of the glossary
+        entry = entry._replace(symbol="")  # a name that the user chose, not a symbol of the glossary
     last = axis.key.rpartition(".")[2]
     alike = [line.key for line in study.sweep if line.key.rpartition(".")[2] == last]
     name = last if len(alike) == 1 else axis.key.removeprefix("problem.")
@@ -35,11 +35,11 @@ def varied_series(study: Study, axis: Axis) -> Series:
 
 def mapped(study: Study) -> bool:
     """Return whether answers are shown as maps: two keys with many numbers each, crossed."""
-    fine = all(axis.numeric and len(set(axis.values)) >= MANY for axis in study.axes)
+    fine = all(axis.numeric and len(set(axis.values)) >= LEAST_MAP_VALUES for axis in study.axes)
     return isinstance(study.design, Crossed) and len(study.axes) == 2 and fine
 
 
-def maps(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
+def maps(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
     """Yield a map of every one of the answers over two varied keys."""
     along, up = (varied_series(outcome.study, axis) for axis in outcome.study.axes)
     for name, content in answers.items():
@@ -48,7 +48,7 @@ def maps(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
         yield drawn(f"answer_{name}", title, "Lines join points of equal answers.", picture)
 
 
-def clouds(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
+def clouds(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
     """Yield every one of the answers over each varied number: one dot for each point of the design."""
     along = [varied_series(outcome.study, axis) for axis in outcome.study.axes if axis.numeric]
     for name, content in answers.items():
@@ -57,8 +57,8 @@ def clouds(outcome: Outcome, answers: dict[str, Array]) -> Iterator[Shown]:
         yield drawn(f"answer_{name}", title, "One dot for each point; everything else varies as well.", picture)
 
 
-def parts(outcome: Outcome) -> Iterator[Shown]:
-    """Yield how much of the scatter of each answer every key makes; none if the design does not tell."""
+def parts(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield the indices of Sobol of each answer for every key; none for other designs."""
     names = [axis.key.removeprefix("problem.") for axis in outcome.study.axes]
     for one in outcome.indices:
         bars = [

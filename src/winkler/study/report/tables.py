@@ -1,4 +1,4 @@
-"""The tables of the report: what was asked, what came out, what has no answer, what was expected."""
+"""The tables of the report: the inputs, the answers, the failures, the expected numbers."""
 
 from __future__ import annotations
 
@@ -7,32 +7,33 @@ from typing import Any
 
 import numpy as np
 
-from winkler.plot.series import middle_scale, spoken, told
+from winkler.plot.series import middle_scale, spoken
+from winkler.readable import with_unit
 from winkler.study.batch.events import EVENTS
 from winkler.study.batch.outcome import Column, Outcome, Verdict
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV
-from winkler.study.report.describe import Input, content_label, in_words, inputs, setting_told
-from winkler.study.report.event_rows import found_in
-from winkler.study.report.markup import kept, number, safe, section, table
+from winkler.study.report.describe import Input, content_label, in_words, inputs, setting_text
+from winkler.study.report.event_rows import rows_of
+from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 
-__all__ = ["answered", "asked", "expected", "failures", "given_rows", "reason_list", "settings_told"]
+__all__ = ["answer_section", "expected", "failures", "given_rows", "question_section", "reason_list", "settings_text"]
 
-ROWS = 24
+MOST_ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
-CARDS = ("force", "depth", "radius", "stiffness", "shift", "shear_force")
-"""What stands in large letters at the top, if it was answered."""
+CARD_ANSWERS = ("force", "depth", "radius", "stiffness", "shift", "shear_force")
+"""Answers in large letters at the top, if there are any."""
 
 
-def asked(outcome: Outcome) -> str:
-    """Return the study in words, and the table of what was given."""
+def question_section(outcome: Outcome) -> str:
+    """Return the study in words, and the table of its inputs."""
     given_table = table(["what", "", "given", "meaning"], given_rows(inputs(outcome.study)))
-    return section("What was asked", f'<p class="lead">{kept(in_words(outcome.study))}</p>', given_table)
+    return section("What was asked", f'<p class="lead">{with_fixed_units(in_words(outcome.study))}</p>', given_table)
 
 
 def given_rows(given_inputs: Iterable[Input]) -> list[str]:
-    """Return the rows of a table of what was given, under the names of its groups."""
+    """Return the rows of a table of inputs, under the names of its groups."""
     rows, group = [], None
     for given in given_inputs:
         if given.group != group:
@@ -40,26 +41,27 @@ def given_rows(given_inputs: Iterable[Input]) -> list[str]:
             rows.append(f'<tr class="group"><td colspan="4">{safe(group)}</td></tr>')
         rows.append(
             f"<tr><td>{safe(given.name)}</td><td>{symbol(given.symbol) if given.name else ''}</td>"
-            f'<td class="{"value" if len(given.told) < 30 else "wrap"}">{safe(given.told)}</td>'
+            f'<td class="{"value" if len(given.text) < 30 else "wrap"}">{safe(given.text)}</td>'
             f'<td class="text small">{safe(given.meaning if given.meaning != given.name else "")}</td></tr>'
         )
     return rows
 
 
-def answered(outcome: Outcome) -> str:
-    """Return what came out: large numbers and a list for one load, a table for many."""
+def answer_section(outcome: Outcome) -> str:
+    """Return the answers: large numbers and a list for one load, a table for many."""
     columns = outcome.table()
     rows = len(columns[0].content)
     if rows == 1:
         return section("What came out", _cards(outcome), _single(columns), _events(outcome))
     cut = ""
-    if rows > ROWS:
-        cut = f"<p class='small'>{rows} rows, of which the first and last {ROWS // 2} are shown; {CSV} holds all.</p>"
+    if rows > MOST_ROWS:
+        half = MOST_ROWS // 2
+        cut = f"<p class='small'>{rows} rows, of which the first and last {half} are shown; {CSV} holds all.</p>"
     return section("What came out", _many(columns, outcome), cut, _events(outcome), _indices(outcome))
 
 
 def _indices(outcome: Outcome) -> str:
-    """Return the table of how much of the scatter of each answer every key makes; nothing if it was not asked."""
+    """Return the table of the indices of Sobol; empty if there are none."""
     rows = []
     for one in outcome.indices:
         for place, axis in enumerate(outcome.study.axes):
@@ -83,9 +85,9 @@ def _events(outcome: Outcome) -> str:
     """Return the tables of jumps, branches and limits; nothing if there are none."""
     parts = []
     for name, title in EVENTS.items():
-        found = found_in(outcome, name)
-        rows = [[*event] for _, events in found for event in events]
-        where = [settings_told(outcome, point.settings) for point, events in found for _ in events]
+        point_rows = rows_of(outcome, name)
+        rows = [[*event] for _, events in point_rows for event in events]
+        where = [settings_text(outcome, point.settings) for point, events in point_rows for _ in events]
         if not rows:
             continue
         scales = [
@@ -98,23 +100,27 @@ def _events(outcome: Outcome) -> str:
         ]
         lines = [
             "<tr>"
-            + (f"<td>{safe(told_by)}</td>" if swept else "")
+            + (f"<td>{safe(point)}</td>" if swept else "")
             + "".join(_cell(one.content, scale.factor) for one, scale in zip(row, scales, strict=True))
             + "</tr>"
-            for row, told_by in zip(rows[:ROWS], where, strict=False)
+            for row, point in zip(rows[:MOST_ROWS], where, strict=False)
         ]
-        more = f"<p class='small'>… and {len(rows) - ROWS} more; {name}.csv holds all.</p>" if len(rows) > ROWS else ""
+        more = (
+            f"<p class='small'>… and {len(rows) - MOST_ROWS} more; {name}.csv holds all.</p>"
+            if len(rows) > MOST_ROWS
+            else ""
+        )
         parts.append(f"<h3>{safe(title)}</h3>{table([*swept, *heads], lines)}{more}")
     return "".join(parts)
 
 
 def _cards(outcome: Outcome) -> str:
     cards = []
-    for name in CARDS:
+    for name in CARD_ANSWERS:
         if name in outcome.answers:
             entry, number = outcome.word(name), float(outcome.answer(name).ravel()[0])
             cards.append(
-                f'<div class="card"><div class="value">{safe(told(number, entry.unit))}</div>'
+                f'<div class="card"><div class="value">{safe(with_unit(number, entry.unit))}</div>'
                 f'<div class="name">{safe(spoken(name))} {symbol(entry.symbol)}</div></div>'
             )
     return f'<div class="cards">{"".join(cards)}</div>'
@@ -124,7 +130,7 @@ def _single(columns: tuple[Column, ...]) -> str:
     rows = []
     for column in columns:
         content = column.content[0]
-        text = told(float(content), column.word.unit, 7) if column.word.unit is not None else str(content)
+        text = with_unit(float(content), column.word.unit, 7) if column.word.unit is not None else str(content)
         rows.append(
             f"<tr><td>{safe(spoken(column.name))}</td><td>{symbol(column.word.symbol)}</td>"
             f'{number(safe(text))}<td class="text small">{safe(column.word.meaning)}</td></tr>'
@@ -135,14 +141,14 @@ def _single(columns: tuple[Column, ...]) -> str:
 def _many(columns: tuple[Column, ...], outcome: Outcome) -> str:
     swept = [axis.key for axis in outcome.study.sweep]
     given = [column.content for column in columns if column.name in swept]
-    shown = [
+    shown_columns = [
         column
         for column in columns
         if column.name != "failure"
         and (column.name in swept or not any(_same(column.content, content) for content in given))
     ]
     heads, bodies = [], []
-    for column in shown:
+    for column in shown_columns:
         name = spoken(column.name.rpartition(".")[2])
         if column.word.unit is None:
             heads.append(safe(name))
@@ -154,25 +160,25 @@ def _many(columns: tuple[Column, ...], outcome: Outcome) -> str:
         heads.append(f"#{safe(name)} {symbol(column.word.symbol)}{unit}")
         bodies.append([_cell(float(item), scale.factor) for item in column.content])
     rows = ["<tr>" + "".join(cells) + "</tr>" for cells in zip(*bodies, strict=True)]
-    if len(rows) > ROWS:
-        half = ROWS // 2
+    if len(rows) > MOST_ROWS:
+        half = MOST_ROWS // 2
         rows = [*rows[:half], f'<tr class="cut"><td colspan="{len(heads)}">…</td></tr>', *rows[-half:]]
     return table(heads, rows)
 
 
 def _labels(outcome: Outcome, key: str) -> dict[str, str]:
-    """Return what the table says -> what the report says, of a varied key that takes no numbers."""
+    """Return label in the table -> label in the report, of a varied key without numbers."""
     return {
         keys.label(item): content_label(item) for axis in outcome.study.axes if axis.key == key for item in axis.values
     }
 
 
 def _same(content: np.ndarray, given: np.ndarray) -> bool:
-    """Return whether an answer repeats what was given, wherever there is an answer."""
+    """Return whether an answer repeats a varied key, wherever there is an answer."""
     if content.dtype != given.dtype or content.dtype.kind != "f":
         return False
-    known = np.isfinite(content)
-    return bool(np.array_equal(content[known], given[known]))
+    finite = np.isfinite(content)
+    return bool(np.array_equal(content[finite], given[finite]))
 
 
 def _cell(content: float, factor: float) -> str:
@@ -181,10 +187,10 @@ def _cell(content: float, factor: float) -> str:
     return number(text)
 
 
-def settings_told(outcome: Outcome, settings: Iterable[Any]) -> str:
+def settings_text(outcome: Outcome, settings: Iterable[Any]) -> str:
     """Return the values of the varied keys at one point."""
     pairs = zip(outcome.study.sweep, settings, strict=True)
-    return ", ".join(setting_told(outcome.study, axis, content) for axis, content in pairs)
+    return ", ".join(setting_text(outcome.study, axis, content) for axis, content in pairs)
 
 
 def failures(outcome: Outcome) -> str:
@@ -192,60 +198,62 @@ def failures(outcome: Outcome) -> str:
     stopped = [point for point in outcome.solved if point.stopped]
     if not stopped:
         return _without(outcome)
-    reasons = [(settings_told(outcome, point.settings), point.stopped) for point in stopped[:ROWS]]
-    return section("Where a march ended early", reason_list(reasons, ROWS, CSV)[0]) + _without(outcome)
+    reasons = [(settings_text(outcome, point.settings), point.stopped) for point in stopped[:MOST_ROWS]]
+    return section("Where a march ended early", reason_list(reasons, MOST_ROWS, CSV)[0]) + _without(outcome)
 
 
 def _without(outcome: Outcome) -> str:
     if not outcome.failed:
         return ""
     lead = f"<p>{len(outcome.failed)} of {len(outcome.points)} points have no answer:</p>"
-    reasons = [(settings_told(outcome, point.settings), point.reason) for point in outcome.failed]
-    return section("Points without an answer", lead, *reason_list(reasons, ROWS, CSV))
+    reasons = [(settings_text(outcome, point.settings), point.reason) for point in outcome.failed]
+    return section("Points without an answer", lead, *reason_list(reasons, MOST_ROWS, CSV))
 
 
-def reason_list(reasons: Sequence[tuple[str, str]], most: int, file: str) -> tuple[str, str]:
-    """Return a list of places and reasons, cut after `most`, and a line that tells which `file` holds all."""
-    items = "".join(f"<li>{safe(f'{where}: ' if where else '')}{safe(reason)}</li>" for where, reason in reasons[:most])
-    more = len(reasons) - most
+def reason_list(reasons: Sequence[tuple[str, str]], most_shown: int, file: str) -> tuple[str, str]:
+    """Return a list of places and reasons, cut after `most_shown`, and a line that names the `file` with all."""
+    items = "".join(
+        f"<li>{safe(f'{where}: ' if where else '')}{safe(reason)}</li>" for where, reason in reasons[:most_shown]
+    )
+    more = len(reasons) - most_shown
     return f"<ul>{items}</ul>", f"<p class='small'>… and {more} more; {file} holds all.</p>" if more > 0 else ""
 
 
 def expected(outcome: Outcome) -> str:
-    """Return what was expected and what came out, what was missed first; nothing if nothing was expected."""
+    """Return expected and computed numbers, missed ones first; empty if there are none."""
     if not outcome.verdicts:
         return ""
     ranked = sorted(outcome.verdicts, key=lambda verdict: verdict.passed)
     missed = sum(not verdict.passed for verdict in ranked)
     lead = f"{len(ranked) - missed} of {len(ranked)} expectations were met."
-    if len(ranked) > ROWS:
-        lead += f" The first {ROWS} are shown, those that were missed first."
+    if len(ranked) > MOST_ROWS:
+        lead += f" The first {MOST_ROWS} are shown, those that were missed first."
     heads = ["what", "", "#expected", "#came out", "#deviation", "#allowed"]
-    rows = [_verdict(outcome, verdict) for verdict in ranked[:ROWS]]
+    rows = [_verdict(outcome, verdict) for verdict in ranked[:MOST_ROWS]]
     return section("What was expected", f"<p>{lead}</p>", table(heads, rows))
 
 
 def _verdict(outcome: Outcome, verdict: Verdict) -> str:
-    asked = verdict.expectation
-    unit = asked.unit
-    where = ", ".join(f"{name} = {told(place, 'm')}" for name, place in asked.place)
-    what = _spoken(asked.quantity) + (f" at {where}" if where else "")
+    item = verdict.expectation
+    unit = item.unit
+    where = ", ".join(f"{name} = {with_unit(place, 'm')}" for name, place in item.place)
+    what = _quantity_text(item.quantity) + (f" at {where}" if where else "")
     if outcome.study.sweep:
         settings = next(point.settings for point in outcome.points if point.index == verdict.index)
-        what += f", {settings_told(outcome, settings)}"
+        what += f", {settings_text(outcome, settings)}"
     cells = [
         f"<td>{safe(what)}</td>",
         f"<td>{'as expected' if verdict.passed else '<strong>missed</strong>'}</td>",
-        number(safe(_some(asked.expected, unit))),
+        number(safe(_some(item.expected, unit))),
         number(safe(_some(verdict.got, unit))),
         number(f"{verdict.deviation:.2g}"),
-        number(f"{asked.tolerance:.2g}"),
+        number(f"{item.tolerance:.2g}"),
     ]
     return f"<tr>{''.join(cells)}</tr>"
 
 
-def _spoken(quantity: str) -> str:
-    """Return a quantity as it is read; with the place among many answers that was asked for."""
+def _quantity_text(quantity: str) -> str:
+    """Return the name of a quantity in words, with its index among many answers."""
     base, _, number = quantity.rpartition(".")
     if not number.removeprefix("-").isdecimal():
         return spoken(quantity)
@@ -254,4 +262,6 @@ def _spoken(quantity: str) -> str:
 
 def _some(content: Any, unit: str | None) -> str:
     numbers = np.ravel(np.asarray(content, dtype=float))
-    return told(float(numbers[0]), unit, 7) + (f" … {told(float(numbers[-1]), unit, 7)}" if numbers.size > 1 else "")
+    return with_unit(float(numbers[0]), unit, 7) + (
+        f" … {with_unit(float(numbers[-1]), unit, 7)}" if numbers.size > 1 else ""
+    )

@@ -1,8 +1,8 @@
-"""The folder of results: written whole or not at all.
+"""The folder of results: written completely or not at all.
 
 Everything is written into a hidden folder beside the wanted one, which takes its name when it is complete.  Two runs
-into one folder never mix, and a run that is stopped leaves what was there before.  What a run leaves that was killed
-without warning, the next one puts right: see `winkler.study.report.reserving`.
+into one folder never mix, and a run that is stopped leaves what was there before.  What a killed run leaves, the
+next one removes: see `winkler.study.report.reserving`.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from winkler.errors import InvalidInput
-from winkler.io.foreign import shown
+from winkler.io.foreign import path_text
 from winkler.study.batch.outcome import Outcome, Provenance
-from winkler.study.batch.stopping import held, keeping, look
+from winkler.study.batch.stopping import deferred_signals, raise_pending, set_kept_text
 from winkler.study.language.reading import study_text
 
 if TYPE_CHECKING:
@@ -38,37 +38,37 @@ __all__ = [
 ]
 
 PROVENANCE = "provenance.json"
-"""Marks a folder of results, and lists its files."""
-LONGEST = 220
-"""Bytes of the name of a folder; names of hidden files beside it are longer, and file systems allow 255."""
+"""File that marks a folder of results, and lists its files."""
+MOST_NAME_BYTES = 220
+"""Longest name of a folder [bytes]; names of hidden files beside it are longer, and file systems allow 255."""
 PARTIAL, OLD = ".partial", ".old"
-"""How the names of folders end that are being written, and that were put aside; before it stands a mark of the run."""
+"""Endings of folders that are being written, and of those put aside; a mark of the run stands in front."""
 
 
 def write_outcome(outcome: Outcome | FitOutcome, folder: Path) -> None:
-    """Write everything that a study came to into an existing, empty `folder`.
+    """Write the results of a study into an existing, empty `folder`.
 
     Numbers (NetCDF and CSV), figures, report.html, the study itself (study.toml, which runs again to the same
     numbers), and provenance.json.
     """
-    shown = outcome.study.output.report or outcome.study.output.figures
+    path_text = outcome.study.output.report or outcome.study.output.figures
     if isinstance(outcome, Outcome):
         from winkler.study.report import archive
 
-        archive.write(outcome, folder)
-        if shown:
+        archive.write_archive(outcome, folder)
+        if path_text:
             from winkler.study.report import report
 
-            report.write(outcome, folder)
+            report.write_report(outcome, folder)
         text, left = study_text(outcome.study), 0
     else:
         from winkler.study.report import fit_writing
 
         fit_writing.write_numbers(outcome, folder)
-        if shown:
+        if path_text:
             from winkler.study.report import fit_report
 
-            fit_report.write(outcome, folder)
+            fit_report.write_fit_report(outcome, folder)
         text, left = outcome.study.text, outcome.left
     if text:
         (folder / "study.toml").write_text(text, encoding="utf-8")
@@ -81,11 +81,11 @@ def write_provenance(made: Provenance, folder: Path, *, missing: int = 0) -> Non
     Parameters
     ----------
     made
-        What made the numbers.
+        Provenance of the numbers.
     folder
-        Where they lie.
+        The folder.
     missing
-        How many curves of a batch that was interrupted were not reached.
+        Number of curves of an interrupted batch that were not reached.
     """
     content = {
         "program": "winkler",
@@ -113,17 +113,17 @@ def holds_results(folder: Path) -> bool:
     InvalidInput
         If the folder cannot be used: it is a file, or holds anything that winkler did not write.
     """
-    if "\0" in str(folder) or len(os.fsencode(folder.name)) > LONGEST:
+    if "\0" in str(folder) or len(os.fsencode(folder.name)) > MOST_NAME_BYTES:
         raise InvalidInput(
-            f"output: '{shown(folder)}' has a name that cannot be used; give a folder whose name has at most {LONGEST} "
-            "bytes, with --output."
+            f"output: '{path_text(folder)}' has a name that cannot be used; give a folder whose name has at most "
+            f"{MOST_NAME_BYTES} bytes, with --output."
         )
     if _is_here(folder):
         raise InvalidInput(f"output: '{folder}' is the working directory or contains it; give a folder inside it.")
     try:
-        for above in folder.parents:
-            if above.is_file():
-                raise InvalidInput(f"output: '{folder}' lies in '{above}', which is a file; give another folder.")
+        for ancestor in folder.parents:
+            if ancestor.is_file():
+                raise InvalidInput(f"output: '{folder}' lies in '{ancestor}', which is a file; give another folder.")
         if not folder.exists():
             return False
         if not folder.is_dir():
@@ -156,7 +156,7 @@ def _listed(folder: Path) -> set[str]:
 
 
 def _provenance(folder: Path) -> dict[str, Any]:
-    """Return what provenance.json tells; nothing if winkler did not write it."""
+    """Return the content of provenance.json; empty if winkler did not write it."""
     try:
         content = json.loads((folder / PROVENANCE).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -170,16 +170,16 @@ def _is_here(folder: Path) -> bool:
 
 
 def unwritable(folder: Path, error: OSError) -> InvalidInput:
-    """Return the error of a folder that the system does not let us write."""
+    """Return the error of a folder that cannot be written."""
     why = (
         os.strerror(error.errno) if error.errno else type(error).__name__
     ).lower()  # libraries say more in `strerror`
-    return InvalidInput(f"output: '{shown(folder)}' cannot be written ({why}); give another folder with --output.")
+    return InvalidInput(f"output: '{path_text(folder)}' cannot be written ({why}); give another folder with --output.")
 
 
 @contextlib.contextmanager
 def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
-    """Give an empty folder to write into; at the end it becomes `folder`, unless an error or a stop came between.
+    """Provide an empty folder to write into; at the end it is renamed to `folder`, unless an error or a stop occurs.
 
     Parameters
     ----------
@@ -202,16 +202,18 @@ def placed(folder: Path, *, overwrite: bool) -> Iterator[Path]:
         try:
             partial.mkdir()
             yield partial
-            look()
-            with held():  # a stop between the two names, or before the old results are gone, would leave both
-                _put(partial, folder, folder.parent / f"{mark}{OLD}", overwrite)
+            raise_pending()
+            with (
+                deferred_signals()
+            ):  # a stop between the two names, or before the old results are gone, would leave both
+                _move_into_place(partial, folder, folder.parent / f"{mark}{OLD}", overwrite)
                 done = True
-                keeping(f"the results in {folder} are complete")
+                set_kept_text(f"the results in {folder} are complete")
         except OSError as error:
             raise unwritable(folder, error) from None
     finally:
         if not done:
-            with held():
+            with deferred_signals():
                 shutil.rmtree(partial, ignore_errors=True)
 
 
@@ -222,20 +224,20 @@ def _occupied(folder: Path) -> InvalidInput:
     )
 
 
-def _put(partial: Path, folder: Path, aside: Path, overwrite: bool) -> None:
+def _move_into_place(partial: Path, folder: Path, previous: Path, overwrite: bool) -> None:
     """Give `partial` the name `folder`; what was there goes `aside` and is removed only afterwards."""
     moved = False
     try:
         if holds_results(folder):
             if not overwrite:
                 raise _occupied(folder)
-            os.rename(folder, aside)
+            os.rename(folder, previous)
             moved = True
         elif folder.exists():
             folder.rmdir()
         os.rename(partial, folder)
     finally:
         if moved and not folder.exists():
-            os.rename(aside, folder)
+            os.rename(previous, folder)
         elif moved:
-            shutil.rmtree(aside, ignore_errors=True)
+            shutil.rmtree(previous, ignore_errors=True)

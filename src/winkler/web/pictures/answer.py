@@ -21,7 +21,7 @@ from winkler.study.chapters.method_captions import captions_of
 from winkler.study.report.figures import answers_over, settings_of, shown_point, svg_element
 from winkler.study.report.markup import safe
 from winkler.study.report.page_parts import papers, trust
-from winkler.study.report.tables import answered, expected, failures
+from winkler.study.report.tables import answer_section, expected, failures
 from winkler.validity import worst
 from winkler.web.pictures import histories
 from winkler.web.pictures.chart import Chart, chart
@@ -146,7 +146,7 @@ class Shown(NamedTuple):
 
 def told(outcome: Outcome, text: str, moments: int, moment: int) -> AnswerText:
     """Return the answer in words and numbers."""
-    answers = "\n".join(part for part in (answered(outcome), failures(outcome), expected(outcome)) if part)
+    answers = "\n".join(part for part in (answer_section(outcome), failures(outcome), expected(outcome)) if part)
     return AnswerText(
         worst(outcome.validity).value,
         answers,

@@ -12,7 +12,7 @@ from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
 from winkler.study.report.figures import svg_element
 from winkler.study.report.fit_report import figures_of_curves, figures_of_many, steps
-from winkler.study.report.markup import kept, safe
+from winkler.study.report.markup import safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.study.report.page_parts import papers, trust
 from winkler.validity import worst
@@ -52,7 +52,8 @@ def _cards(outcome: FitOutcome) -> str:
         name = spoken_key(free.key).rpartition("› ")[2]
         cards.append(
             f'<div class="card"><div class="value">{safe(spoken_number(fit.value(free.path), word.unit))}</div>'
-            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>95 %: {kept(f"{low} … {high}")}</div></div>'
+            f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>'
+            f"95 %: {with_fixed_units(f'{low} … {high}')}</div></div>"
         )
     return f'<div class="cards">{"".join(cards)}</div>'
 

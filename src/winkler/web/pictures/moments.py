@@ -13,7 +13,7 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.wear.states import WearState
 from winkler.study.batch.points import Answered
-from winkler.study.chapters.answer import Contact
+from winkler.study.chapters.answer import PicturedContact
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.figures import shown_contact
 
@@ -69,12 +69,12 @@ def contact_at(point: Answered, moments: Moments, moment: int) -> tuple[Any, boo
     if moments.states and (is_restorable(moments.states[moment]) or is_recovering(moments.states[moment])):
         return moments.states[moment], True
     shows, answers, bed = answer_of(point.problem).contact, point.answers, getattr(point.problem, "bed", None)
-    if moments.total and bed is not None and shows is not Contact.NONE:
+    if moments.total and bed is not None and shows is not PicturedContact.NONE:
         now = {name: float(answers[name][moment]) for name in ("depth", "force", "radius") if name in answers}
-        if shows is Contact.EDGE and len(now) == 3 and now["radius"] > 0.0:
+        if shows is PicturedContact.EDGE and len(now) == 3 and now["radius"] > 0.0:
             asked = AdhesiveIndentation(bed, point.problem.law, Depth(now["depth"]))
             return AdhesiveSolution(asked, now["depth"], now["force"], now["radius"], True), True
         if "depth" in now and np.isfinite(now["depth"]):
-            depth = 0.0 if shows is Contact.EDGE else max(now["depth"], 0.0)
+            depth = 0.0 if shows is PicturedContact.EDGE else max(now["depth"], 0.0)
             return Indentation(bed, Depth(depth)).solve(), True
     return shown_contact(point), False

@@ -46,7 +46,7 @@ def exported(outcome: Outcome | FitOutcome, what: str, page: Path) -> File:
         return File(name, (folder / name).read_bytes())
 
 
-def _figures(outcome: Outcome | FitOutcome) -> tuple[figures.Shown, ...]:
+def _figures(outcome: Outcome | FitOutcome) -> tuple[figures.ReportFigure, ...]:
     return fit_report.figures_of(outcome) if isinstance(outcome, FitOutcome) else figures.figures_of(outcome)
 
 
@@ -59,7 +59,7 @@ def _numbers(outcome: Outcome | FitOutcome, folder: Path) -> tuple[str, str]:
     if isinstance(outcome, FitOutcome):
         fit_writing.write_numbers(outcome, folder)
         return fit_writing.CSV, fit_writing.NETCDF
-    archive.write(outcome, folder)
+    archive.write_archive(outcome, folder)
     return archive.CSV, archive.NETCDF
 
 

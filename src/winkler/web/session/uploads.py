@@ -17,7 +17,7 @@ from pathlib import Path
 
 from winkler.errors import InvalidInput
 from winkler.study.batch.locking import lock
-from winkler.study.batch.stopping import held
+from winkler.study.batch.stopping import deferred_signals
 
 __all__ = ["uploads"]
 
@@ -43,12 +43,12 @@ def uploads(place: Path | None = None) -> Iterator[Path]:
     """
     folder, file = Path(), -1
     try:
-        with held():
+        with deferred_signals():
             folder, file = _made(place)
         yield folder
     finally:
         if file >= 0:
-            with held():
+            with deferred_signals():
                 _remove(folder, file)
 
 

@@ -1,9 +1,9 @@
-r"""What is said to a terminal or a pipe: plain texts, whatever stands in titles, names, units and labels.
+r"""Output to a terminal or a pipe: plain texts, whatever titles, names, units and labels contain.
 
-Control characters (ESC, BEL and others of C0 and C1) and those that turn the direction of a line around become escapes
-such as ``\x1b``: no file of somebody else moves a cursor, renames a window or hides a part of a sentence.  Where the
-stream cannot write a character, it is spelled (``um`` for µm), or a question mark.  A stream that is closed, or whose
-reader has gone (``winkler run study.toml | head``), is written no more, and the command goes on.
+Control characters (ESC, BEL and others of C0 and C1) and those that change the direction of a line become escapes such
+as ``\x1b``, so that no foreign file moves a cursor, renames a window or hides a part of a sentence.  A character that
+the stream cannot encode is spelled (``um`` for µm), or replaced by a question mark.  Nothing more is written to a
+stream that is closed or whose reader has ended (``winkler run study.toml | head``), and the command goes on.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ import unicodedata
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["emptied", "plain_json", "read_or_not", "safe", "say", "say_json", "spell"]
+__all__ = ["flush_streams", "plain_json", "safe", "spell_unencodable", "until_closed", "write_json", "write_line"]
 
-TURNING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u2028\u2029")
-"""They turn the direction of a line around, or break it."""
-SPELLED = {
+DIRECTION_MARKS = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u2028\u2029")
+"""Characters that change the direction of a line, or break it."""
+SPELLINGS = {
     "µ": "u", "μ": "u", "×": "x", "·": "*", "±": "+-", "−": "-", "–": "-", "—": "-", "…": "...", "°": " deg",
     "Ω": "ohm",
     "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "“": '"', "”": '"', "‘": "'", "’": "'", "∞": "infinite",
     "ß": "ss", "ø": "o", "ł": "l",
 }  # fmt: skip
-HANDLER = "winkler.spelled"
+ERROR_HANDLER = "winkler.spelled"
 
 
 def safe(text: str) -> str:
@@ -40,32 +40,32 @@ def safe(text: str) -> str:
     """
     if text.isprintable():
         return text
-    return "".join(_shown(letter) if _harmful(letter) else letter for letter in text)
+    return "".join(_escaped(letter) if _harmful(letter) else letter for letter in text)
 
 
 def _harmful(letter: str) -> bool:
-    return letter in TURNING or (unicodedata.category(letter) in ("Cc", "Cs") and letter not in "\n\t")
+    return letter in DIRECTION_MARKS or (unicodedata.category(letter) in ("Cc", "Cs") and letter not in "\n\t")
 
 
-def _shown(letter: str) -> str:
+def _escaped(letter: str) -> str:
     return letter.encode("ascii", "backslashreplace").decode("ascii") if ord(letter) > 127 else f"\\x{ord(letter):02x}"
 
 
-def say(text: str, *, end: str = "\n", error: bool = False) -> None:
-    """Say a text on stdout, or on stderr."""
+def write_line(text: str, *, end: str = "\n", error: bool = False) -> None:
+    """Write a line of text to stdout, or to stderr."""
     if error:
-        with contextlib.suppress(OSError):  # the exit code tells
+        with contextlib.suppress(OSError):  # the exit code states the error
             print(safe(text), end=end, file=sys.stderr)
         return
-    with read_or_not():
+    with until_closed():
         print(safe(text), end=end)
 
 
-def say_json(content: Any) -> None:
-    """Say JSON on stdout: in ASCII, and with numbers that JSON does not know in words."""
+def write_json(content: Any) -> None:
+    """Write JSON to stdout: in ASCII, and infinite numbers as words."""
     import json
 
-    with read_or_not():
+    with until_closed():
         print(json.dumps(plain_json(content), indent=2, allow_nan=False))
 
 
@@ -88,19 +88,19 @@ def plain_json(content: Any) -> Any:
     return None if math.isnan(content) else f"{'-' * (content < 0.0)}infinite"
 
 
-def spell() -> None:
-    """Let stdout and stderr spell what they cannot write, instead of raising; what is closed is written nowhere."""
+def spell_unencodable() -> None:
+    """Let stdout and stderr spell what they cannot encode; replace closed ones by the null device."""
     sys.stdout, sys.stderr = (stream or open(os.devnull, "w") for stream in (sys.stdout, sys.stderr))  # noqa: SIM115
-    codecs.register_error(HANDLER, _spelled)
+    codecs.register_error(ERROR_HANDLER, _spelled)
     for stream in (sys.stdout, sys.stderr):
         encoding = getattr(stream, "encoding", None) or "utf-8"
         if hasattr(stream, "reconfigure") and not codecs.lookup(encoding).name.startswith("utf"):
-            stream.reconfigure(errors=HANDLER)
+            stream.reconfigure(errors=ERROR_HANDLER)
 
 
 @contextlib.contextmanager
-def read_or_not() -> Iterator[None]:
-    """Write to stdout, and to nothing else; if the reader goes away, the rest of the block is left out.
+def until_closed() -> Iterator[None]:
+    """Guard a block that writes to stdout alone; if the reader has ended, the rest of the block is skipped.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def read_or_not() -> Iterator[None]:
     except OSError as error:
         if error.filename is not None:
             raise
-        _dropped(sys.stdout)
+        _discarded(sys.stdout)
         if not isinstance(error, BrokenPipeError):
             from winkler.errors import InvalidInput
 
@@ -122,31 +122,31 @@ def read_or_not() -> Iterator[None]:
             ) from None
 
 
-def emptied() -> None:
-    """Write out what stdout and stderr still hold, if anybody reads it."""
-    with read_or_not():
+def flush_streams() -> None:
+    """Flush stdout and stderr, if they are still read."""
+    with until_closed():
         sys.stdout.flush()
     with contextlib.suppress(OSError):
         sys.stderr.flush()
 
 
-def _dropped(stream: Any) -> None:
-    """Write nowhere what a stream holds, and what comes later."""
+def _discarded(stream: Any) -> None:
+    """Discard what a stream holds, and all later output."""
     with contextlib.suppress(OSError):  # a stream of Python alone has no descriptor
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, stream.fileno())
-        os.close(nowhere)
+        null_device = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(null_device, stream.fileno())
+        os.close(null_device)
 
 
 def _spelled(error: UnicodeError) -> tuple[str, int]:
     if not isinstance(error, UnicodeEncodeError):
         raise error
     letters = error.object[error.start : error.end]
-    return "".join(map(_letters, letters)), error.end
+    return "".join(map(_spelling, letters)), error.end
 
 
-def _letters(letter: str) -> str:
-    if letter in SPELLED:
-        return SPELLED[letter]
+def _spelling(letter: str) -> str:
+    if letter in SPELLINGS:
+        return SPELLINGS[letter]
     plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode("ascii")
     return plain or "?"
