@@ -12,7 +12,7 @@ from winkler.fitting.varied import OF_THE_CURVE
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.march import relaxation_of
 
-__all__ = ["Band", "relaxation_band", "watched"]
+__all__ = ["Band", "observed_times", "relaxation_band"]
 
 STEP = 1e-3
 
@@ -25,7 +25,7 @@ class Band(NamedTuple):
     high: Array
 
 
-def watched(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
+def observed_times(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
     """Return the sampling interval and the time in contact [s], outside of which a curve tells nothing."""
     time = found.curve.time
     steps = np.diff(time)

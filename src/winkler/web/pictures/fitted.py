@@ -7,7 +7,7 @@ from typing import Any
 
 from winkler.errors import WinklerError
 from winkler.fitting.outcome import Fit
-from winkler.plot.series import told as spoken_number
+from winkler.plot.series import with_unit as number_text
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted
 from winkler.study.report import fit_tables
 from winkler.study.report.figures import svg_element
@@ -48,10 +48,10 @@ def _cards(outcome: FitOutcome) -> str:
     fit, cards = outcome.fitted[0].fit, []
     for free in outcome.study.free:
         word = outcome.study.word(free.key)
-        low, high = (spoken_number(end, word.unit) for end in fit.interval(free.path))
+        low, high = (number_text(end, word.unit) for end in fit.interval(free.path))
         name = spoken_key(free.key).rpartition("› ")[2]
         cards.append(
-            f'<div class="card"><div class="value">{safe(spoken_number(fit.value(free.path), word.unit))}</div>'
+            f'<div class="card"><div class="value">{safe(number_text(fit.value(free.path), word.unit))}</div>'
             f'<div class="name">{safe(name)} {symbol(word.symbol)}<br>95 %: {kept(f"{low} … {high}")}</div></div>'
         )
     return f'<div class="cards">{"".join(cards)}</div>'
@@ -90,8 +90,8 @@ def _elastic(result: Fitted, contact: Any) -> Iterator[Picture]:
 
 def _relaxing(result: Fitted) -> Iterator[Picture]:
     yield _curve(result)
-    told = "As the body answered; in and out differ because it relaxes."
-    yield Picture("loop", "Force over depth", told, packed(draw_loop(result.fit)))
+    with_unit = "As the body answered; in and out differ because it relaxes."
+    yield Picture("loop", "Force over depth", with_unit, packed(draw_loop(result.fit)))
 
 
 def fit_sheets(outcome: FitOutcome) -> Iterator[Shown]:

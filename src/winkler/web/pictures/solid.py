@@ -13,8 +13,8 @@ import numpy as np
 from winkler.fields import restore
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.extent import solid_until, sunk
-from winkler.plot.series import told
+from winkler.plot.extent import outline_end, sunk
+from winkler.plot.series import with_unit
 from winkler.web.pictures.chart import Chart
 from winkler.web.pictures.view import View
 
@@ -54,7 +54,7 @@ def draw_solid(contact: Any, view: View) -> Chart:
     stretch = 2.0 * TALL / (lid - low)
     r, f = _outline(pressed, view, lid)
     edge = stretch * (float(np.interp(a, ground, level)) - low)
-    note = f"{told(2.0 * wide, 'm', 3)} across, heights × {float(f'{stretch * wide:.2g}'):g}"
+    note = f"{with_unit(2.0 * wide, 'm', 3)} across, heights × {float(f'{stretch * wide:.2g}'):g}"
     data = {
         "ground": {"r": ground / wide, "z": stretch * (level - low), "colours": _painted(contact, ground, wide)},
         "body": {"r": r / wide, "z": stretch * (f - low), "lid": 2.0 * TALL, "colours": list(STEEL), "cut": CUT},
@@ -68,7 +68,7 @@ def draw_solid(contact: Any, view: View) -> Chart:
 
 def _outline(pressed: Any, view: View, lid: float) -> tuple[Array, Array]:
     """Return the outline of the body up to a lid."""
-    end = min(view.extent, solid_until(pressed.bed))
+    end = min(view.extent, outline_end(pressed.bed))
     r = np.unique(np.append(np.linspace(0.0, end, RINGS + 1), [b for b, _ in pressed.bed.kinks if b < end]))
     f = np.asarray(pressed.bed.height(r), dtype=float) - float(pressed.depth)
     above = np.flatnonzero(f > lid)

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.plot.friction.springs import dragged_panel
-from winkler.plot.normal.springs import Frame, plane_profile, springs_panel
+from winkler.plot.normal.springs import SpringFrame, plane_profile, springs_panel
 from winkler.plot.panel import Panel
 from winkler.plot.viscoelastic.springs import recovering_panel
 from winkler.problems.answer import is_dragged, is_recovering
@@ -32,7 +32,7 @@ def moment_springs(state: Any, bed: Bed, view: View) -> Panel:
     _, g = plane_profile(bed, view.extent)
     rise = float(np.max(g.content, initial=0.0))
     top = max(min(1.3 * view.sunk, 1.1 * rise), 0.35 * view.sunk)
-    frame = Frame(view.extent, view.sunk, -2.3 * view.sunk, top)
+    frame = SpringFrame(view.extent, view.sunk, -2.3 * view.sunk, top)
     if is_recovering(state):
         return recovering_panel(state, bed, frame)
     dragged = is_dragged(state)
