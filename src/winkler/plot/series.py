@@ -24,6 +24,7 @@ __all__ = [
     "common_scale",
     "headline",
     "middle_scale",
+    "name_in_words",
     "places",
     "pretty_unit",
     "round_numbers",
@@ -34,7 +35,7 @@ __all__ = [
     "with_unit",
 ]
 
-SPOKEN = {
+NAMES_IN_WORDS = {
     "r": "distance from the axis",
     "x": "place along the springs",
     "z": "depth below the surface",
@@ -60,9 +61,9 @@ def headline(solution: Any) -> str:
     return "   ".join(parts)
 
 
-def spoken(name: str) -> str:
+def name_in_words(name: str) -> str:
     """Return a field name in words: ``line_load`` is the load of the springs."""
-    return SPOKEN.get(name, name.replace("_", " "))
+    return NAMES_IN_WORDS.get(name, name.replace("_", " "))
 
 
 @value
@@ -92,7 +93,7 @@ class Series:
         """Return the label of an axis that shows these numbers: name, symbol, unit."""
         unit = (scale or self.scale).unit
         symbol = f" ${self.word.symbol}$" if self.word.symbol else ""
-        return f"{spoken(self.name)}{symbol}" + (f" [{unit}]" if unit else "")
+        return f"{name_in_words(self.name)}{symbol}" + (f" [{unit}]" if unit else "")
 
     def shown(self, scale: Scale | None = None) -> Array:
         """Return the numbers in the unit of the label."""
@@ -145,8 +146,8 @@ def places(end: float, marks: tuple[float, ...] = (), *, count: int = 240, start
     return np.concatenate(pieces)
 
 
-told = with_unit
-"""Earlier name."""
+spoken, told = name_in_words, with_unit
+"""Earlier names."""
 
 ROUND_STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 

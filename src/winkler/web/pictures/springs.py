@@ -1,4 +1,4 @@
-"""The row of springs at one moment, pressed, stretched, dragged sideways or recovering, in a frame that stays."""
+"""The row of springs at one moment, pressed, stretched, dragged sideways or recovering, in a fixed frame."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ def moment_springs(state: Any, bed: Bed, view: View) -> Panel:
     Parameters
     ----------
     state
-        A solution, or a state along a path, that knows how its springs are pressed.
+        A solution, or a state along a path, with the compression of its springs.
     bed
-        Whose plane profile is drawn.
+        Its plane profile is drawn.
     view
         The frame.
     """
