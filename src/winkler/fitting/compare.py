@@ -105,12 +105,12 @@ def compare(
             refused.append(f"{name}: {error}")
     if not fits:
         raise OutsideValidity(f"compare: no model can be fitted; {' '.join(refused)}")
-    independent = min(fits.values(), key=lambda found: found.misfit).effective_count
+    independent = min(fits.values(), key=lambda result: result.misfit).effective_count
     aic, bic = {}, {}
-    for name, found in fits.items():
-        weight = independent * math.log(found.misfit / found.count)
-        aic[name] = weight + 2.0 * len(found.names)
-        bic[name] = weight + math.log(independent) * len(found.names)
+    for name, result in fits.items():
+        weight = independent * math.log(result.misfit / result.count)
+        aic[name] = weight + 2.0 * len(result.names)
+        bic[name] = weight + math.log(independent) * len(result.names)
     order = sorted(fits, key=lambda name: aic[name])
     return Comparison(
         tuple(order),

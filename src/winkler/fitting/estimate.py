@@ -9,14 +9,14 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.numerics.types import Array
 
-__all__ = ["Estimate"]
+__all__ = ["FitEstimate"]
 
-LARGEST = math.log(np.finfo(float).max)
-OF_THE_LINE = ("baseline", "tilt", "drag")
+LARGEST_EXPONENT = math.log(np.finfo(float).max)
+LINE_PARAMETERS = ("baseline", "tilt", "drag")
 """Numbers that follow from the free points."""
 
 
-class Estimate:
+class FitEstimate:
     """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
 
     names: tuple[str, ...]
@@ -78,7 +78,7 @@ class Estimate:
         width = self.quantile(confidence)
         if self._on_logarithm[index]:
             part = width * error / number if number > 0.0 else math.inf
-            return number * math.exp(-part), number * math.exp(part) if part < LARGEST else math.inf
+            return number * math.exp(-part), number * math.exp(part) if part < LARGEST_EXPONENT else math.inf
         return number - width * error, number + width * error
 
     def quantile(self, confidence: float) -> float:
@@ -112,7 +112,7 @@ class Estimate:
     @property
     def contact_freedom(self) -> int:
         """How many of them are left over when the numbers of the contact are known."""
-        return max(self.contact_count - sum(name not in OF_THE_LINE for name in self.names), 1)
+        return max(self.contact_count - sum(name not in LINE_PARAMETERS for name in self.names), 1)
 
     @property
     def chi_square_in_contact(self) -> float:
@@ -135,6 +135,6 @@ class Estimate:
         return int(np.count_nonzero(self.weights))
 
 
-def _likelihood(fit: Estimate) -> float:
+def _likelihood(fit: FitEstimate) -> float:
     """Return minus twice the logarithm of the likelihood, but for a constant."""
     return fit.effective_count * math.log(fit.misfit / fit.count)

@@ -5,7 +5,7 @@ r"""A model fitted to a measured force curve: numbers, how sure they are, and wh
 with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
 Least squares give the numbers; the noise's own memory (`winkler.fitting.curves.noise`) gives their covariance.
 
-The engine here is the same for all models.  A response model (`winkler.fitting.task.Task`) says what is predicted.  Of
+The engine here is the same for all models.  A response model (`winkler.fitting.task.FitTask`) says what is predicted.  Of
 a body that relaxes the placeholder path of the model says what drives: `Depth`, and the measured motion drives while
 forces are fitted; `Force`, and the measured forces drive while positions are.
 """
@@ -21,14 +21,14 @@ import numpy as np
 
 from winkler.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.fitting.certainty import certainty, doubts, refuse_singular
-from winkler.fitting.curves.checks import Flag, Outline, outline, refuse
+from winkler.fitting.curves.checks import CurveOutline, Flag, outline, refuse
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.task import elastic_task
 from winkler.fitting.least_squares import solved
 from winkler.fitting.outcome import AnyFit, CreepFit, Fit, ViscoelasticFit
 from winkler.fitting.search import FitState, Search
 from winkler.fitting.start import best_start
-from winkler.fitting.task import Prediction, Task
+from winkler.fitting.task import FitTask, Prediction
 from winkler.fitting.validity import Model
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.loading import Depth
@@ -38,9 +38,9 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 
 __all__ = ["Fit", "fit", "fit_steps"]
 
-QUIET = 20
+FEWEST_FREE_POINTS = 20
 """Fewest free points from which the noise is read."""
-REWEIGHED = 2
+MOST_REWEIGHTINGS = 2
 """How often the points are weighed anew, by the noise that the last fit suggests."""
 
 
@@ -117,11 +117,11 @@ def fit(
     >>> force = Indentation(bed, Depth(position)).solve().force
     >>> gel = ForceCurve(position + 3e-6, force + 1e-13 * np.sin(1e3 * np.arange(200)))
     >>> model = Indentation(Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e6, 0.5))), Depth(0.0))
-    >>> found = fit(gel, model, free=["bed.medium.first.young", "contact_point"])
-    >>> round(found.value("bed.medium.first.young"), -1), round(found.value("contact_point"), 9)
+    >>> result = fit(gel, model, free=["bed.medium.first.young", "contact_point"])
+    >>> round(result.value("bed.medium.first.young"), -1), round(result.value("contact_point"), 9)
     (10000.0, 3e-06)
     """
-    return _searched(curve, model, free, noise, Search(time_limit))
+    return _fit(curve, model, free, noise, Search(time_limit))
 
 
 def fit_steps(
@@ -147,67 +147,72 @@ def fit_steps(
     >>> model = Indentation(Foundation(Paraboloid(5e-6), HalfSpace.between(Elastic(1e6, 0.5))), Depth(0.0))
     >>> position = np.linspace(-1e-6, 1e-6, 50)
     >>> gel = ForceCurve(position, 0.04 * np.maximum(position, 0.0) ** 1.5)
-    >>> *states, found = fit_steps(gel, model, free=["bed.medium.first.young"])
-    >>> states[-1].values == found.values
+    >>> *states, result = fit_steps(gel, model, free=["bed.medium.first.young"])
+    >>> states[-1].values == result.values
     array([ True])
     """
 
-    def searched(hand_over: Callable[[FitState], None]) -> AnyFit:
-        return _searched(curve, model, free, noise, Search(time_limit, hand_over))
+    def run(on_state: Callable[[FitState], None]) -> AnyFit:
+        return _fit(curve, model, free, noise, Search(time_limit, on_state))
 
-    yield from streamed(searched)
+    yield from streamed(run)
 
 
-def _searched(
+def _fit(
     curve: ForceCurve,
     model: Model | ViscoelasticIndentation,
     free: Mapping[str, Any] | Iterable[str],
     noise: Quantity,
     search: Search,
 ) -> AnyFit:
-    given = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
-    task: Task
+    stated = dict.fromkeys(free, ()) if not isinstance(free, Mapping) else dict(free)
+    task: FitTask
     if isinstance(model, ViscoelasticIndentation):
-        strokes, flags = examined_stroke(curve)
+        rough_outline, flags = examined_stroke(curve)
         deviation = _deviation(curve, noise, "N" if isinstance(model.path.normal, Depth) else "m")
-        task = driven_task(curve, model, given, deviation, strokes)
+        task = driven_task(curve, model, stated, deviation, rough_outline)
     else:
         moving = curve.chosen(curve.direction != 0.0) if np.any(curve.direction == 0.0) else curve
-        flags, strokes = refuse(moving), outline(moving)
+        flags, rough_outline = refuse(moving), outline(moving)
         deviation = _deviation(curve, noise, "N")
         deviation = deviation[curve.direction != 0.0] if deviation.ndim else deviation
-        task = elastic_task(moving, model, given, deviation)
-    count, many = np.count_nonzero(task.weights), len(task.parameters)
-    if count < 3 * many:
-        raise InvalidInput(f"fit: {count} points cannot tell {many} numbers; give more, or free fewer.")
+        task = elastic_task(moving, model, stated, deviation)
+    count, free_count = np.count_nonzero(task.weights), len(task.parameters)
+    if count < 3 * free_count:
+        raise InvalidInput(f"fit: {count} points cannot tell {free_count} numbers; give more, or free fewer.")
     try:
-        return _best(task, strokes, deviation, float(np.mean(noise)), flags, search)
+        return _best(task, rough_outline, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
     """Return the standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known."""
-    given = np.asarray(noise, dtype=float)
-    if given.ndim and given.shape != curve.position.shape:
+    stated = np.asarray(noise, dtype=float)
+    if stated.ndim and stated.shape != curve.position.shape:
         raise InvalidInput(
-            f"fit: noise has the shape {given.shape}, the curve {curve.position.shape}; give one number."
+            f"fit: noise has the shape {stated.shape}, the curve {curve.position.shape}; give one number."
         )
-    if not np.all(np.isfinite(given)) or np.any(given < 0.0) or (given.ndim and np.any(given == 0.0)):
+    if not np.all(np.isfinite(stated)) or np.any(stated < 0.0) or (stated.ndim and np.any(stated == 0.0)):
         raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be read from the curve).")
-    return given if given.any() else np.zeros(())
+    return stated if stated.any() else np.zeros(())
 
 
 def _best(
-    task: Task, strokes: Outline | None, deviation: Array, noise: float, flags: tuple[Flag, ...], search: Search
+    task: FitTask,
+    rough_outline: CurveOutline | None,
+    deviation: Array,
+    noise: float,
+    flags: tuple[Flag, ...],
+    search: Search,
 ) -> AnyFit:
     """Return the fit with the least squares."""
-    coordinates, _ = solved(task, best_start(task, strokes, search), search)
-    for _ in range(REWEIGHED):
-        again = task.reweighed(coordinates, strokes, deviation)
-        if again is None:
+    coordinates, _ = solved(task, best_start(task, rough_outline, search), search)
+    for _ in range(MOST_REWEIGHTINGS):
+        reweighed = task.reweighed(coordinates, rough_outline, deviation)
+        if reweighed is None:
             break
-        task = again
+        task = reweighed
         coordinates, _ = solved(task, coordinates, search)
     prediction = task.prediction(coordinates)
     if not prediction.touched.any():
@@ -222,33 +227,33 @@ def _best(
 
 
 def _with_errors(
-    task: Task, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
+    task: FitTask, coordinates: Array, prediction: Prediction, jacobian: Array, noise: float, flags: tuple[Flag, ...]
 ) -> AnyFit:
     """Return the fit at its final coordinates, with errors and doubts."""
     numbers = task.numbers(coordinates)
     residuals = (task.measured - prediction.fitted) * task.weights
-    sure = certainty(residuals, jacobian)
+    uncertainty = certainty(residuals, jacobian)
     values = np.array(list(numbers.values()))
-    errors = sure.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
-    quiet = residuals[task.quiet(prediction)]
+    errors = uncertainty.errors * np.abs([p.change(n) for p, n in zip(task.parameters, values.tolist(), strict=True)])
+    free_residuals = residuals[task.quiet(prediction)]
     if noise == 0.0:
-        noise = float(np.std(quiet)) if quiet.size >= QUIET else sure.scatter
+        noise = float(np.std(free_residuals)) if free_residuals.size >= FEWEST_FREE_POINTS else uncertainty.scatter
     shared = {
         "curve": task.curve,
         "model": task.model_of(numbers, prediction),
         "names": tuple(numbers),
         "values": values,
         "standard_errors": errors,
-        "correlation": sure.correlation,
+        "correlation": uncertainty.correlation,
         "lows": np.array([p.low for p in task.parameters]),
         "highs": np.array([p.high for p in task.parameters]),
-        "noise": noise or sure.scatter or np.finfo(float).tiny,
+        "noise": noise or uncertainty.scatter or np.finfo(float).tiny,
         "weights": task.weights,
-        "scatter": sure.scatter,
-        "effective_count": sure.effective_count,
+        "scatter": uncertainty.scatter,
+        "effective_count": uncertainty.effective_count,
         "predicted": prediction.fitted,
         "flags": (*flags, *task.doubts(numbers, errors)),
     }
     result = task.outcome(numbers, prediction, shared)
-    against = doubts(task.parameters, coordinates, result, sure)
-    return dataclasses.replace(result, flags=(*result.flags, *against))
+    further = doubts(task.parameters, coordinates, result, uncertainty)
+    return dataclasses.replace(result, flags=(*result.flags, *further))

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
 from winkler.fitting.search import Search
-from winkler.fitting.task import Prediction, Task
+from winkler.fitting.task import FitTask, Prediction
 from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 
@@ -14,13 +14,13 @@ __all__ = ["bounds", "solved"]
 
 MOST_PREDICTIONS = 200
 COARSE_PREDICTIONS, COARSELY_SETTLED = 25, 1e-3
-FARTHEST = 30.0
+LOGARITHM_RANGE = 30.0
 """How far a logarithm may stray from its start."""
-HOPELESS = 10.0
+REFUSED_RESIDUAL = 10.0
 """Residual of numbers that the theory refuses, in the norm of what was measured."""
 
 
-def solved(task: Task, coordinates: Array, search: Search, *, coarse: bool = False) -> tuple[Array, float]:
+def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = False) -> tuple[Array, float]:
     """Return the coordinates of least squares, and the sum there.
 
     Parameters
@@ -59,13 +59,15 @@ def solved(task: Task, coordinates: Array, search: Search, *, coarse: bool = Fal
 
     def misfit(at: Array) -> Array:
         try:
-            left = np.asarray((predicted(at).fitted - measured) * weights / size)
+            residuals = np.asarray((predicted(at).fitted - measured) * weights / size)
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
-            left = np.full(measured.size, HOPELESS)  # where the theory does not reach, nothing is explained
-        search.seen(task.numbers(at), float(left @ left) * size**2, count)
-        return left
+            residuals = np.full(
+                measured.size, REFUSED_RESIDUAL
+            )  # where the theory does not reach, nothing is explained
+        search.record(task.numbers(at), float(residuals @ residuals) * size**2, count)
+        return residuals
 
     def slopes(at: Array) -> Array:
         search.check()
@@ -94,5 +96,5 @@ def bounds(parameters: tuple[Parameter, ...], coordinates: Array) -> tuple[Array
     """Return the lowest and highest coordinates, logarithms not too far from where they begin."""
     low = np.array([parameter.inward(parameter.low) for parameter in parameters])
     high = np.array([parameter.inward(parameter.high) for parameter in parameters])
-    wide = np.array([FARTHEST if parameter.logarithmic else np.inf for parameter in parameters])
+    wide = np.array([LOGARITHM_RANGE if parameter.logarithmic else np.inf for parameter in parameters])
     return np.maximum(low, coordinates - wide), np.minimum(high, coordinates + wide)

@@ -9,9 +9,9 @@ import numpy as np
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.outline import FEWEST, outline
-from winkler.fitting.estimate import Estimate
+from winkler.fitting.estimate import FitEstimate
 from winkler.fitting.validity import Model, fit_notes, free_notes
-from winkler.fitting.varied import FREELY, OF_THE_CURVE, parameters_of
+from winkler.fitting.varied import CURVE_PARAMETERS, NATURAL_BOUNDS, parameters_of
 from winkler.numerics.types import Array
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
@@ -31,7 +31,7 @@ QUASISTATIC = Note(
 
 
 @value
-class _Found(Estimate):
+class _FitResult(FitEstimate):
     """What all fits have found."""
 
     curve: ForceCurve
@@ -62,7 +62,7 @@ class _Found(Estimate):
 
 
 @value
-class Fit(_Found):
+class Fit(_FitResult):
     """What a curve says about a model.
 
     Parameters
@@ -106,8 +106,8 @@ class Fit(_Found):
     def _on_logarithm(self) -> tuple[bool, ...]:
         """Of which numbers the logarithm was varied ``(p,)``."""
         free = {name: (low, high) for name, low, high in zip(self.names, self.lows, self.highs, strict=True)}
-        scales = dict.fromkeys(OF_THE_CURVE, 1.0)
-        return tuple(parameter.logarithmic for parameter in parameters_of(self.model, free, scales, FREELY))
+        scales = dict.fromkeys(CURVE_PARAMETERS, 1.0)
+        return tuple(parameter.logarithmic for parameter in parameters_of(self.model, free, scales, NATURAL_BOUNDS))
 
     @property
     def touched(self) -> Array:
@@ -131,7 +131,7 @@ class Fit(_Found):
 
 
 @value
-class _RelaxingFit(_Found):
+class _RelaxingFit(_FitResult):
     """What the fit of a contact that relaxes has found, whether forces or positions were fitted."""
 
     model: ViscoelasticIndentation

@@ -53,12 +53,12 @@ class Search:
         If the limit is no positive time.
     """
 
-    def __init__(self, time_limit: float = math.inf, hand_over: Callable[[FitState], None] | None = None) -> None:
+    def __init__(self, time_limit: float = math.inf, on_state: Callable[[FitState], None] | None = None) -> None:
         if not isinstance(time_limit, int | float) or not time_limit > 0.0:
             raise InvalidInput(f"fit: time_limit is {time_limit!r}; give a positive time in s.")
         self.time_limit = time_limit
         self.end = time.monotonic() + time_limit
-        self.hand_over = hand_over
+        self.on_state = on_state
         self.evaluations = 0
         self.scatter = math.inf
         self.best: dict[str, float] = {}
@@ -67,7 +67,7 @@ class Search:
         """Forget what was best: other points are looked at from now on, or other weights taken."""
         self.scatter = math.inf
 
-    def seen(self, numbers: dict[str, float], squares: float, count: int) -> None:
+    def record(self, numbers: dict[str, float], squares: float, count: int) -> None:
         """Count an evaluation, and hand over the state.
 
         Parameters
@@ -87,9 +87,9 @@ class Search:
         if scatter < self.scatter or not self.best:
             self.scatter, self.best = scatter, numbers
         self.check()
-        if self.hand_over is not None:
+        if self.on_state is not None:
             values = np.array(list(self.best.values()))
-            self.hand_over(FitState(self.evaluations, tuple(self.best), values, self.scatter))
+            self.on_state(FitState(self.evaluations, tuple(self.best), values, self.scatter))
 
     def check(self) -> None:
         """Raise NotConverged if the time is over."""

@@ -1,7 +1,7 @@
 r"""A fit as a problem of least squares: numbers in, residuals and their derivatives out.
 
 Positive quantities are varied by their logarithm.  What a model predicts at given numbers, and where its fit begins, a
-response model says, a subclass of `Task`: `winkler.fitting.elastic.task` for contacts with or without adhesion,
+response model says, a subclass of `FitTask`: `winkler.fitting.elastic.task` for contacts with or without adhesion,
 `winkler.fitting.viscoelastic.motion` and `winkler.fitting.viscoelastic.creep` for bodies that relax.  In all of them
 
 .. math:: F_i = F_\mathrm{contact} + F_0 + t\,(D_i-D_0) + c_v\,\dot D_i + e_i
@@ -17,16 +17,16 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag, Outline
+from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.outcome import AnyFit
 from winkler.fitting.parameters import changed
-from winkler.fitting.varied import OF_THE_CURVE, Parameter
+from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
 from winkler.numerics.types import Array
 
-__all__ = ["STEP", "Prediction", "Task", "even_weights", "moved"]
+__all__ = ["DIFFERENCE_STEP", "FitTask", "Prediction", "even_weights", "moved"]
 
-STEP = 1e-5
+DIFFERENCE_STEP = 1e-5
 
 
 class Prediction(NamedTuple):
@@ -37,7 +37,7 @@ class Prediction(NamedTuple):
     contact: Any
 
 
-class _Fields(NamedTuple):
+class _TaskFields(NamedTuple):
     """What a fit is about.
 
     Parameters
@@ -67,7 +67,7 @@ class _Fields(NamedTuple):
     fixed: tuple[tuple[str, float], ...] = ()
 
 
-class Task(_Fields):
+class FitTask(_TaskFields):
     """Everything that a fit needs to know; the subclasses say how a model responds."""
 
     settled: ClassVar[float]
@@ -91,11 +91,11 @@ class Task(_Fields):
         """Norm of what was measured, weighted."""
         raise NotImplementedError
 
-    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Return coordinates from which a fit may begin."""
         raise NotImplementedError
 
-    def some_of(self, stretch: Array) -> Array:
+    def sample_of(self, stretch: Array) -> Array:
         """Return a part of the points of one direction, as indices."""
         raise NotImplementedError
 
@@ -107,7 +107,7 @@ class Task(_Fields):
         """Return at which points the residuals are noise alone ``(n,)``: out of contact."""
         return ~prediction.touched
 
-    def reweighed(self, coordinates: Array, strokes: Outline | None, noise: Array) -> Self | None:
+    def reweighed(self, coordinates: Array, rough_outline: CurveOutline | None, noise: Array) -> Self | None:
         """Return the task with the weights that coordinates near the answer suggest; none if they stay."""
         return None
 
@@ -140,7 +140,7 @@ class Task(_Fields):
 
     def with_numbers(self, numbers: dict[str, float]) -> Any:
         """Return the model with its numbers."""
-        own = {name: number for name, number in numbers.items() if name not in OF_THE_CURVE}
+        own = {name: number for name, number in numbers.items() if name not in CURVE_PARAMETERS}
         return changed(self.model, own) if own else self.model
 
     def along(self, numbers: dict[str, float]) -> Array:
@@ -167,8 +167,10 @@ class Task(_Fields):
         columns = []
         for index, parameter in enumerate(self.parameters):
             column = self.slope(parameter.name, numbers, prediction)
-            known = column is not None
-            columns.append(column * parameter.scale if known else self.difference(coordinates, index, prediction))
+            is_closed_form = column is not None
+            columns.append(
+                column * parameter.scale if is_closed_form else self.difference(coordinates, index, prediction)
+            )
         return np.stack(columns, axis=1) * self.weights[:, None]
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
@@ -187,18 +189,18 @@ class Task(_Fields):
         """Return the derivative with respect to a coordinate as a quotient of differences ``(n,)``."""
         raise NotImplementedError
 
-    def step(self, coordinates: Array, index: int, size: float = STEP) -> float:
+    def step(self, coordinates: Array, index: int, size: float = DIFFERENCE_STEP) -> float:
         """Return a step of a coordinate that stays within its bounds."""
         parameter = self.parameters[index]
         return -size if coordinates[index] + size > parameter.inward(parameter.high) else size
 
-    def chosen(self, kept: Array) -> Self:
+    def chosen(self, indices: Array) -> Self:
         """Return the task of some of the points, given as indices."""
         return self._replace(
-            curve=self.curve.chosen(kept),
-            weights=self.weights[kept],
-            velocity=self.velocity[kept],
-            per_force=self.per_force[kept],
+            curve=self.curve.chosen(indices),
+            weights=self.weights[indices],
+            velocity=self.velocity[indices],
+            per_force=self.per_force[indices],
         )
 
     @functools.cached_property
@@ -208,7 +210,7 @@ class Task(_Fields):
             return self
         turns = np.flatnonzero(np.diff(self.curve.direction)) + 1
         stretches = np.split(np.arange(self.curve.count), turns)
-        return self.chosen(np.unique(np.concatenate([self.some_of(stretch) for stretch in stretches])))
+        return self.chosen(np.unique(np.concatenate([self.sample_of(stretch) for stretch in stretches])))
 
 
 def moved(coordinates: Array, index: int, step: float) -> Array:

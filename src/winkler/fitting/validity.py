@@ -32,13 +32,13 @@ __all__ = ["Model", "fit_notes", "free_notes"]
 Model = Indentation | AdhesiveIndentation
 """What may be fitted without relaxation: a problem, whose load is only a placeholder."""
 
-SEEN = 0.01
+LEAST_STIFFNESS_CHANGE = 0.01
 """A body that changes the stiffness by less is as good as unseen."""
-TOP, BELOW = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
+TOP_LAYER, LOWER_SOLIDS = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
 FEW_FREE = 20
-SMALL_SHARE = 0.1
+LEAST_FREE_SHARE = 0.1
 """Free part of a way below which its zero of force leans on the model."""
-BALL = 0.01
+BALL_TOLERANCE = 0.01
 """Difference between ball and paraboloid that is worth a word."""
 PUNCHES = "stiffness of flat punches of the same width"
 POINTS = "count of the points in and out of contact"
@@ -84,18 +84,18 @@ def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note
         f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {thickness:.3g} m, and what lies "
         f"below the top layer changes its stiffness by {below:+.2%}"
     )
-    deep = [name for name in names if name.startswith(BELOW) and not name.startswith(TOP)]
-    if abs(below) < SEEN:
+    deep = [name for name in names if name.startswith(LOWER_SOLIDS) and not name.startswith(TOP_LAYER)]
+    if abs(below) < LEAST_STIFFNESS_CHANGE:
         standing = Standing.OUTSIDE if deep else Standing.ASYMPTOTIC
-        verdict = f"the curve can hardly tell {', '.join(deep)}" if deep else "it was measured as if it had no end"
-        return [Note(Assumption.CURVE, standing, f"{fact}: {verdict}.", PUNCHES)]
-    both = bool(deep) and any(name.startswith(TOP) for name in names)
-    verdict = (
+        conclusion = f"the curve can hardly tell {', '.join(deep)}" if deep else "it was measured as if it had no end"
+        return [Note(Assumption.CURVE, standing, f"{fact}: {conclusion}.", PUNCHES)]
+    both = bool(deep) and any(name.startswith(TOP_LAYER) for name in names)
+    conclusion = (
         "coating and substrate are told apart by how this grows with the depth alone"
         if both
         else "the fitted numbers rest on what is known of coating and substrate"
     )
-    return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {verdict}.", PUNCHES)]
+    return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {conclusion}.", PUNCHES)]
 
 
 def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note]:
@@ -122,19 +122,19 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
     depth = model.load.depth if isinstance(model.load, Depth) else 0.0
     if widest >= radius:
-        verdict = "a paraboloid is no ball there; if the tip is one, give Sphere"
-        return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {verdict}.", BALLS)]
+        conclusion = "a paraboloid is no ball there; if the tip is one, give Sphere"
+        return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {conclusion}.", BALLS)]
     if not float(np.max(depth)) > 0.0:
         return notes
     load = Depth(float(np.max(depth)))
     ball = Foundation(Sphere(radius), bed.medium)
     share = float(Indentation(ball, load).solve().force / Indentation(bed, load).solve().force) - 1.0
-    good = abs(share) < BALL
-    verdict = f"a ball of that radius would answer with {share:+.2%} of force" + (
+    good = abs(share) < BALL_TOLERANCE
+    conclusion = f"a ball of that radius would answer with {share:+.2%} of force" + (
         "" if good else "; if it is one, give Sphere"
     )
     notes.append(
-        Note(Assumption.SHAPE, Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {verdict}.", BALLS)
+        Note(Assumption.SHAPE, Standing.ASYMPTOTIC if good else Standing.APPROXIMATE, f"{fact}: {conclusion}.", BALLS)
     )
     return notes
 
@@ -170,22 +170,24 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
     error : float
         Standard deviation of the forces over their range [-].
     """
-    told, poor = [], False
+    parts, is_poor = [], False
     for word, direction in (("approach", 1.0), ("retract", -1.0)):
-        mine = curve.direction == direction
-        if not mine.any():
+        selected = curve.direction == direction
+        if not selected.any():
             continue
-        free = mine & ~contact
+        free = selected & ~contact
         count = int(np.count_nonzero(free))
         along = float(np.ptp(curve.position[free])) if count else 0.0
-        share = along / max(float(np.ptp(curve.position[mine])), 1e-300)
-        told.append(f"{count} points over {along:.3g} m ({share:.0%} of the way) on {word}")
-        poor |= count < FEW_FREE or share < SMALL_SHARE
-    verdict = (
+        share = along / max(float(np.ptp(curve.position[selected])), 1e-300)
+        parts.append(f"{count} points over {along:.3g} m ({share:.0%} of the way) on {word}")
+        is_poor |= count < FEW_FREE or share < LEAST_FREE_SHARE
+    conclusion = (
         "too few to tell the zero of force by themselves; it leans on the model"
-        if poor
+        if is_poor
         else "enough for the zero of force"
     )
-    where = " and ".join(told)
-    statement = f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {verdict}."
-    return [Note(Assumption.CURVE, Standing.APPROXIMATE if poor else Standing.EXACT, statement, POINTS)]
+    where = " and ".join(parts)
+    statement = (
+        f"Baseline: out of contact are {where}; the scatter is {error:.2g} of the range of forces: {conclusion}."
+    )
+    return [Note(Assumption.CURVE, Standing.APPROXIMATE if is_poor else Standing.EXACT, statement, POINTS)]

@@ -9,11 +9,11 @@ import numpy as np
 from winkler.errors import InvalidInput, suggest
 from winkler.fitting.parameters import found, unit_of
 
-__all__ = ["FREELY", "OF_THE_CURVE", "Parameter", "parameters_of"]
+__all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
 
-OF_THE_CURVE = ("contact_point", "baseline", "tilt", "drift", "drag")
+CURVE_PARAMETERS = ("contact_point", "baseline", "tilt", "drift", "drag")
 """Names of what a curve itself leaves open; the last two need times."""
-FREELY = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
+NATURAL_BOUNDS = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
 """Bounds of numbers that are no positive quantities without end."""
 
 
@@ -23,13 +23,13 @@ class Parameter(NamedTuple):
     Parameters
     ----------
     name : str
-        Its path, or one of `OF_THE_CURVE`.
+        Its path, or one of `CURVE_PARAMETERS`.
     low, high : float
         Bounds.
     start : float
         Where to begin.
-    given : bool
-        Whether the start was given.
+    has_start : bool
+        Whether a start was stated.
     logarithmic : bool
         Whether its logarithm is varied.
     scale : float
@@ -40,7 +40,7 @@ class Parameter(NamedTuple):
     low: float
     high: float
     start: float
-    given: bool
+    has_start: bool
     logarithmic: bool
     scale: float
 
@@ -64,7 +64,7 @@ class Parameter(NamedTuple):
 
 
 def parameters_of(
-    model: Any, free: dict[str, Any], scales: dict[str, float], freely: dict[str, tuple[float, float]]
+    model: Any, free: dict[str, Any], scales: dict[str, float], natural_bounds: dict[str, tuple[float, float]]
 ) -> tuple[Parameter, ...]:
     """Return the numbers that are varied.
 
@@ -85,7 +85,7 @@ def parameters_of(
         If a name leads nowhere, or its bounds contradict themselves.
     """
     parameters = []
-    for name, given in free.items():
+    for name, stated in free.items():
         if name in scales:
             scale, low, high, start, logarithmic = scales[name], -np.inf, np.inf, 0.0, False
         else:
@@ -96,17 +96,17 @@ def parameters_of(
                 )
             start = found(model, name)
             usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
-            low, high = freely.get(name, freely.get(name.rpartition(".")[2], usual))
+            low, high = natural_bounds.get(name, natural_bounds.get(name.rpartition(".")[2], usual))
             logarithmic = low == 0.0
             scale = 1.0 if unit_of(model, name) == "" else max(abs(start), 1e-300)
         own_start = False
-        if isinstance(given, tuple | list) and len(given) == 2:
-            low, high = max(low, float(given[0])), min(high, float(given[1]))
+        if isinstance(stated, tuple | list) and len(stated) == 2:
+            low, high = max(low, float(stated[0])), min(high, float(stated[1]))
             start = start if low < start < high else _between(low, high, logarithmic)
-        elif isinstance(given, int | float) and not isinstance(given, bool):
-            start, own_start = float(given), True
-        elif not (isinstance(given, tuple | list) and len(given) == 0):
-            raise InvalidInput(f"free: '{name}' is {given!r}; give (low, high), a start value, or () for neither.")
+        elif isinstance(stated, int | float) and not isinstance(stated, bool):
+            start, own_start = float(stated), True
+        elif not (isinstance(stated, tuple | list) and len(stated) == 0):
+            raise InvalidInput(f"free: '{name}' is {stated!r}; give (low, high), a start value, or () for neither.")
         if not (low < high and low <= start <= high):
             raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
         parameters.append(Parameter(name, low, high, start, own_start, logarithmic, scale))

@@ -29,11 +29,11 @@ def test_a_good_curve_has_no_flag():
 
 
 def test_the_outline_of_a_good_curve():
-    strokes = outline(good())
-    assert strokes.contact_point == pytest.approx(0.0, abs=1e-7)
-    assert strokes.noise == pytest.approx(1e-11, rel=0.3)
-    assert strokes.top == pytest.approx(hertz(1e-6, 1e4, 5e-6), rel=0.02)
-    assert strokes.pull == 0.0
+    rough_outline = outline(good())
+    assert rough_outline.contact_point == pytest.approx(0.0, abs=1e-7)
+    assert rough_outline.noise == pytest.approx(1e-11, rel=0.3)
+    assert rough_outline.top == pytest.approx(hertz(1e-6, 1e4, 5e-6), rel=0.02)
+    assert rough_outline.pull == 0.0
 
 
 def test_no_contact():

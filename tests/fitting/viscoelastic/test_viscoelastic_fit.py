@@ -15,7 +15,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.fit import fit
 from winkler.fitting.outcome import CreepFit, ViscoelasticFit
 from winkler.fitting.relaxation_terms import compare_terms
-from winkler.fitting.viscoelastic.band import relaxation_band, watched
+from winkler.fitting.viscoelastic.band import observed_times, relaxation_band
 from winkler.materials.fractional import FractionalZener, PowerLawSolid
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import GeneralisedKelvin, Prony
@@ -157,7 +157,7 @@ def test_terms_are_sorted_and_counted():
 
 def test_the_band_of_the_relaxation_holds_the_truth():
     found = fit(loop(8), start("loop"), free=FREE["loop"])
-    time = np.geomspace(*watched(found), 30)
+    time = np.geomspace(*observed_times(found), 30)
     band = relaxation_band(found, time)
     truth = 4.0 * 500.0 * time**-0.2
     width = band.high - band.low

@@ -71,8 +71,8 @@ def deflection_sensitivity(position: ArrayLike, deflection: ArrayLike) -> float:
         raise InvalidInput(
             f"sensitivity: positions have the shape {x.shape}, signals {y.shape}; give at least {FEWEST} of each."
         )
-    about = x - x.mean()
-    slope = float(about @ y) / max(float(about @ about), 1e-300)
+    centred = x - x.mean()
+    slope = float(centred @ y) / max(float(centred @ centred), 1e-300)
     if not slope > 0.0:
         raise InvalidInput(f"reversed: the signal changes by {slope:.3g} V/m; in contact it must rise: change a sign.")
     return 1.0 / slope

@@ -27,7 +27,7 @@ __all__ = [
 ]
 
 FEWEST = 10
-MARGIN = 0.1
+EXCLUDED_SHARE = 0.1
 """Part of the way before contact that is not counted as free: attraction may begin there."""
 
 
@@ -67,17 +67,20 @@ def free_part(curve: ForceCurve) -> ForceCurve:
     """
     free = np.zeros(curve.count, dtype=bool)
     for direction in (1.0, -1.0):
-        mine = curve.direction == direction
-        if np.count_nonzero(mine) < FEWEST:
+        selected = curve.direction == direction
+        if np.count_nonzero(selected) < FEWEST:
             continue
-        way = curve.chosen(mine)
-        strokes = outline(way)
-        end = strokes.contact_point
-        if strokes.pull > 0.0:  # a sticky tip stays in contact beyond first touch
-            end = min(end, float(way.position[way.force < strokes.baseline - 0.5 * strokes.pull].min(initial=end)))
-        start = float(way.position.min())
-        if strokes.before >= FEWEST:
-            free |= mine & (curve.position < start + (1.0 - MARGIN) * (end - start))
+        part = curve.chosen(selected)
+        rough_outline = outline(part)
+        end = rough_outline.contact_point
+        if rough_outline.pull > 0.0:  # a sticky tip stays in contact beyond first touch
+            end = min(
+                end,
+                float(part.position[part.force < rough_outline.baseline - 0.5 * rough_outline.pull].min(initial=end)),
+            )
+        start = float(part.position.min())
+        if rough_outline.before >= FEWEST:
+            free |= selected & (curve.position < start + (1.0 - EXCLUDED_SHARE) * (end - start))
     if np.count_nonzero(free) < FEWEST:
         raise InvalidInput(
             f"no_baseline: curve '{curve.name}' has {int(np.count_nonzero(free))} points out of contact; at least "
@@ -100,8 +103,8 @@ def free_line(curve: ForceCurve) -> FreeLine:
     spread = float(along @ along)
     tilt = float(along @ free.force) / spread if spread > 0.0 else 0.0
     baseline = float(free.force.mean())
-    left = free.force - baseline - tilt * along
-    return FreeLine(origin, baseline, tilt, float(np.sqrt(left @ left / (free.count - 2))))
+    residuals = free.force - baseline - tilt * along
+    return FreeLine(origin, baseline, tilt, float(np.sqrt(residuals @ residuals / (free.count - 2))))
 
 
 def without_baseline(curve: ForceCurve, line: FreeLine) -> ForceCurve:
@@ -165,16 +168,16 @@ def drag_force(curve: ForceCurve) -> float:
         If one way is missing, or has too few free points.
     """
     free = free_part(curve)
-    ways = []
+    mean_forces = []
     for word, inward in (("approach", 1.0), ("retract", -1.0)):
-        mine = free.direction == inward
-        if np.count_nonzero(mine) < FEWEST:
+        selected = free.direction == inward
+        if np.count_nonzero(selected) < FEWEST:
             raise InvalidInput(
-                f"drag: curve '{curve.name}' has {int(np.count_nonzero(mine))} free points on {word}; at least "
+                f"drag: curve '{curve.name}' has {int(np.count_nonzero(selected))} free points on {word}; at least "
                 f"{FEWEST} are needed on either way."
             )
-        ways.append(float(np.median(free.force[mine])))
-    return 0.5 * (ways[0] - ways[1])
+        mean_forces.append(float(np.median(free.force[selected])))
+    return 0.5 * (mean_forces[0] - mean_forces[1])
 
 
 def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
@@ -201,8 +204,8 @@ def _elapsed(curve: ForceCurve) -> Array:
 
 def _rate(curve: ForceCurve, column: Array) -> float:
     elapsed = _elapsed(curve)
-    about = elapsed - elapsed.mean()
-    spread = float(about @ about)
+    centred = elapsed - elapsed.mean()
+    spread = float(centred @ centred)
     if spread == 0.0:
         raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a stretch of time.")
-    return float(about @ column) / spread
+    return float(centred @ column) / spread

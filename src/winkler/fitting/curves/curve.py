@@ -30,14 +30,14 @@ __all__ = ["ForceCurve"]
 FEWEST = 2
 
 
-def _nothing() -> Array:
+def _empty() -> Array:
     return np.zeros(0)
 
 
-LEAVE_OUT = Advice("give the points as they were taken, and leave out those without numbers")
+POINTS_ADVICE = Advice("give the points as they were taken, and leave out those without numbers")
 
 
-HELD = POSITIVE_OR_INFINITE._replace(
+STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
     demand="it must be positive{unit}, or infinite where the position already is the travel of the tip"
 )
 
@@ -77,13 +77,13 @@ class ForceCurve:
     5e-10
     """
 
-    position: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
-    force: Annotated[Array, Numbers(fewest=FEWEST), LEAVE_OUT]
-    machine_stiffness: Annotated[float, HELD] = math.inf
-    time: Annotated[Array, Numbers(fewest=0, order="never falling"), LEAVE_OUT] = dataclasses.field(
-        default_factory=_nothing
+    position: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
+    force: Annotated[Array, Numbers(fewest=FEWEST), POINTS_ADVICE]
+    machine_stiffness: Annotated[float, STIFFNESS_RANGE] = math.inf
+    time: Annotated[Array, Numbers(fewest=0, order="never falling"), POINTS_ADVICE] = dataclasses.field(
+        default_factory=_empty
     )
-    direction: Annotated[Array, Numbers(fewest=0), LEAVE_OUT] = dataclasses.field(default_factory=_nothing)
+    direction: Annotated[Array, Numbers(fewest=0), POINTS_ADVICE] = dataclasses.field(default_factory=_empty)
     name: str = ""
 
     def __post_init__(self) -> None:
@@ -134,7 +134,7 @@ class ForceCurve:
         which = np.flatnonzero(which) if np.asarray(which).dtype == bool else np.asarray(which, dtype=int)
         if which.size < FEWEST:
             raise InvalidInput(f"curve '{self.name}': {which.size} points are chosen; at least {FEWEST} make a curve.")
-        time = self.time[which] if self.timed else _nothing()
+        time = self.time[which] if self.timed else _empty()
         return ForceCurve(
             self.position[which], self.force[which], self.machine_stiffness, time, self.direction[which], self.name
         )
@@ -160,8 +160,8 @@ class ForceCurve:
         Examples
         --------
         >>> curve = ForceCurve([0.0, 1.0, 2.0, 2.0, 1.0, 0.0], [0.0, 1.0, 2.0, 1.9, 0.9, 0.0])
-        >>> told = curve.with_segments([("loading", 0), ("hold", 2), ("unloading", 4)])
-        >>> [(segment.kind.value, segment.first, segment.last) for segment in told.segments]
+        >>> corrected = curve.with_segments([("loading", 0), ("hold", 2), ("unloading", 4)])
+        >>> [(segment.kind.value, segment.first, segment.last) for segment in corrected.segments]
         [('loading', 0, 1), ('hold', 2, 3), ('last unloading', 4, 5)]
         """
         return dataclasses.replace(self, direction=stated_directions(stated, self.count))

@@ -24,11 +24,11 @@ from winkler.numerics.types import Array
 __all__ = ["Memory", "memory", "memory_of_fit", "spread"]
 
 HIGHEST_ORDER = 10
-POINTS_EACH = 20
+POINTS_PER_COEFFICIENT = 20
 """So many points are needed for every coefficient."""
-POSSIBLE = 1e-4
+LEAST_EIGENVALUE = 1e-4
 """Least eigenvalue of correlations that are given something back; a memory of 0.999 has 5e-4."""
-LONGEST = 0.9999
+MOST_PARTIAL_CORRELATION = 0.9999
 """Largest partial correlation: the process must forget."""
 
 
@@ -64,24 +64,24 @@ def memory_of_fit(residuals: Array, jacobian: Array) -> Memory:
     """
     from scipy.linalg import matmul_toeplitz, toeplitz
 
-    found = memory(residuals)
+    uncorrected = memory(residuals)
     n, sums = residuals.size, _lag_sums(residuals)
     if sums.size == 1 or not sums[0] > 0.0:
-        return found
+        return uncorrected
     basis = np.linalg.qr(jacobian)[0]
-    moved = matmul_toeplitz(found.correlations, basis)
-    both = moved - basis @ (basis.T @ moved)
-    taken = [np.sum(basis[: n - k] * both[k:] + moved[: n - k] * basis[k:]) for k in range(sums.size)]
-    variance = sums[0] / max(n - float(taken[0]), 1.0)
-    lags = (sums / variance + np.array(taken)) / (n - np.arange(sums.size))
-    possible = float(np.linalg.eigvalsh(toeplitz(lags / lags[0]))[0]) > POSSIBLE
-    return _process(lags / lags[0], n) if possible else found  # a misfit remembers more than any noise
+    transformed = matmul_toeplitz(uncorrected.correlations, basis)
+    both = transformed - basis @ (basis.T @ transformed)
+    absorbed = [np.sum(basis[: n - k] * both[k:] + transformed[: n - k] * basis[k:]) for k in range(sums.size)]
+    variance = sums[0] / max(n - float(absorbed[0]), 1.0)
+    lags = (sums / variance + np.array(absorbed)) / (n - np.arange(sums.size))
+    is_positive = float(np.linalg.eigvalsh(toeplitz(lags / lags[0]))[0]) > LEAST_EIGENVALUE
+    return _process(lags / lags[0], n) if is_positive else uncorrected  # a misfit remembers more than any noise
 
 
 def _lag_sums(residuals: Array) -> Array:
     """Return the sums of products of residuals 0, 1, 2 ... points apart, up to the highest order there may be."""
     n = residuals.size
-    highest = min(HIGHEST_ORDER, n // POINTS_EACH)
+    highest = min(HIGHEST_ORDER, n // POINTS_PER_COEFFICIENT)
     return np.array([residuals[: n - k] @ residuals[k:] for k in range(highest + 1)])
 
 
@@ -89,16 +89,16 @@ def _process(lags: Array, n: int) -> Memory:
     """Return the autoregressive process of n points with the correlations `lags`, its order chosen."""
     white = np.zeros(n)
     white[0] = 1.0
-    coefficients, left = np.zeros(0), 1.0
-    best, chosen, chosen_left = 0.0, coefficients, left
+    coefficients, remaining = np.zeros(0), 1.0
+    best, chosen, chosen_remaining = 0.0, coefficients, remaining
     for order in range(1, lags.size):  # Levinson's recursion
-        partial = (lags[order] - coefficients @ lags[order - 1 : 0 : -1]) / left
-        partial = float(np.clip(partial, -LONGEST, LONGEST))
+        partial = (lags[order] - coefficients @ lags[order - 1 : 0 : -1]) / remaining
+        partial = float(np.clip(partial, -MOST_PARTIAL_CORRELATION, MOST_PARTIAL_CORRELATION))
         coefficients = np.append(coefficients - partial * coefficients[::-1], partial)
-        left *= 1.0 - partial**2
-        score = n * np.log(left) + order * np.log(n)
+        remaining *= 1.0 - partial**2
+        score = n * np.log(remaining) + order * np.log(n)
         if score < best:
-            best, chosen, chosen_left = score, coefficients, left
+            best, chosen, chosen_remaining = score, coefficients, remaining
     if not chosen.size:
         return Memory(white, float(n))
     correlations = np.empty(n)
@@ -106,7 +106,7 @@ def _process(lags: Array, n: int) -> Memory:
     correlations[: order + 1] = lags[: order + 1]
     for k in range(order + 1, n):
         correlations[k] = chosen @ correlations[k - 1 : k - order - 1 : -1]
-    whole = chosen_left / (1.0 - chosen.sum()) ** 2  # 1 + 2 sum of all correlations
+    whole = chosen_remaining / (1.0 - chosen.sum()) ** 2  # 1 + 2 sum of all correlations
     return Memory(correlations, float(np.clip(n / whole, 1.0, n)))
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.elastic.response import Answer, Response, response
+from winkler.fitting.elastic.response import MachineResponse, ResponseValues, response
 from winkler.fitting.validity import Model
 from winkler.foundation.bed import Bed
 from winkler.laws.adhesion import ShortRange
@@ -35,7 +35,7 @@ __all__ = [
     "states_for",
 ]
 
-FARTHEST_HELD = 2.0
+MOST_PULLS_BEYOND = 2.0
 """So many of its greatest pulls a contact may reach beyond its limit; without end, any tension would pass for one."""
 
 
@@ -67,7 +67,7 @@ class HeldContact(NamedTuple):
     slope: Array
     radius: Array
     balanced: Array
-    response: Response
+    response: MachineResponse
     sticky: bool
 
 
@@ -172,31 +172,31 @@ def moved_force(held: HeldContact, other: Model, compliance: float, where: Array
     where : ndarray of bool, (n,)
         Which points, m of them, all balanced.
     """
-    level, force = held.response.beside(states_for(other), compliance, held.radius[where])
+    level, force = held.response.differences(states_for(other), compliance, held.radius[where])
     return np.asarray(force - held.slope[where] * level)
 
 
 def comparable(model: Model, other: Model) -> bool:
-    """Return whether `moved_force` may compare two models: shapes with the same corners, known equally far."""
-    bed, moved = model.bed, other.bed
-    return (bed.kinks, bed.reach, bed.rim) == (moved.kinks, moved.reach, moved.rim)
+    """Return whether `other_bed_force` may compare two models: shapes with the same corners, known equally far."""
+    bed, other_bed = model.bed, other.bed
+    return (bed.kinks, bed.reach, bed.rim) == (other_bed.kinks, other_bed.reach, other_bed.rim)
 
 
 def _unloaded(
-    bed: Bed, advancing: Response, receding: Response, compliance: float, position: Array, turn: float
-) -> Answer:
+    bed: Bed, advancing: MachineResponse, receding: MachineResponse, compliance: float, position: Array, turn: float
+) -> ResponseValues:
     """Return the answers of a contact whose edge rests after the turn until opening takes it."""
     top = advancing.closing(np.array([turn]))
     stiffness = bed.stiffness(top.radius)
     stiffness = stiffness / (1.0 + compliance * stiffness)
     pinned = top.force + stiffness * (position - turn)
-    open_ = receding.opening(position, turn)
-    rests = open_.radius > top.radius
-    return Answer(
-        np.where(rests, pinned, open_.force),
-        np.where(rests, stiffness, open_.slope),
-        np.where(rests, top.radius, open_.radius),
-        open_.balanced,
+    opened = receding.opening(position, turn)
+    rests = opened.radius > top.radius
+    return ResponseValues(
+        np.where(rests, pinned, opened.force),
+        np.where(rests, stiffness, opened.slope),
+        np.where(rests, top.radius, opened.radius),
+        opened.balanced,
     )
 
 
@@ -219,7 +219,7 @@ def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights:
         return np.asarray(held.radius > 0.0)
     gain = measured**2 - (measured - weights * held.force) ** 2  # what holding explains
     pull = min(held.response.least(), 0.0)
-    gain[~held.balanced & (held.force < FARTHEST_HELD * pull)] = -np.inf
+    gain[~held.balanced & (held.force < MOST_PULLS_BEYOND * pull)] = -np.inf
     result = np.zeros(measured.shape, dtype=bool)
     for run in runs:
         part = gain[run.start : run.stop]

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.errors import NotConverged, OutsideValidity
-from winkler.fitting.elastic.rising import Pair, Piece, Tabulated, tabulated
+from winkler.fitting.elastic.rising import Pair, RadiusTable, RisingPiece, tabulated
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 from winkler.numerics.types import Array
@@ -25,25 +25,25 @@ from winkler.problems.adhesion.stability import least_radius
 from winkler.problems.normal.length_scale import own_length
 from winkler.problems.normal.solve_contact import flat_radius
 
-__all__ = ["Answer", "Response", "response"]
+__all__ = ["MachineResponse", "ResponseValues", "response"]
 
-STEEPEST = 100.0
+MOST_RELATIVE_SLOPE = 100.0
 """Greatest slope of a force, in stiffnesses of a contact whose edge is held: at the end of a stretch it has none.
 
 From where it is reached the force goes straight on, so that a fit meets no corner.  Of the last of a pull-off, less
 than one part in 1e4 of the way, this tells the force up to a hundredth wrong."""
-HALVES = 0.5 ** np.arange(1.0, 40.0)
-NOTHING = 1e-2
+HALVED_STEPS = 0.5 ** np.arange(1.0, 40.0)
+NEGLIGIBLE_RADIUS_SHARE = 1e-2
 """Part of the widest contact below which one is as good as nothing."""
-OCTAVES = 400
-ROUNDING = 1e-9
-STEPS_TO_END = 50
-TIGHTER = 2
+MOST_DOUBLINGS = 400
+PULL_TOLERANCE = 1e-9
+MOST_BISECTIONS = 50
+FEWEST_BISECTIONS = 2
 """How often the stretch beyond what is asked for is halved."""
-ALONE, UPWARDS, DOWNWARDS = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
+SINGLE_RADIUS, GROWING_RADII, SHRINKING_RADII = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
 
 
-class Answer(NamedTuple):
+class ResponseValues(NamedTuple):
     """Forces [N] at positions, what they change by per length [N/m], and the contact radii [m].
 
     `balanced` marks with 1 where the edge is in equilibrium, with 0 where it is held: at an end, or beyond a limit.
@@ -63,7 +63,7 @@ class Continuation(NamedTuple):
     slope: float
 
 
-class Response(NamedTuple):
+class MachineResponse(NamedTuple):
     """What a contact answers to its machine.
 
     Parameters
@@ -76,7 +76,7 @@ class Response(NamedTuple):
         How each stretch goes on below.
     """
 
-    table: Tabulated
+    table: RadiusTable
     end: tuple[float, float, float, float]
     held: tuple[Continuation, ...]
 
@@ -93,11 +93,11 @@ class Response(NamedTuple):
         forces = [float(table.read(table.places(piece.places))[0].min()) for piece in table.pieces]
         return min(forces, default=self.end[1])
 
-    def closing(self, position: Array) -> Answer:
+    def closing(self, position: Array) -> ResponseValues:
         """Return what an advancing contact answers: of several states the narrowest."""
         return self.on(self.narrowest(position), position)
 
-    def opening(self, position: Array, turn: float) -> Answer:
+    def opening(self, position: Array, turn: float) -> ResponseValues:
         """Return what a receding contact answers, which turned at the position `turn`: of several states the widest."""
         return self.on(self.widest(position, turn), position)
 
@@ -121,37 +121,37 @@ class Response(NamedTuple):
     def _tops(self) -> Array:
         return np.maximum.accumulate(np.array([piece.levels[-1] for piece in self.table.pieces]))
 
-    def on(self, which: Array, position: Array) -> Answer:
+    def on(self, which: Array, position: Array) -> ResponseValues:
         """Return the answers of given stretches; past the last one those of the pinned contact."""
-        answers = np.empty((4, position.size))
+        columns = np.empty((4, position.size))
         for index in np.flatnonzero(np.bincount(which)):
-            mine = which == index
-            answers[:, mine] = self._on(int(index), position[mine])
-        return Answer(*answers)
+            own_points = which == index
+            columns[:, own_points] = self._on(int(index), position[own_points])
+        return ResponseValues(*columns)
 
-    def beside(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
+    def differences(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
         """Return by how much D [m] and F [N] of nearly the same states differ from these ``(2, m)``, at radii [m]."""
-        return self.table.beside(_curves(states, compliance), self.table.places_of(radius))
+        return self.table.differences(_curves(states, compliance), self.table.places_of(radius))
 
-    def _on(self, index: int, position: Array) -> Answer:
+    def _on(self, index: int, position: Array) -> ResponseValues:
         """Return the answers of one stretch; below it the force goes on as if the edge were held."""
         level, force, stiffness, radius = self.end
         if index >= len(self.table.pieces):
-            answer = np.full(position.shape, stiffness), np.full(position.shape, radius), np.zeros(position.shape)
-            return Answer(force + stiffness * (position - level), *answer)
+            constants = np.full(position.shape, stiffness), np.full(position.shape, radius), np.zeros(position.shape)
+            return ResponseValues(force + stiffness * (position - level), *constants)
         piece, held = self.table.pieces[index], self.held[index]
-        begun = position > piece.levels[0]
-        answers = np.empty((4, position.size))
-        answers[:, ~begun] = self.table.radius(self.table.start(piece))
-        places = self.table.where(piece, np.minimum(position[begun], piece.levels[-1]))
+        above_start = position > piece.levels[0]
+        columns = np.empty((4, position.size))
+        columns[:, ~above_start] = self.table.radius(self.table.start(piece))
+        places = self.table.where(piece, np.minimum(position[above_start], piece.levels[-1]))
         forces, slopes = self.table.read(places)
-        slopes = np.clip(slopes, -STEEPEST * stiffness, STEEPEST * stiffness)
-        answers[:, begun] = forces, slopes, self.table.radius(places), np.ones(forces.shape)
-        below = (position < held.level) | ~begun
-        answers[0, below] = held.force + held.slope * (position[below] - held.level)
-        answers[1, below] = held.slope
-        answers[3, below | (position > piece.levels[-1])] = 0.0
-        return Answer(*answers)
+        slopes = np.clip(slopes, -MOST_RELATIVE_SLOPE * stiffness, MOST_RELATIVE_SLOPE * stiffness)
+        columns[:, above_start] = forces, slopes, self.table.radius(places), np.ones(forces.shape)
+        below = (position < held.level) | ~above_start
+        columns[0, below] = held.force + held.slope * (position[below] - held.level)
+        columns[1, below] = held.slope
+        columns[3, below | (position > piece.levels[-1])] = 0.0
+        return ResponseValues(*columns)
 
 
 def _curves(states: EdgeStates, compliance: float) -> Pair:
@@ -165,7 +165,7 @@ def _curves(states: EdgeStates, compliance: float) -> Pair:
     return curves
 
 
-def response(states: EdgeStates, compliance: float, highest: float) -> Response:
+def response(states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
     """Return what a contact answers to a machine, up to a position.
 
     Parameters
@@ -190,35 +190,35 @@ def response(states: EdgeStates, compliance: float, highest: float) -> Response:
         table = tabulated(curves, low, high, np.array([b for b, _ in bed.kinks if low <= b < high]))
     else:
         nothing = np.zeros(0)
-        table = Tabulated(nothing, nothing, nothing, np.zeros((1, 2, 0)), ())
+        table = RadiusTable(nothing, nothing, nothing, np.zeros((1, 2, 0)), ())
     place = np.array([high])
     level, force = (float(column[0]) for column in curves(place))
     stiffness = float(bed.stiffness(place)[0])
     stiffness /= 1.0 + compliance * stiffness
     held = tuple(_held(table, piece, states, compliance, stiffness) for piece in table.pieces)
-    return Response(table, (level, force, stiffness, high), held)
+    return MachineResponse(table, (level, force, stiffness, high), held)
 
 
-def _held(table: Tabulated, piece: Piece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
+def _held(table: RadiusTable, piece: RisingPiece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
     """Return from where on the force of a stretch is continued."""
     start = table.start(piece)
     radius = table.radius(start)
-    if states.from_nothing() and radius[0] <= NOTHING * table.right[-1]:
+    if states.from_nothing() and radius[0] <= NEGLIGIBLE_RADIUS_SHARE * table.right[-1]:
         pull = float(table.read(start)[0][0])
         # without attraction there is nothing below; with it, a plateau would pass for a contact that goes on for ever
         pressed = float(table.read(table.where(piece, piece.levels[-1:]))[0][0])
-        attracted = pull < -ROUNDING * abs(pressed)
+        attracted = pull < -PULL_TOLERANCE * abs(pressed)
         return Continuation(float(piece.levels[0]), pull, widest if attracted else 0.0)
     stiffness = float(states.bed.stiffness(radius)[0])
-    steepest = STEEPEST * stiffness / (1.0 + compliance * stiffness)
-    steps = (piece.places[-1] - piece.places[0]) * HALVES
+    steepest = MOST_RELATIVE_SLOPE * stiffness / (1.0 + compliance * stiffness)
+    steps = (piece.places[-1] - piece.places[0]) * HALVED_STEPS
     slopes = np.abs(table.read(table.places(piece.places[0] + steps))[1])
     steep = int(np.argmax(slopes > steepest)) if np.any(slopes > steepest) else steps.size - 1
     # D rises like the square of the way from its least value, so the slope falls like the inverse of the way
-    way = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
-    there = table.places(piece.places[:1] + way)
-    force, slope = table.read(there)
-    return Continuation(float(table.level(there)[0]), float(force[0]), float(slope[0]))
+    distance = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
+    transition = table.places(piece.places[:1] + distance)
+    force, slope = table.read(transition)
+    return Continuation(float(table.level(transition)[0]), float(force[0]), float(slope[0]))
 
 
 def _last_radius(states: EdgeStates, compliance: float, highest: float, low: float) -> float:
@@ -229,26 +229,26 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
         return end
 
     curves = _curves(states, compliance)
-    known: dict[float, float] = {}
+    levels_by_radius: dict[float, float] = {}
 
     def level(radius: float, ahead: Array) -> float:
         """Return D at a radius; what may be asked for next is computed with it."""
-        if radius not in known:
+        if radius not in levels_by_radius:
             places = np.minimum(radius * ahead, end)
-            known.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
-        return known[radius]
+            levels_by_radius.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
+        return levels_by_radius[radius]
 
     length = own_length(bed)
     high = max(length if math.isfinite(length) else rough_root(bed.gap, highest), 2.0 * low)
     # layers are not asked for contacts far wider than needed: these take long
-    upwards = UPWARDS if math.isinf(thickness_of(bed.medium)) else ALONE
+    upwards = GROWING_RADII if math.isinf(thickness_of(bed.medium)) else SINGLE_RADIUS
     below, narrowest = low, 2.0**-100 * high
     if high < end and not level(high, upwards) <= highest:
-        while high > 4.0 * low and high > narrowest and not level(0.5 * high, DOWNWARDS) <= highest:
+        while high > 4.0 * low and high > narrowest and not level(0.5 * high, SHRINKING_RADII) <= highest:
             high *= 0.5
         below = 0.5 * high
     else:
-        for _ in range(OCTAVES):
+        for _ in range(MOST_DOUBLINGS):
             below, high = min(high, end), min(2.0 * high, end)
             if high == end or not level(high, upwards) <= highest:
                 break
@@ -257,13 +257,13 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
                 f"The contact closes without end before the position {highest:.4g} m is reached; give a profile that "
                 "rises."
             )
-    if level(high, ALONE) <= highest:
+    if level(high, SINGLE_RADIUS) <= highest:
         return high
-    for sweep in range(STEPS_TO_END):
-        if sweep >= TIGHTER and np.isfinite(level(high, ALONE)):
+    for sweep in range(MOST_BISECTIONS):
+        if sweep >= FEWEST_BISECTIONS and np.isfinite(level(high, SINGLE_RADIUS)):
             break
         middle = 0.5 * (below + high)
-        below, high = (middle, high) if level(middle, ALONE) <= highest else (below, middle)
+        below, high = (middle, high) if level(middle, SINGLE_RADIUS) <= highest else (below, middle)
     return high
 
 

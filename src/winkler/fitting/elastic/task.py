@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import InvalidInput, OutsideValidity
-from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.elastic.contact import (
     HeldContact,
@@ -29,16 +29,16 @@ from winkler.fitting.elastic.contact import (
 )
 from winkler.fitting.elastic.start import starts
 from winkler.fitting.outcome import Fit
-from winkler.fitting.task import Prediction, Task, even_weights, moved
+from winkler.fitting.task import FitTask, Prediction, even_weights, moved
 from winkler.fitting.validity import Model
-from winkler.fitting.varied import FREELY, parameters_of
+from winkler.fitting.varied import NATURAL_BOUNDS, parameters_of
 from winkler.loading import Depth
 from winkler.numerics.types import Array
 
 __all__ = ["ElasticTask", "elastic_task"]
 
 
-class ElasticTask(Task):
+class ElasticTask(FitTask):
     """A contact without memory but that of its edge; nothing relaxes."""
 
     settled = 1e-10
@@ -57,15 +57,15 @@ class ElasticTask(Task):
         """The parts of the curve of one direction."""
         return runs_of(self.curve)
 
-    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Return coordinates for some contact points, moduli and works of adhesion of the right size."""
-        assert strokes is not None
-        return starts(self, strokes)
+        assert rough_outline is not None
+        return starts(self, rough_outline)
 
-    def some_of(self, stretch: Array) -> Array:
+    def sample_of(self, stretch: Array) -> Array:
         """Return points evenly spaced."""
-        many = max(3, round(self.coarse_count * stretch.size / self.curve.count))
-        return np.linspace(stretch[0], stretch[-1], min(many, stretch.size)).astype(int)
+        count = max(3, round(self.coarse_count * stretch.size / self.curve.count))
+        return np.linspace(stretch[0], stretch[-1], min(count, stretch.size)).astype(int)
 
     def held(self, numbers: dict[str, float]) -> HeldContact:
         """Return the contact as if it held everywhere."""
@@ -141,6 +141,6 @@ def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: A
     if span == 0.0 or strength == 0.0:
         raise InvalidInput(f"fit: the curve '{curve.name}' has no range of positions or forces; nothing can be fitted.")
     scales = {"contact_point": span, "baseline": strength, "tilt": strength / span}
-    still = np.zeros(curve.count)
-    parameters = parameters_of(model, free, scales, FREELY)
-    return ElasticTask(curve, model, parameters, even_weights(curve, noise), still, still)
+    zeros = np.zeros(curve.count)
+    parameters = parameters_of(model, free, scales, NATURAL_BOUNDS)
+    return ElasticTask(curve, model, parameters, even_weights(curve, noise), zeros, zeros)

@@ -197,21 +197,21 @@ def _radius(profile: Profile, height: float) -> float:
     """Return the radius of a profile's cross-section at a height [m]."""
     end = min(profile.reach, profile.rim)
 
-    def high(radius: float) -> float:
+    def height_above(radius: float) -> float:
         return float(profile.height(np.array([radius]))[0]) - height
 
-    low = min(height, 0.5 * end)
-    while high(low) > 0.0 and low > 1e-9 * height:
-        low *= 0.5
-    far = low
-    while far < end and high(far) < 0.0:
-        far = min(2.0 * far, end)
-    if high(far) < 0.0:
+    inner = min(height, 0.5 * end)
+    while height_above(inner) > 0.0 and inner > 1e-9 * height:
+        inner *= 0.5
+    outer = inner
+    while outer < end and height_above(outer) < 0.0:
+        outer = min(2.0 * outer, end)
+    if height_above(outer) < 0.0:
         raise OutsideValidity(
             f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is known up to a radius of "
             f"{end:.3g} m."
         )
-    return between(high, low, far, relative=1e-14)
+    return between(height_above, inner, outer, relative=1e-14)
 
 
 def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
@@ -236,10 +236,10 @@ def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
     OutsideValidity
         If the pair is as stiff as the indenter alone, or stiffer.
     """
-    own = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
-    left = 1.0 / modulus - own
-    if not isinstance(indenter, Elastic | Rigid) or not left > 0.0:
+    indenter_compliance = 0.0 if isinstance(indenter, Rigid) else (1.0 - indenter.poisson**2) / indenter.young
+    sample_compliance = 1.0 / modulus - indenter_compliance
+    if not isinstance(indenter, Elastic | Rigid) or not sample_compliance > 0.0:
         raise OutsideValidity(
             f"sample_young: the pair's modulus {modulus:.4g} Pa leaves nothing for the sample; the indenter is softer."
         )
-    return (1.0 - poisson**2) / left
+    return (1.0 - poisson**2) / sample_compliance

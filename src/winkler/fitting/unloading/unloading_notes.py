@@ -29,16 +29,16 @@ PILE_UP = "A. Bolshakov, G. M. Pharr, J. Mater. Res. 13 (1998) 1049-1058, doi:10
 CREEP = "G. Feng, A. H. W. Ngan, J. Mater. Res. 17 (2002) 660-668, doi:10.1557/JMR.2002.0094"
 SHAPES = "G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386"
 
-PILED = 0.7
+PILE_UP_LIMIT = 0.7
 """Share of the greatest depth that remains, above which pile-up may hide in the area."""
 LEAST_CREEP, MOST_CREEP = 0.01, 0.1
-EXPONENTS = (1.2, 1.6)
-POSSIBLE = (1.0 + 1e-3, 2.2)
+USUAL_EXPONENTS = (1.2, 1.6)
+POSSIBLE_EXPONENTS = (1.0 + 1e-3, 2.2)
 """Exponents beyond these belong to no indenter: a flat punch has 1, a cone 2."""
-PEAK = 0.02
+PEAK_TOLERANCE = 0.02
 """Part by which the fitted law may miss the measured peak."""
 FEW_POINTS = 50
-LOOKED_AT = np.geomspace(1e-6, 1.0, 2000)
+AREA_DEPTHS = np.geomspace(1e-6, 1.0, 2000)
 """Parts of the contact depth at which the area function is looked at."""
 
 
@@ -93,18 +93,18 @@ def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
 
 def _pile_up(facts: UnloadingFacts) -> Note:
     share = facts.final_share
-    said = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
-    if share < PILED:
+    statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
+    if share < PILE_UP_LIMIT:
         return Note(
             Assumption.RESPONSE,
             Standing.ASYMPTOTIC,
-            f"{said}; below {PILED:g} little piles up, however the material hardens.",
+            f"{statement}; below {PILE_UP_LIMIT:g} little piles up, however the material hardens.",
             PILE_UP,
         )
     return Note(
         Assumption.RESPONSE,
         Standing.OUTSIDE,
-        f"{said}; above {PILED:g} material that hardens little piles up at the edge, the area may be up to 60 % too "
+        f"{statement}; above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to 60 % too "
         "small, and hardness and modulus too large: measure the area of the impression.",
         PILE_UP,
     )
@@ -135,20 +135,20 @@ def _creep(facts: UnloadingFacts) -> Note:
 
 
 def _exponent(facts: UnloadingFacts) -> Note:
-    low, high = EXPONENTS
-    said = f"Exponent: the unloading has m = {facts.exponent:.3g}"
+    low, high = USUAL_EXPONENTS
+    statement = f"Exponent: the unloading has m = {facts.exponent:.3g}"
     if low <= facts.exponent <= high:
         return Note(
             Assumption.CURVE,
             Standing.ASYMPTOTIC,
-            f"{said}, within {low:g} to {high:g} as impressions of sharp tips give.",
+            f"{statement}, within {low:g} to {high:g} as impressions of sharp tips give.",
             SHAPES,
         )
-    possible = POSSIBLE[0] < facts.exponent < POSSIBLE[1]
+    possible = POSSIBLE_EXPONENTS[0] < facts.exponent < POSSIBLE_EXPONENTS[1]
     return Note(
         Assumption.CURVE,
         Standing.APPROXIMATE if possible else Standing.OUTSIDE,
-        f"{said}, where impressions of sharp tips give {low:g} to {high:g}: "
+        f"{statement}, where impressions of sharp tips give {low:g} to {high:g}: "
         + (
             "a wholly elastic contact may, otherwise look at drift, adhesion, contact point and frame."
             if possible
@@ -160,7 +160,7 @@ def _exponent(facts: UnloadingFacts) -> Note:
 
 def _peak(facts: UnloadingFacts) -> tuple[Note, ...]:
     miss = facts.fitted_force / facts.force - 1.0
-    if abs(miss) <= PEAK:
+    if abs(miss) <= PEAK_TOLERANCE:
         return ()
     return (
         Note(
@@ -185,7 +185,7 @@ def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
                 REVIEW,
             ),
         )
-    heights = depth * np.append(LOOKED_AT, 1.0 + 1e-6)
+    heights = depth * np.append(AREA_DEPTHS, 1.0 + 1e-6)
     areas = np.array([polynomial(tip.coefficients, float(height)) for height in heights])
     falling = heights[1:][np.diff(areas) <= 0.0]
     notes = []
@@ -210,13 +210,13 @@ def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
         )
     low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
     if low == 0.0 and high == math.inf:
-        said, standing = "it is not known at which depths the area function was calibrated", Standing.APPROXIMATE
+        statement, standing = "it is not known at which depths the area function was calibrated", Standing.APPROXIMATE
     elif low <= depth <= high:
-        said, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
+        statement, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
     else:
-        said = f"the area function was calibrated from {low:.3g} to {high:.3g} m only, and is extrapolated"
+        statement = f"the area function was calibrated from {low:.3g} to {high:.3g} m only, and is extrapolated"
         standing = Standing.OUTSIDE
-    notes.append(Note(Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {said}.", READING))
+    notes.append(Note(Assumption.SHAPE, standing, f"Area: at the contact depth, {depth:.3g} m: {statement}.", READING))
     return tuple(notes)
 
 

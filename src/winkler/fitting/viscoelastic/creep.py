@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from winkler.errors import OutsideValidity
-from winkler.fitting.curves.checks import Outline
+from winkler.fitting.curves.checks import CurveOutline
 from winkler.fitting.outcome import CreepFit
 from winkler.fitting.task import Prediction
 from winkler.fitting.viscoelastic.response import ContactHistory, ElasticTable, elastic_table, forces, positions
@@ -30,17 +30,17 @@ from winkler.path import Path
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["LEAST_NOISE", "SHARE", "UnderForce"]
+__all__ = ["FORCE_FIT_SHARE", "LEAST_NOISE", "UnderForce"]
 
-SHARE = 0.1
+FORCE_FIT_SHARE = 0.1
 """Part of the greatest force from which on positions are fitted."""
 LEAST_NOISE = 1e-6
 """Noise is not taken for less than this part of the range."""
-SMOOTH = 100
+SMOOTHING_DIVISOR = 100
 """Depths are smoothed over this part of the points at either side."""
-UNBIASED = 2
+BIAS_STEPS = 2
 """Steps that take the lean of least squares away."""
-REST = 0.1
+LEAST_POSITION_SHARE = 0.1
 """Part of the scatter of positions that is theirs at least, whatever the noise of the force explains."""
 
 
@@ -96,7 +96,7 @@ class UnderForce(RelaxingTask):
         contact = ContactHistory(driving, np.where(early, contact.depth, depth), np.where(early, contact.edge, depth))
         return Prediction(fitted, driving > 0.0, contact)
 
-    def reweighed(self, coordinates: Array, strokes: Outline | None, noise: Array) -> UnderForce | None:
+    def reweighed(self, coordinates: Array, rough_outline: CurveOutline | None, noise: Array) -> UnderForce | None:
         """Return the task with weights by the noise of positions and forces, at coordinates near the answer.
 
         Parameters
@@ -107,29 +107,31 @@ class UnderForce(RelaxingTask):
         noise : ndarray
             Standard deviation of the positions [m], ``()`` or ``(n,)``; zero: read from the residuals.
         """
-        if strokes is None:
+        if rough_outline is None:
             return None
-        force_noise, early = strokes.noise, self.by_force
+        force_noise, early = rough_outline.noise, self.by_force
         if not early.any():
             return self
         numbers = self.numbers(coordinates)
         prediction = self.prediction(coordinates)
         # weights that follow the noise would favour one side of it
         depth = _smooth(np.maximum(prediction.contact.depth, 0.0))
-        give = self.curve.compliance + self._creep(numbers).glassy * _give(self._table(numbers), depth)
-        own = np.asarray(noise, dtype=float)
-        if not own.any():
+        compliance = self.curve.compliance + self._creep(numbers).glassy * _contact_compliance(
+            self._table(numbers), depth
+        )
+        position_noise = np.asarray(noise, dtype=float)
+        if not position_noise.any():
             counted = ~early & (self.weights > 0.0)
             whole = np.mean((self.curve.position - prediction.fitted)[counted] ** 2)
-            of_forces = np.mean((force_noise * give[counted]) ** 2)
-            own = np.sqrt(np.maximum(whole - of_forces, REST**2 * whole))
-            own = np.maximum(own, LEAST_NOISE * np.ptp(self.curve.position))
-        own = np.broadcast_to(own, early.shape)
-        typical = float(np.mean(own))
+            of_forces = np.mean((force_noise * compliance[counted]) ** 2)
+            position_noise = np.sqrt(np.maximum(whole - of_forces, LEAST_POSITION_SHARE**2 * whole))
+            position_noise = np.maximum(position_noise, LEAST_NOISE * np.ptp(self.curve.position))
+        position_noise = np.broadcast_to(position_noise, early.shape)
+        typical = float(np.mean(position_noise))
         with np.errstate(divide="ignore"):
-            stiffness = 1.0 / give
-        late = typical / np.hypot(own, force_noise * np.where(early, 0.0, give))
-        per_force = typical / np.hypot(force_noise, own * np.where(early, stiffness, 0.0))
+            stiffness = 1.0 / compliance
+        late = typical / np.hypot(position_noise, force_noise * np.where(early, 0.0, compliance))
+        per_force = typical / np.hypot(force_noise, position_noise * np.where(early, stiffness, 0.0))
         return self._replace(
             weights=np.where(self.weights > 0.0, np.where(early, 1.0, late), 0.0),
             per_force=np.where(early, per_force, 0.0),
@@ -151,13 +153,13 @@ class UnderForce(RelaxingTask):
         steady = self._replace(curve=smooth)
         low = np.array([parameter.inward(parameter.low) for parameter in self.parameters])
         high = np.array([parameter.inward(parameter.high) for parameter in self.parameters])
-        for _ in range(UNBIASED):
+        for _ in range(BIAS_STEPS):
             instrument = steady.jacobian(coordinates, steady.prediction(coordinates))
             here = self.prediction(coordinates)
             inner = instrument.T @ self.jacobian(coordinates, here)
-            goal = instrument.T @ ((self.measured - here.fitted) * self.weights)
+            right_side = instrument.T @ ((self.measured - here.fitted) * self.weights)
             size = np.sqrt(np.maximum(np.abs(np.diag(inner)), np.finfo(float).tiny))
-            step = np.linalg.lstsq(inner / np.outer(size, size), goal / size, rcond=None)[0] / size
+            step = np.linalg.lstsq(inner / np.outer(size, size), right_side / size, rcond=None)[0] / size
             coordinates = np.clip(coordinates + step, low, high)
         return coordinates
 
@@ -183,12 +185,12 @@ class UnderForce(RelaxingTask):
 
 
 def _smooth(numbers: Array) -> Array:
-    wide = 1 + 2 * (numbers.size // SMOOTH)
+    wide = 1 + 2 * (numbers.size // SMOOTHING_DIVISOR)
     padded = np.pad(numbers, wide // 2, mode="edge")
     return np.convolve(padded, np.full(wide, 1.0 / wide), mode="valid")
 
 
-def _give(table: ElasticTable, depth: Array) -> Array:
+def _contact_compliance(table: ElasticTable, depth: Array) -> Array:
     """Return by how much a contact at E* = 1 Pa gives way to a little force [m/N]; without end out of contact."""
     root = np.sqrt(np.maximum(depth, 0.0) / table.deepest)
     slope = np.interp(root, np.linspace(0.0, 1.0, table.slope.size), table.slope)

@@ -21,23 +21,23 @@ import numpy as np
 from winkler.errors import InvalidInput
 from winkler.fitting.curves.checks import Flag
 from winkler.fitting.curves.corrections import drag_force, free_line
-from winkler.fitting.task import Task
+from winkler.fitting.task import FitTask
 from winkler.fitting.viscoelastic.start import TIMES, window
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["unidentified"]
 
-APART = 1.5
+LEAST_TIME_RATIO = 1.5
 """Times that differ by less are one."""
-LITTLE = 5e-3
+LEAST_TERM_SHARE = 5e-3
 """Part of all moduli below which a term bears nothing."""
-STANDS_OUT = 3.0
-FEW = 10
-SLIGHT = 1e-3
+SIGNAL_TO_NOISE = 3.0
+FEWEST_POINTS = 10
+LEAST_DRAG_SHARE = 1e-3
 """Part of the range of forces below which a drag changes nothing."""
 
 
-def unidentified(task: Task, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
+def unidentified(task: FitTask, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
     """Return what a curve cannot tell about the fitted solid.
 
     Parameters
@@ -54,15 +54,15 @@ def _times(numbers: dict[str, float]) -> dict[str, float]:
     return {name: n for name, n in numbers.items() if name.rpartition(".")[2].partition("[")[0] in TIMES}
 
 
-def _outside(task: Task, numbers: dict[str, float]) -> list[Flag]:
-    sampling, watched = window(task)
+def _outside(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
+    sampling, contact_time = window(task)
     flags = []
     for name, time in _times(numbers).items():
-        if time > watched:
+        if time > contact_time:
             flags.append(
                 Flag(
                     "too_slow",
-                    f"{name} is {time:.3g} s, but the contact was watched for {watched:.3g} s only: its time and "
+                    f"{name} is {time:.3g} s, but the contact was watched for {contact_time:.3g} s only: its time and "
                     "modulus are guesses, and what relaxes later is counted as elastic.",
                 )
             )
@@ -81,8 +81,8 @@ def _together(numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]
     rows = sorted(((n, name) for name, n in _times(numbers).items() if name.endswith("]")))
     flags = []
     for (short, first), (long, second) in zip(rows[:-1], rows[1:], strict=True):
-        unsure = 2.0 * math.hypot(errors[first] / short, errors[second] / long)
-        if math.log(long / short) < max(math.log(APART), unsure):
+        error = 2.0 * math.hypot(errors[first] / short, errors[second] / long)
+        if math.log(long / short) < max(math.log(LEAST_TIME_RATIO), error):
             flags.append(
                 Flag(
                     "collapsed",
@@ -99,36 +99,38 @@ def _vanished(numbers: dict[str, float]) -> list[Flag]:
     return [
         Flag("vanished", f"{name} is {n / whole:.2g} of all of them; take one term less.")
         for name, n in moduli.items()
-        if n < LITTLE * whole
+        if n < LEAST_TERM_SHARE * whole
     ]
 
 
-def _span(task: Task, numbers: dict[str, float]) -> list[Flag]:
+def _span(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
     medium = task.with_numbers(numbers).bed.medium
     assert isinstance(medium, RelaxingMedium)
     shortest, longest = medium.span
-    sampling, watched = window(task)
-    if shortest == 0.0 or (shortest <= sampling and longest >= watched):
+    sampling, contact_time = window(task)
+    if shortest == 0.0 or (shortest <= sampling and longest >= contact_time):
         return []
     return [
         Flag(
             "span",
             f"The solid is known between {shortest:.3g} s and {longest:.3g} s, the curve tells of {sampling:.3g} s to "
-            f"{watched:.3g} s; widen shortest and longest.",
+            f"{contact_time:.3g} s; widen shortest and longest.",
         )
     ]
 
 
-def _drag(task: Task, numbers: dict[str, float]) -> list[Flag]:
+def _drag(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
     curve = task.curve
-    ways = [np.count_nonzero(curve.direction == way) >= FEW for way in (1.0, -1.0)]
-    if "drag" in numbers or not all(ways):
+    has_direction = [np.count_nonzero(curve.direction == direction) >= FEWEST_POINTS for direction in (1.0, -1.0)]
+    if "drag" in numbers or not all(has_direction):
         return []
     try:
         half, noise = drag_force(curve), free_line(curve.approach).noise
     except InvalidInput:  # too few free points to tell
         return []
-    if abs(half) < STANDS_OUT * noise / math.sqrt(FEW) or abs(half) < SLIGHT * float(np.ptp(curve.force)):
+    if abs(half) < SIGNAL_TO_NOISE * noise / math.sqrt(FEWEST_POINTS) or abs(half) < LEAST_DRAG_SHARE * float(
+        np.ptp(curve.force)
+    ):
         return []
     return [
         Flag(

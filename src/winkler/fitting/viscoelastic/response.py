@@ -21,8 +21,8 @@ from winkler.problems.normal.solve_contact import at_end
 
 __all__ = ["ContactHistory", "ElasticTable", "elastic_table", "forces", "positions"]
 
-PIECES = 800
-STEPS = 1.25
+TABLE_INTERVALS = 800
+TABLE_RATIO = 1.25
 """Tables end at powers of it, so that one serves many contact points."""
 
 
@@ -73,8 +73,8 @@ def elastic_table(bed: Bed, deepest: float) -> ElasticTable:
         If the profile is not known so far out, or a contact there is no disc.
     """
     end = at_end(bed)[0]
-    step = float(np.ceil(np.log(max(deepest, 1e-30)) / np.log(STEPS)))
-    rounded = STEPS**step
+    step = float(np.ceil(np.log(max(deepest, 1e-30)) / np.log(TABLE_RATIO)))
+    rounded = TABLE_RATIO**step
     if bed.reach < bed.rim and rounded > end:
         if deepest > end:
             raise OutsideValidity(
@@ -87,7 +87,7 @@ def elastic_table(bed: Bed, deepest: float) -> ElasticTable:
 
 @functools.lru_cache(maxsize=64)
 def _table(bed: Bed, deepest: float) -> ElasticTable:
-    root = np.linspace(0.0, 1.0, PIECES + 1)
+    root = np.linspace(0.0, 1.0, TABLE_INTERVALS + 1)
     depth = deepest * root**2
     solved = Indentation(bed, Depth(depth[1:])).solve()
     force = np.concatenate([[0.0], np.asarray(solved.force)])
@@ -114,13 +114,13 @@ def forces(
     compliance : float
         Of the machine [m/N].
     """
-    begun = np.concatenate([time[:1], time])
+    times = np.concatenate([time[:1], time])
     driven = np.concatenate([np.minimum(place[:1], 0.0), place])
-    count = begun.size
+    count = times.size
     force, depth, edge, phi = (np.empty(count) for _ in range(4))
     drift, load = np.empty((count, series.times.size)), np.empty((count, series.times.size))
     borne(
-        begun, driven, turn + 1, compliance, series.relaxed, series.viscosity, series.moduli, series.times,
+        times, driven, turn + 1, compliance, series.relaxed, series.viscosity, series.moduli, series.times,
         table.deepest, table.force, table.slope, force, depth, edge, drift, load, phi,
     )  # fmt: skip
     return ContactHistory(force[1:], depth[1:], edge[1:])

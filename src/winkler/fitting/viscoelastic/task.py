@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.curves.checks import Flag, Outline
+from winkler.fitting.curves.checks import CurveOutline, Flag
 from winkler.fitting.parameters import each
-from winkler.fitting.task import STEP, Prediction, Task, moved
+from winkler.fitting.task import DIFFERENCE_STEP, FitTask, Prediction, moved
 from winkler.fitting.viscoelastic.doubts import unidentified
 from winkler.fitting.viscoelastic.response import elastic_table
 from winkler.fitting.viscoelastic.start import starts
@@ -24,10 +24,10 @@ __all__ = ["RelaxingTask"]
 
 COARSE_STEP = 1e-3
 """Step of numbers that change the number of terms of a series, whose error jumps there."""
-SHAPES = ("exponent", "relaxation_time")
+ROUGH_NUMBERS = ("exponent", "relaxation_time")
 
 
-class RelaxingTask(Task):
+class RelaxingTask(FitTask):
     """A contact that relaxes, held points included; its subclasses say what drives, and what is fitted."""
 
     settled = 1e-9
@@ -45,30 +45,30 @@ class RelaxingTask(Task):
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:
         """Return the derivative with respect to a coordinate, central where the number of terms may change."""
         parameter = self.parameters[index]
-        rough = parameter.name.startswith("bed.medium.") and parameter.name.rpartition(".")[2] in SHAPES
-        step = self.step(coordinates, index, COARSE_STEP if rough else STEP)
+        rough = parameter.name.startswith("bed.medium.") and parameter.name.rpartition(".")[2] in ROUGH_NUMBERS
+        step = self.step(coordinates, index, COARSE_STEP if rough else DIFFERENCE_STEP)
         ahead = self.prediction(moved(coordinates, index, step)).fitted
         if rough and coordinates[index] - step > parameter.inward(parameter.low):
             behind = self.prediction(moved(coordinates, index, -step)).fitted
             return np.asarray((ahead - behind) / (2.0 * step))
         return np.asarray((ahead - prediction.fitted) / step)
 
-    def some_of(self, stretch: Array) -> Array:
+    def sample_of(self, stretch: Array) -> Array:
         """Return points evenly spaced, and more of them where the contact has just begun to rest or is deepest."""
         share = max(self.coarse_count // (2 * self._stretches), 10)
         last = stretch.size - 1
         near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # what is fast happens at once
-        turned = last - near if self.curve.direction[stretch[0]] > 0.0 else near
+        dense = last - near if self.curve.direction[stretch[0]] > 0.0 else near
         even = np.linspace(0, last, min(share, stretch.size))
-        return np.asarray(stretch[np.concatenate([even, turned]).astype(int)])
+        return np.asarray(stretch[np.concatenate([even, dense]).astype(int)])
 
     @property
     def _stretches(self) -> int:
         return 1 + int(np.count_nonzero(np.diff(self.curve.direction)))
 
-    def starts(self, strokes: Outline | None) -> Iterable[Array]:
+    def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
         """Yield coordinates for some contact points, times and exponents, moduli by linear least squares."""
-        return starts(self, strokes)
+        return starts(self, rough_outline)
 
     def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
         """Return what the curve cannot tell about the solid."""
@@ -85,8 +85,8 @@ class RelaxingTask(Task):
             partner = name.replace("relaxation_times", "shears").replace("retardation_times", "compliances")
             if partner == name or len(rows.get(partner, ())) != len(places):
                 continue
-            alike = all(len({self.parameters[i][1:3] for i in row}) == 1 for row in (places, rows[partner]))
-            if alike and len(places) == len(each(self.model, name)):
+            interchangeable = all(len({self.parameters[i][1:3] for i in row}) == 1 for row in (places, rows[partner]))
+            if interchangeable and len(places) == len(each(self.model, name)):
                 turn = np.argsort(coordinates[places])
                 for row in (places, rows[partner]):
                     ordered[row] = coordinates[row][turn]
