@@ -1,4 +1,7 @@
-"""How sure the numbers of a fit are, and what its own algebra says against them."""
+"""Uncertainty of the parameters of a fit, and doubts that follow from its algebra.
+
+The covariance is that of least squares under autocorrelated noise (`winkler.fitting.curves.noise`).
+"""
 
 from __future__ import annotations
 
@@ -19,17 +22,17 @@ __all__ = ["Certainty", "certainty", "doubts", "refuse_singular"]
 SINGULAR_RATIO = 1e-7
 CORRELATION_LIMIT = 0.99
 MISFIT_LIMIT = 2.0
-"""Squared misfit over the noise, per degree of freedom, that no model that explains a curve leaves."""
+"""Squared misfit over the noise, per degree of freedom, from which on a model does not explain a curve."""
 MISFIT_CONFIDENCE = 0.999
-"""Of so many right models, the contact part stays below its own limit, however few points it has."""
+"""Part of correct models whose misfit in contact stays below its limit."""
 FEWEST_FREE_POINTS = 20
-"""Fewest free points that tell how far the noise remembers."""
+"""Fewest free points for the autocorrelation of the noise."""
 POINTS_PER_PARAMETER = 10
-"""Fewest independent points for each number."""
+"""Fewest independent points for each parameter."""
 
 
 class Certainty(NamedTuple):
-    """What residuals say about the numbers that left them.
+    """Uncertainty of parameters from the residuals of their fit.
 
     Parameters
     ----------
@@ -40,7 +43,7 @@ class Certainty(NamedTuple):
     scatter : float
         Standard deviation of the residuals.
     effective_count : float
-        How many independent points they are worth.
+        Equivalent number of independent points.
     """
 
     errors: Array
@@ -50,7 +53,7 @@ class Certainty(NamedTuple):
 
 
 def certainty(residuals: Array, jacobian: Array) -> Certainty:
-    """Return how sure the numbers of a fit are.
+    """Return the uncertainty of the parameters of a fit.
 
     Parameters
     ----------
@@ -68,44 +71,48 @@ def certainty(residuals: Array, jacobian: Array) -> Certainty:
 
 
 def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest: float) -> None:
-    """Refuse numbers that the curve cannot tell.
+    """Raise OutsideValidity for parameters that the curve does not determine.
 
     Parameters
     ----------
     parameters : tuple of Parameter, (p,)
     jacobian : ndarray, (n, p)
     largest : float
-        Norm of what was measured.
+        Norm of the measured quantity.
 
     Raises
     ------
     OutsideValidity
-        If a number changes nothing, or only a combination of some matters.
+        If a parameter has no effect, or only a combination of several has.
     """
     size = np.linalg.norm(jacobian, axis=0)
     names = [p.name for p in parameters]
     insensitive = [name for name, norm in zip(names, size, strict=True) if norm <= SINGULAR_RATIO * largest * 1e-3]
     if insensitive:
         raise OutsideValidity(
-            f"fit: the curve says nothing about {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
+            f"fit: the curve does not depend on {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
         )
     _, values, rows = np.linalg.svd(jacobian / size, full_matrices=False)
     if values[-1] <= SINGULAR_RATIO * values[0]:
         combined = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
         raise OutsideValidity(
-            f"fit: not identifiable: the curve cannot tell {' from '.join(combined)}, only a combination of them; fix all "
-            f"but one.{_fewer_terms(combined)}"
+            f"fit: not identifiable: the curve does not distinguish {' from '.join(combined)}, "
+            f"only a combination of them; fix all but one.{_fewer_terms(combined)}"
         )
 
 
 def _fewer_terms(names: list[str]) -> str:
-    return " One term less may do." if any("shears[" in name or "relaxation_times[" in name for name in names) else ""
+    return (
+        " One term fewer may suffice."
+        if any("shears[" in name or "relaxation_times[" in name for name in names)
+        else ""
+    )
 
 
 def doubts(
     parameters: tuple[Parameter, ...], coordinates: Array, estimate: FitEstimate, uncertainty: Certainty
 ) -> list[Flag]:
-    """Return what speaks against the numbers of a fit.
+    """Return the doubts about the parameters of a fit.
 
     Parameters
     ----------
@@ -121,9 +128,9 @@ def doubts(
         coordinate = float(coordinates[index])
         bounds = parameter.inward(parameter.low), parameter.inward(parameter.high)
         if any(abs(coordinate - bound) <= 1e-6 * (1.0 + abs(coordinate)) for bound in bounds):
-            flags.append(Flag("at_bound", f"{parameter.name} has come to its bound; its error means nothing."))
+            flags.append(Flag("at_bound", f"{parameter.name} has reached its bound; its error has no meaning."))
         elif parameter.logarithmic and errors[index] > values[index]:
-            flags.append(Flag("undetermined", f"{parameter.name} is less than its own error; it may be anything."))
+            flags.append(Flag("undetermined", f"{parameter.name} is smaller than its error and remains undetermined."))
     names = [p.name for p in parameters]
     for i, first in enumerate(names):
         for j, second in enumerate(names[:i]):
@@ -138,8 +145,8 @@ def doubts(
         flags.append(
             Flag(
                 "memory",
-                f"The curve is worth no more than {uncertainty.effective_count:.3g} independent points: the noise drifts, or "
-                "the model misses the course of the curve; the errors are rough.",
+                f"The curve has the information of {uncertainty.effective_count:.3g} independent points: the noise "
+                "drifts, or the model misses the course of the curve; the errors are rough.",
             )
         )
     whole, contact = estimate.chi_square, estimate.chi_square_in_contact
@@ -155,7 +162,7 @@ def doubts(
 
 
 def _limit(estimate: FitEstimate) -> float:
-    """Return the squared misfit of the contact part over the noise that chance alone hardly reaches."""
+    """Return the limit of the squared misfit in contact over the noise, from its chi-square distribution."""
     from scipy.special import gammaincinv
 
     free_residuals = (estimate.weights * estimate.residuals)[~estimate.touched & (estimate.weights > 0.0)]

@@ -1,4 +1,4 @@
-"""What all fits have: numbers, their errors and intervals, and the criteria that weigh a fit against others."""
+"""Common part of all fits: parameters, errors and intervals, and criteria of model selection."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ __all__ = ["FitEstimate"]
 
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
 LINE_PARAMETERS = ("baseline", "tilt", "drag")
-"""Numbers that follow from the free points."""
+"""Parameters that follow from the free points."""
 
 
 class FitEstimate:
-    """Numbers with their errors, which a fit has found; a fit says what was measured, predicted and varied."""
+    """Fitted parameters with their errors; subclasses define measured and predicted quantities."""
 
     names: tuple[str, ...]
     values: Array
@@ -29,26 +29,26 @@ class FitEstimate:
 
     @property
     def residuals(self) -> Array:
-        """What was measured less what is fitted ``(n,)``."""
+        """Measured less fitted quantity ``(n,)``."""
         raise NotImplementedError
 
     @property
     def touched(self) -> Array:
-        """Which points are in contact ``(n,)``."""
+        """Points in contact ``(n,)``."""
         raise NotImplementedError
 
     @property
     def _on_logarithm(self) -> tuple[bool, ...]:
-        """Of which numbers the logarithm was varied ``(p,)``."""
+        """Parameters of which the logarithm was varied ``(p,)``."""
         raise NotImplementedError
 
     def index(self, name: str) -> int:
-        """Return which of the numbers has a name.
+        """Return the index of a parameter.
 
         Raises
         ------
         InvalidInput
-            If none has.
+            If it was not free.
         """
         if name not in self.names:
             raise InvalidInput(f"fit: '{name}' was not free{suggest(name, self.names)}; {', '.join(self.names)} were.")
@@ -65,7 +65,7 @@ class FitEstimate:
     def interval(self, name: str, confidence: float = 0.95) -> tuple[float, float]:
         """Return the interval of Wald: estimate and error, on the logarithm of positive quantities.
 
-        It ends at zero and infinity where the error is so much greater than the number that no float holds it.
+        It ends at zero and infinity where it exceeds the range of floats.
 
         Parameters
         ----------
@@ -82,11 +82,11 @@ class FitEstimate:
         return number - width * error, number + width * error
 
     def quantile(self, confidence: float) -> float:
-        """Return how many standard errors wide an interval is on either side, by Student's t."""
+        """Return the half-width of an interval in standard errors, by Student's t."""
         from scipy.special import stdtrit
 
         if not 0.0 < confidence < 1.0:
-            raise InvalidInput(f"fit: a confidence of {confidence!r} was asked for; give a number between 0 and 1.")
+            raise InvalidInput(f"fit: confidence is {confidence!r}; give a number between 0 and 1.")
         return float(stdtrit(max(self.effective_count - len(self.names), 1.0), 0.5 + 0.5 * confidence))
 
     @property
@@ -106,12 +106,12 @@ class FitEstimate:
 
     @property
     def contact_count(self) -> int:
-        """How many of the fitted points are in contact."""
+        """Number of fitted points in contact."""
         return int(np.count_nonzero(self.weights * self.touched))
 
     @property
     def contact_freedom(self) -> int:
-        """How many of them are left over when the numbers of the contact are known."""
+        """Degrees of freedom of the fitted points in contact."""
         return max(self.contact_count - sum(name not in LINE_PARAMETERS for name in self.names), 1)
 
     @property
@@ -121,20 +121,20 @@ class FitEstimate:
 
     @property
     def aic(self) -> float:
-        """Akaike's criterion, of as many points as the curve is worth; models of one curve compare by `compare`."""
+        """Akaike's criterion, with the effective number of points; `compare` ranks models of one curve."""
         return _likelihood(self) + 2.0 * len(self.names)
 
     @property
     def bic(self) -> float:
-        """Schwarz' criterion, of as many points as the curve is worth."""
+        """Schwarz' criterion, with the effective number of points."""
         return _likelihood(self) + math.log(self.effective_count) * len(self.names)
 
     @property
     def count(self) -> int:
-        """How many points were fitted."""
+        """Number of fitted points."""
         return int(np.count_nonzero(self.weights))
 
 
 def _likelihood(fit: FitEstimate) -> float:
-    """Return minus twice the logarithm of the likelihood, but for a constant."""
+    """Return minus twice the logarithm of the likelihood, up to a constant."""
     return fit.effective_count * math.log(fit.misfit / fit.count)

@@ -1,13 +1,13 @@
-r"""A model fitted to a measured force curve: numbers, how sure they are, and what speaks against them.
+r"""Fit of a model to a measured force curve: parameters, their uncertainty, and doubts.
 
 .. math:: F_i = F_\mathrm{model}(D_i - D_0) + F_0 + t\,(D_i-D_0) + e_i
 
 with the contact point :math:`D_0`, the baseline :math:`F_0` and its tilt t.  The whole curve counts, in contact or not.
-Least squares give the numbers; the noise's own memory (`winkler.fitting.curves.noise`) gives their covariance.
+Least squares give the parameters; the autocorrelation of the noise (`winkler.fitting.curves.noise`) their covariance.
 
-The engine here is the same for all models.  A response model (`winkler.fitting.task.FitTask`) says what is predicted.  Of
-a body that relaxes the placeholder path of the model says what drives: `Depth`, and the measured motion drives while
-forces are fitted; `Force`, and the measured forces drive while positions are.
+The algorithm is the same for all models.  A response model (`winkler.fitting.task.FitTask`) defines the prediction.
+For a body that relaxes, the placeholder path of the model defines the input: with `Depth`, forces are fitted along the
+measured motion; with `Force`, positions are fitted under the measured forces.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 __all__ = ["Fit", "fit", "fit_steps"]
 
 FEWEST_FREE_POINTS = 20
-"""Fewest free points from which the noise is read."""
+"""Fewest free points for an estimate of the noise."""
 MOST_REWEIGHTINGS = 2
-"""How often the points are weighed anew, by the noise that the last fit suggests."""
+"""Most changes of the weights by the noise of the last fit."""
 
 
 @overload
@@ -74,25 +74,25 @@ def fit(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> AnyFit:
-    """Fit numbers of a model to a curve.
+    """Fit parameters of a model to a curve.
 
     Parameters
     ----------
     curve : ForceCurve
-        One way in, one way out, or both; points that are held are left out, unless the model relaxes.
+        One approach, one retraction, or both; points of holds are left out, unless the model relaxes.
     model : Indentation, AdhesiveIndentation or ViscoelasticIndentation
-        The problem; its load is only a placeholder, Depth(0.0).  Numbers that are free begin at the model's own.  The
-        path of a body that relaxes says what drives: Path([0.0], Depth(0.0)), and forces are fitted along the measured
+        The problem; its load is only a placeholder, Depth(0.0).  Free parameters begin at the values of the model.  The
+        path of a body that relaxes defines the input: Path([0.0], Depth(0.0)), and forces are fitted along the measured
         motion; Path([0.0], Force(0.0)), and positions under the measured forces.
     free : mapping or iterable of str
-        Paths into the model ("bed.medium.first.young", "law.work") and what the curve leaves open ("contact_point",
+        Paths into the model ("bed.medium.first.young", "law.work") and parameters of the curve ("contact_point",
         "baseline", "tilt", with times also "drift" of the position [m/s] and "drag" [N s/m] of a liquid on the
         cantilever); a mapping gives (low, high), a start value, or () for neither.
     noise : float or ndarray, optional
-        Standard deviation of what is fitted, forces [N] or positions [m], one for all or ``(n,)``; zero (unless given):
-        read from the free points.
+        Standard deviation of the fitted quantity, forces [N] or positions [m], one for all or ``(n,)``; zero (unless
+        given): estimated from the free points.
     time_limit : float, optional
-        The longest that it may take [s]; looked at after every prediction of the curve.
+        Time limit [s], checked after each prediction of the curve.
 
     Returns
     -------
@@ -102,11 +102,11 @@ def fit(
     Raises
     ------
     InvalidInput
-        If the curve is refused (see `winkler.fitting.curves.checks`), or a path leads nowhere.
+        If the curve is refused (see `winkler.fitting.curves.checks`), or a path does not exist.
     OutsideValidity
-        If the curve cannot tell the free numbers apart, or leads beyond the reach of the profile.
+        If the curve does not determine the free parameters, or leads beyond the reach of the profile.
     NotConverged
-        If least squares do not settle, or not within the time limit.
+        If least squares do not converge, or not within the time limit.
 
     Examples
     --------
@@ -132,9 +132,9 @@ def fit_steps(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> Iterator[FitState | AnyFit]:
-    """Yield how far a fit has come after each of its evaluations, and last what it has found.
+    """Yield the state of a fit after each of its evaluations, and last its result.
 
-    Parameters and errors are those of `fit`, and so are the numbers.  A stream that is left early ends the fit.
+    Parameters, errors and results are those of `fit`.  Closing the iterator ends the fit.
 
     Yields
     ------
@@ -179,7 +179,9 @@ def _fit(
         task = elastic_task(moving, model, stated, deviation)
     count, free_count = np.count_nonzero(task.weights), len(task.parameters)
     if count < 3 * free_count:
-        raise InvalidInput(f"fit: {count} points cannot tell {free_count} numbers; give more, or free fewer.")
+        raise InvalidInput(
+            f"fit: {count} points do not determine {free_count} parameters; give more points, or free fewer."
+        )
     try:
         return _best(task, rough_outline, deviation, float(np.mean(noise)), flags, search)
     except NotConverged as error:
@@ -187,14 +189,14 @@ def _fit(
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
-    """Return the standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known."""
+    """Return the standard deviation of the fitted quantity, ``()`` or ``(n,)``; zero if unknown."""
     stated = np.asarray(noise, dtype=float)
     if stated.ndim and stated.shape != curve.position.shape:
         raise InvalidInput(
             f"fit: noise has the shape {stated.shape}, the curve {curve.position.shape}; give one number."
         )
     if not np.all(np.isfinite(stated)) or np.any(stated < 0.0) or (stated.ndim and np.any(stated == 0.0)):
-        raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be read from the curve).")
+        raise InvalidInput(f"fit: noise must be positive, in {unit} (or zero for all, to be estimated from the curve).")
     return stated if stated.any() else np.zeros(())
 
 

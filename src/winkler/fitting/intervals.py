@@ -1,11 +1,11 @@
-r"""Intervals by profile likelihood: how far a number may go before the curve objects.
+r"""Intervals by profile likelihood.
 
-A number is held at a value and all others are fitted again; the interval ends where the sum of squares has grown by
+A parameter is fixed at a value and all others are fitted again; the interval ends where the sum of squares has grown by
 
 .. math:: \Delta = \sigma^2\,\frac{\mathrm{var}}{\mathrm{var}_0}\,t^2 ,
 
-with the variance of the number with and without the noise's memory, and Student's t.  Unlike Wald's interval it follows
-a bent valley of the misfit, and is the same for a number and its logarithm.
+with the variance of the parameter with and without autocorrelation of the noise, and Student's t.  Unlike Wald's
+interval it follows a curved valley of the misfit, and is the same for a parameter and its logarithm.
 """
 
 from __future__ import annotations
@@ -34,21 +34,21 @@ def profile_interval(found: Fit, name: str, confidence: float = 0.95) -> tuple[f
     ----------
     found : Fit
     name : str
-        Which number.
+        Name of the parameter.
     confidence : float
         Between 0 and 1.
 
     Returns
     -------
     tuple of float
-        Lower and upper end; a bound that was met ends it.
+        Lower and upper end; limited by its bounds.
 
     Raises
     ------
     InvalidInput
         If the number was not free.
     NotConverged
-        If a fit of the other numbers does not settle.
+        If a fit of the other parameters does not converge.
 
     References
     ----------
@@ -80,7 +80,7 @@ def _end(task: ElasticTask, best: Array, index: int, step: float, bound: float, 
     limit = abs(bound - best[index])
 
     def excess(distance: float, begin: Array) -> tuple[float, Array]:
-        """Return by how much the root of the growth exceeds the allowed one; nearly linear in the distance."""
+        """Return the excess of the root of the growth over the allowed one; nearly linear in the distance."""
         number = parameter.outward(float(best[index]) + math.copysign(distance, step))
         fixed = rest._replace(fixed=((parameter.name, number),))
         if begin.size:

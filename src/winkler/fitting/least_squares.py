@@ -15,9 +15,9 @@ __all__ = ["bounds", "solved"]
 MOST_PREDICTIONS = 200
 COARSE_PREDICTIONS, COARSELY_SETTLED = 25, 1e-3
 LOGARITHM_RANGE = 30.0
-"""How far a logarithm may stray from its start."""
+"""Greatest distance of a logarithm from its start."""
 REFUSED_RESIDUAL = 10.0
-"""Residual of numbers that the theory refuses, in the norm of what was measured."""
+"""Residual outside the validity of the theory, relative to the norm of the measured quantity."""
 
 
 def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = False) -> tuple[Array, float]:
@@ -27,16 +27,16 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
     ----------
     task : Task
     coordinates : ndarray, (p,)
-        Where to begin.
+        Start.
     search : Search
         Counts the predictions.
     coarse : bool
-        Whether a few predictions do.
+        Whether a few predictions suffice.
 
     Raises
     ------
     NotConverged
-        If the predictions do not suffice and the task must settle, or the time of the search is over.
+        If the predictions do not suffice and the task must converge, or the time limit is reached.
     """
     from scipy.optimize import least_squares
 
@@ -63,9 +63,7 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
         except OutsideValidity:
             if np.array_equal(at, inside):
                 raise
-            residuals = np.full(
-                measured.size, REFUSED_RESIDUAL
-            )  # where the theory does not reach, nothing is explained
+            residuals = np.full(measured.size, REFUSED_RESIDUAL)  # outside the validity of the theory
         search.record(task.numbers(at), float(residuals @ residuals) * size**2, count)
         return residuals
 

@@ -1,4 +1,4 @@
-"""What a fit may vary: a number inside a value, named by the path that leads to it.
+"""Parameters of a fit: a number inside a value, named by its path.
 
 ``"bed.medium.first.young"`` is the field `young` of `first` of `medium` of `bed`, and
 ``"bed.medium.layers[0].solid.young"`` goes through a tuple.  A value is never changed: `changed` returns a new one.
@@ -60,12 +60,12 @@ def _next(owner: Any, step: str | int, path: str) -> Any:
 
 
 def found(model: Any, path: str) -> float:
-    """Return the number that a path leads to.
+    """Return the number at a path.
 
     Raises
     ------
     InvalidInput
-        If the path leads nowhere, or not to a finite number.
+        If the path does not exist, or holds no finite number.
     """
     owner = model
     for step in _steps(path):
@@ -76,7 +76,7 @@ def found(model: Any, path: str) -> float:
 
 
 def each(model: Any, path: str) -> tuple[str, ...]:
-    """Return the paths of all numbers of a row, or the path itself where it leads to no row.
+    """Return the paths of all numbers of an array, or the path itself for a single number.
 
     Raises
     ------
@@ -92,7 +92,7 @@ def each(model: Any, path: str) -> tuple[str, ...]:
 
 
 def unit_of(model: Any, path: str) -> str:
-    """Return the SI unit of the number that a path leads to, empty for a pure number."""
+    """Return the SI unit of the number at a path, empty for a pure number."""
     owner, unit = model, ""
     for step in _steps(path):
         if isinstance(step, str) and dataclasses.is_dataclass(owner):

@@ -1,4 +1,4 @@
-"""How many relaxation times a curve can tell: fits of one term, two, and so on, weighed against each other."""
+"""Number of relaxation times that a curve determines: fits of one, two and more terms, compared."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def compare_terms(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> Comparison:
-    """Fit solids of one to `most` relaxation times to a curve, and tell which one it speaks for.
+    """Fit solids of one to `most` relaxation times to a curve, and rank them.
 
     Times begin evenly in their logarithm, between the shortest step of the curve's time and its whole length, and stay
     there unless they are free.

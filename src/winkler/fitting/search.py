@@ -17,18 +17,18 @@ __all__ = ["FitState", "Search"]
 
 @value
 class FitState:
-    """How far a fit has come.
+    """State of a running fit.
 
     Parameters
     ----------
     evaluations : int
-        How often the curve was predicted.
+        Number of predictions of the curve.
     names : tuple of str, (p,)
-        What is varied.
+        Names of the parameters.
     values : ndarray, (p,)
         The best numbers so far, in SI units.
     scatter : float
-        Standard deviation of the weighted residuals there, in units of what is fitted.
+        Standard deviation of the weighted residuals there, in units of the fitted quantity.
     """
 
     evaluations: int
@@ -38,19 +38,19 @@ class FitState:
 
 
 class Search:
-    """Counts the evaluations of one fit, and ends it when its time is over.
+    """Counts the evaluations of one fit, and ends it at its time limit.
 
     Parameters
     ----------
     time_limit : float, optional
         From now on [s].
     hand_over : callable, optional
-        Is given a `FitState` after every evaluation.
+        Called with a `FitState` after each evaluation.
 
     Raises
     ------
     InvalidInput
-        If the limit is no positive time.
+        If the limit is not a positive time.
     """
 
     def __init__(self, time_limit: float = math.inf, on_state: Callable[[FitState], None] | None = None) -> None:
@@ -64,23 +64,23 @@ class Search:
         self.best: dict[str, float] = {}
 
     def begin(self) -> None:
-        """Forget what was best: other points are looked at from now on, or other weights taken."""
+        """Reset the best scatter, for other points or weights."""
         self.scatter = math.inf
 
     def record(self, numbers: dict[str, float], squares: float, count: int) -> None:
-        """Count an evaluation, and hand over the state.
+        """Count an evaluation, and pass on the state.
 
         Parameters
         ----------
         numbers : dict of str to float
-            What was tried.
+            Parameters of the evaluation.
         squares : float
             Sum of the squared weighted residuals of `count` points.
 
         Raises
         ------
         NotConverged
-            If the time is over.
+            If the time limit is reached.
         """
         self.evaluations += 1
         scatter = math.sqrt(squares / max(count, 1))
@@ -92,7 +92,7 @@ class Search:
             self.on_state(FitState(self.evaluations, tuple(self.best), values, self.scatter))
 
     def check(self) -> None:
-        """Raise NotConverged if the time is over."""
+        """Raise NotConverged if the time limit is reached."""
         if time.monotonic() > self.end:
             many = f"{self.evaluations} evaluation{'s' * (self.evaluations != 1)}"
             raise NotConverged(

@@ -1,4 +1,4 @@
-"""Where a fit begins: every start is tried on a part of the points, and a coarse fit improves the best of them."""
+"""Start of a fit: candidates are evaluated on a part of the points, and a coarse fit improves the best of them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from winkler.numerics.types import Array
 __all__ = ["best_start", "contact_points"]
 
 CONTACT_POINT_SHARES = (0.0, 0.1, 0.3, -0.1)
-"""How far before the rough contact point a start lies, in parts of the rest."""
+"""Distances of trial contact points before the rough one, relative to the remaining travel."""
 
 
 def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search) -> Array:
@@ -25,7 +25,7 @@ def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search
     ----------
     task : Task
     strokes : Outline or None
-        What the approach looks like; none where there is no approach.
+        Rough outline of the approach; None without an approach.
     search : Search
         Counts the evaluations.
     """

@@ -1,6 +1,6 @@
-"""What a fit says about its own validity: range of adhesion, coating and substrate, shape of the tip, free points.
+"""Validity of a fit: range of adhesion, coating and substrate, shape of the tip, free points.
 
-The notes of the contact itself hold for given numbers; these ask whether the curve could tell the fitted ones.
+The notes of the contact hold for given parameters; these state whether the curve determines the fitted ones.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from winkler.validity import Assumption, Note, Standing
 __all__ = ["Model", "fit_notes", "free_notes"]
 
 Model = Indentation | AdhesiveIndentation
-"""What may be fitted without relaxation: a problem, whose load is only a placeholder."""
+"""Models of fits without relaxation: a problem, whose load is a placeholder."""
 
 LEAST_STIFFNESS_CHANGE = 0.01
-"""A body that changes the stiffness by less is as good as unseen."""
+"""Least relative change of stiffness by a body that affects the curve."""
 TOP_LAYER, LOWER_SOLIDS = "bed.medium.layers[0].solid.", ("bed.medium.on.", "bed.medium.layers[")
 FEW_FREE = 20
 LEAST_FREE_SHARE = 0.1
-"""Free part of a way below which its zero of force leans on the model."""
+"""Least free part of a direction for a zero of force independent of the model."""
 BALL_TOLERANCE = 0.01
-"""Difference between ball and paraboloid that is worth a word."""
+"""Greatest negligible difference between ball and paraboloid."""
 PUNCHES = "stiffness of flat punches of the same width"
 POINTS = "count of the points in and out of contact"
 BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion"
@@ -48,7 +48,7 @@ BALLS = "force of a ball and of a paraboloid at the same depth, without adhesion
 def fit_notes(
     model: Model, curve: ForceCurve, names: tuple[str, ...], contact: Array, widest: float, error: float
 ) -> tuple[Note, ...]:
-    """Return what a fit says about its own validity.
+    """Return the notes on the validity of a fit.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def fit_notes(
         With the fitted numbers, at the largest depth.
     curve : ForceCurve
     names : tuple of str
-        What was free.
+        Free parameters.
     contact : ndarray of bool, (n,)
         Where the tip is in contact.
     widest : float
@@ -71,7 +71,7 @@ def fit_notes(
 
 
 def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]:
-    """Return how much coating and substrate each have to say, by the stiffness of the widest contact."""
+    """Return the note on coating and substrate, by the stiffness of the widest contact."""
     medium = bed.medium
     if not isinstance(medium, CoatedHalfSpace):
         return []
@@ -87,19 +87,21 @@ def _coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note
     deep = [name for name in names if name.startswith(LOWER_SOLIDS) and not name.startswith(TOP_LAYER)]
     if abs(below) < LEAST_STIFFNESS_CHANGE:
         standing = Standing.OUTSIDE if deep else Standing.ASYMPTOTIC
-        conclusion = f"the curve can hardly tell {', '.join(deep)}" if deep else "it was measured as if it had no end"
+        conclusion = (
+            f"the curve hardly depends on {', '.join(deep)}" if deep else "the coating was measured like a half-space"
+        )
         return [Note(Assumption.CURVE, standing, f"{fact}: {conclusion}.", PUNCHES)]
     both = bool(deep) and any(name.startswith(TOP_LAYER) for name in names)
     conclusion = (
-        "coating and substrate are told apart by how this grows with the depth alone"
+        "coating and substrate are distinguished only by how this grows with the depth"
         if both
-        else "the fitted numbers rest on what is known of coating and substrate"
+        else "the fitted parameters depend on the fixed ones of coating and substrate"
     )
     return [Note(Assumption.CURVE, Standing.APPROXIMATE, f"{fact}: {conclusion}.", PUNCHES)]
 
 
 def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note]:
-    """Return what the width of the contact means for the tip."""
+    """Return the notes on the shape of the tip."""
     notes: list[Note] = []
     bed = model.bed
     if not isinstance(bed, Foundation):
@@ -111,7 +113,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
                 Assumption.SHAPE,
                 Standing.EXACT,
                 f"Tip: the widest contact, {widest:.3g} m, stays within the first part of the tip, which ends at "
-                f"{corners[0]:.3g} m; the curve says nothing about the rest.",
+                f"{corners[0]:.3g} m; the curve does not depend on the rest.",
                 "corners of the profile",
             )
         )
@@ -122,7 +124,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     fact = f"Tip: the widest contact is {widest / radius:.3g} of the tip's radius {radius:.3g} m"
     depth = model.load.depth if isinstance(model.load, Depth) else 0.0
     if widest >= radius:
-        conclusion = "a paraboloid is no ball there; if the tip is one, give Sphere"
+        conclusion = "there a paraboloid differs from a ball; if the tip is one, give Sphere"
         return [*notes, Note(Assumption.SHAPE, Standing.OUTSIDE, f"{fact}: {conclusion}.", BALLS)]
     if not float(np.max(depth)) > 0.0:
         return notes
@@ -130,7 +132,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
     ball = Foundation(Sphere(radius), bed.medium)
     share = float(Indentation(ball, load).solve().force / Indentation(bed, load).solve().force) - 1.0
     good = abs(share) < BALL_TOLERANCE
-    conclusion = f"a ball of that radius would answer with {share:+.2%} of force" + (
+    conclusion = f"a ball of that radius would change the force by {share:+.2%}" + (
         "" if good else "; if it is one, give Sphere"
     )
     notes.append(
@@ -140,7 +142,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> list[Note
 
 
 def _range_notes(model: AdhesiveIndentation) -> list[Note]:
-    """Return whether the law's idea of the range of attraction agrees with the fitted numbers."""
+    """Return the note on the range of attraction of the law with the fitted parameters."""
     law = model.law
     if isinstance(law, Dugdale):
         return []
@@ -151,7 +153,7 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
             Note(
                 Assumption.ADHESION,
                 Standing.APPROXIMATE,
-                f"Range: no pull-off is known to judge it by. {error}",
+                f"Range: it cannot be assessed without a pull-off. {error}",
                 GREENWOOD,
             )
         ]
@@ -160,7 +162,7 @@ def _range_notes(model: AdhesiveIndentation) -> list[Note]:
 
 
 def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
-    """Return how much of each way is out of contact.
+    """Return the note on the points out of contact.
 
     Parameters
     ----------
@@ -179,12 +181,10 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
         count = int(np.count_nonzero(free))
         along = float(np.ptp(curve.position[free])) if count else 0.0
         share = along / max(float(np.ptp(curve.position[selected])), 1e-300)
-        parts.append(f"{count} points over {along:.3g} m ({share:.0%} of the way) on {word}")
+        parts.append(f"{count} points over {along:.3g} m ({share:.0%} of the travel) on {word}")
         is_poor |= count < FEW_FREE or share < LEAST_FREE_SHARE
     conclusion = (
-        "too few to tell the zero of force by themselves; it leans on the model"
-        if is_poor
-        else "enough for the zero of force"
+        "too few for the zero of force, which depends on the model" if is_poor else "enough for the zero of force"
     )
     where = " and ".join(parts)
     statement = (

@@ -1,4 +1,4 @@
-"""The numbers that a fit varies: where each begins, how far it may go, and by what coordinate."""
+"""Free parameters of a fit: start, bounds, and coordinate."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from winkler.fitting.parameters import found, unit_of
 __all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
 
 CURVE_PARAMETERS = ("contact_point", "baseline", "tilt", "drift", "drag")
-"""Names of what a curve itself leaves open; the last two need times."""
+"""Parameters of the curve itself; the last two need times."""
 NATURAL_BOUNDS = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}
-"""Bounds of numbers that are no positive quantities without end."""
+"""Bounds of parameters that are not arbitrary positive numbers."""
 
 
 class Parameter(NamedTuple):
-    """One number that is varied.
+    """One free parameter.
 
     Parameters
     ----------
@@ -27,13 +27,13 @@ class Parameter(NamedTuple):
     low, high : float
         Bounds.
     start : float
-        Where to begin.
+        Start value.
     has_start : bool
         Whether a start was stated.
     logarithmic : bool
         Whether its logarithm is varied.
     scale : float
-        What it is measured in, if not by its logarithm.
+        Its scale, unless the logarithm is varied.
     """
 
     name: str
@@ -45,7 +45,7 @@ class Parameter(NamedTuple):
     scale: float
 
     def inward(self, number: float) -> float:
-        """Return the coordinate that is varied."""
+        """Return the varied coordinate."""
         if self.logarithmic:
             return float(np.log(number)) if number > 0.0 else -np.inf
         return number / self.scale
@@ -55,34 +55,34 @@ class Parameter(NamedTuple):
         return float(np.exp(coordinate)) if self.logarithmic else coordinate * self.scale
 
     def change(self, number: float) -> float:
-        """Return by how much the number changes with the coordinate."""
+        """Return the derivative of the number with respect to the coordinate."""
         return number if self.logarithmic else self.scale
 
     def inside(self, number: float) -> float:
-        """Return the number within the bounds that is nearest to one."""
+        """Return the nearest number within the bounds."""
         return float(np.clip(number, self.low, self.high))
 
 
 def parameters_of(
     model: Any, free: dict[str, Any], scales: dict[str, float], natural_bounds: dict[str, tuple[float, float]]
 ) -> tuple[Parameter, ...]:
-    """Return the numbers that are varied.
+    """Return the free parameters.
 
     Parameters
     ----------
     model : value
         The paths lead into it.
     free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+        Name and (low, high), or a start value, or neither (an empty tuple).
     scales : dict of str to float
-        Names of what the curve itself leaves open, and what they are measured in.
+        Parameters of the curve itself, with their scales.
     freely : dict of str to (float, float)
-        Paths, or last names, of numbers that are no positive quantities without end, and their bounds.
+        Paths, or last names, of parameters with natural bounds.
 
     Raises
     ------
     InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
+        If a path does not exist, or its bounds are inconsistent.
     """
     parameters = []
     for name, stated in free.items():
@@ -108,7 +108,7 @@ def parameters_of(
         elif not (isinstance(stated, tuple | list) and len(stated) == 0):
             raise InvalidInput(f"free: '{name}' is {stated!r}; give (low, high), a start value, or () for neither.")
         if not (low < high and low <= start <= high):
-            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; mend it.")
+            raise InvalidInput(f"free: '{name}' starts at {start:.6g} between {low:.6g} and {high:.6g}; correct it.")
         parameters.append(Parameter(name, low, high, start, own_start, logarithmic, scale))
     return tuple(parameters)
 

@@ -68,8 +68,8 @@ def by_springs(solid, *, count=400, hold=0.0, spring=0.05, noise_=1e-11, seed=1)
     direction = np.where(time <= 1.0, 1.0, np.where(time < 1.0 + hold, 0.0, -1.0))
     force = ViscoelasticIndentation(bed(solid), Path(time, wk.Depth(depth)), count=1000).solve().force
     random = np.random.default_rng(seed)
-    told = force + 3e-11 + noise_ * random.standard_normal(count)
-    return ForceCurve(depth + force / spring + 4e-7, told, spring, time, direction, "springs")
+    measured = force + 3e-11 + noise_ * random.standard_normal(count)
+    return ForceCurve(depth + force / spring + 4e-7, measured, spring, time, direction, "springs")
 
 
 SOLIDS = {
@@ -95,7 +95,7 @@ SOLIDS = {
     "name", [pytest.param(name, marks=[pytest.mark.slow] * (name == "fractional Zener")) for name in SOLIDS]
 )
 def test_every_solid_comes_back(name):
-    """From far off, through a cantilever that gives way, with a hold or none: within four errors."""
+    """From far off, through an elastic cantilever, with a hold or none: within four errors."""
     solid, far, fields, hold = SOLIDS[name]
     found = fit(by_springs(solid, hold=hold), model(far), free=[f"{FIRST}{field}" for field in fields] + [*IN_AND_OUT])
     assert isinstance(found, ViscoelasticFit)
@@ -193,7 +193,7 @@ def test_another_shape_and_a_free_radius():
     ("change", "why"),
     [
         (lambda c: ForceCurve(c.position, c.force, direction=c.direction), "has no times"),
-        (lambda c: ForceCurve(c.position, c.force, time=c.time, direction=-c.direction), "begins on the way out"),
+        (lambda c: ForceCurve(c.position, c.force, time=c.time, direction=-c.direction), "begins with the retraction"),
         (lambda c: ForceCurve(c.position, -c.force, time=c.time, direction=c.direction), "reversed"),
     ],
 )
@@ -216,7 +216,7 @@ def test_numbers_that_cannot_be_free(free, why):
         fit(loop(1), start("loop"), free=free)
 
 
-def test_a_way_out_is_not_told_from_forces():
+def test_a_retraction_is_not_fitted_under_forces():
     with pytest.raises(wk.InvalidInput, match="only while it grows"):
         fit(loop(1), model(start("loop").bed.medium.first, wk.Force), free=FREE["loop"])
 

@@ -1,17 +1,17 @@
-"""What is wrong with a curve, by name, before anything is fitted to it.
+"""Checks of a measured curve before a fit, by name.
 
 no_contact
     At its largest position the force does not stand out of the noise.
 reversed
-    There the force is tensile: its sign, or that of the position, is the wrong way round.
+    There the force is tensile: its sign, or that of the position, is reversed.
 saturated
-    The force stays at its largest or least value while the machine moves on: the detector has come to its end.
+    The force stays at its largest or least value while the machine moves on: the detector is at the end of its range.
 few_points
-    Too few to tell anything.
+    Too few for a fit.
 units
-    Positions or forces of a size that no such machine reaches, or a force that would bend it farther than it moved.
+    Positions or forces beyond the range of such machines, or a deflection greater than the travel.
 no_baseline
-    On the way in, on the way out or on both hardly a point out of contact tells where zero force is.
+    On approach, on retraction or on both hardly any points lie out of contact, so that zero force is uncertain.
 
 The first five make a fit meaningless (`refuse`), the last one makes it less certain.
 """
@@ -40,20 +40,20 @@ __all__ = ["CurveOutline", "Flag", "examined", "outline", "refuse", "unsaturated
 
 LONGEST_TRAVEL, GREATEST_FORCE = 0.1, 1e5
 MOST_DEFLECTION_RATIO = 1.5
-"""Deflection of a machine over its travel, at most; in contact it is less than the travel, but for its zero."""
+"""Greatest deflection of a machine over its travel, up to the zero of force."""
 FEWEST_EQUAL_POINTS = 5
 LEAST_EQUAL_TRAVEL = 0.01
 LEAST_TENSION_SHARE = 0.05
-"""Pull over the range of forces from which on a detector may have come to its lower end."""
+"""Least tension over the range of forces for a detector at its lower end."""
 LEAST_SLOPE_RATIO = 5.0
-"""Slope in contact over that of a baseline, at least, where a curve seems to be backwards."""
+"""Least slope at the beginning over that at the end of a reversed curve."""
 TAIL_SHARE = 0.1
-"""Part of the points, the farthest from the sample, along which a free force hardly changes."""
+"""Part of the points, farthest from the sample, along which a free force hardly changes."""
 
 
 @value
 class Flag:
-    """Something that is wrong with a curve or a fit.
+    """A mistake of a curve, or a doubt about a fit.
 
     Parameters
     ----------
@@ -71,12 +71,12 @@ class Flag:
 
 
 def _saturated_points(curve: ForceCurve) -> Array:
-    """Return the points of the longest rows at the largest and the least force, while the machine moves on."""
+    """Return the points of the longest plateaus at the largest and the least force during motion."""
     level = far_force(single_direction(curve)[1])
     least = float(curve.force.min())
     has_tension = level - least > LEAST_TENSION_SHARE * float(
         np.ptp(curve.force)
-    )  # a coarse baseline may be even, a pull is not
+    )  # a coarse baseline may be constant, a tension is not
     ends = [float(curve.force.max()), *([least] if has_tension else [])]
     return np.concatenate([_longest_plateau(curve, end) for end in ends])
 
@@ -91,7 +91,7 @@ def _longest_plateau(curve: ForceCurve, force: float) -> Array:
 
 
 def unsaturated(curve: ForceCurve) -> ForceCurve:
-    """Return a curve without the points at which the detector had come to its end."""
+    """Return a curve without the points at which the detector is saturated."""
     saturated = _saturated_points(curve)
     if not saturated.size:
         return curve
@@ -99,7 +99,7 @@ def unsaturated(curve: ForceCurve) -> ForceCurve:
 
 
 def _missing_baselines(curve: ForceCurve) -> list[str]:
-    """Return in words the ways that hardly have a point out of contact."""
+    """Return the directions with too few points out of contact, as text."""
     missing = []
     directions = {}
     for word, direction in (("approach", 1.0), ("retract", -1.0)):
@@ -118,12 +118,12 @@ def _missing_baselines(curve: ForceCurve) -> list[str]:
         else:
             directions[word] = position, force, rough_outline.noise
     if len(directions) == 2 and _ends_in_tension(*directions["approach"], *directions["retract"][:2]):
-        missing.append("on retract the curve ends before the tip has come off")
+        missing.append("on retract the curve ends before pull-off")
     return missing
 
 
 def _ends_in_tension(position: Array, force: Array, noise: float, back: Array, pull: Array) -> bool:
-    """Return whether the way back ends in a pull that still changes; one that does not is drag."""
+    """Return whether the retraction ends under a tension that still changes; a constant one is drag."""
     level = far_force(force)
     least = float(pull.min())
     if not level - far_force(pull) > max(SIGNAL_TO_NOISE * noise, 0.5 * (level - least)):
@@ -137,7 +137,7 @@ def _ends_in_tension(position: Array, force: Array, noise: float, back: Array, p
 
 
 def _backwards(position: Array, force: Array, limit: float) -> bool:
-    """Return whether the force falls from a steep beginning to a flat end: contact is where the position is least."""
+    """Return whether the force falls from a steep beginning to a flat end, with contact at the least position."""
     count = max(FEWEST, int(TAIL_SHARE * force.size))
     if not far_force(force) - float(np.median(force[-count:])) > limit or not np.ptp(position[-count:]) > 0.0:
         return False
@@ -149,7 +149,7 @@ def _backwards(position: Array, force: Array, limit: float) -> bool:
 
 
 def examined(curve: ForceCurve) -> tuple[Flag, ...]:
-    """Return what is wrong with a curve; nothing, if it can be fitted.
+    """Return the mistakes of a curve; empty, if it can be fitted.
 
     Parameters
     ----------
@@ -175,8 +175,8 @@ def examined(curve: ForceCurve) -> tuple[Flag, ...]:
             Flag(
                 "units",
                 f"A machine of {curve.machine_stiffness:.3g} N/m bends by {deflection:.3g} m under the largest force, "
-                f"{rough_outline.top:.3g} N, but has moved by {travel:.3g} m only; give forces in N, the stiffness in N/m, "
-                "and positions in m of the stage (with those of the tip, no stiffness).",
+                f"{rough_outline.top:.3g} N, but has moved by {travel:.3g} m only; give forces in N, the stiffness in "
+                "N/m, and positions in m of the stage (with those of the tip, no stiffness).",
             )
         )
     limit = max(SIGNAL_TO_NOISE * rough_outline.noise, 1e-12 * strength)
@@ -193,16 +193,16 @@ def examined(curve: ForceCurve) -> tuple[Flag, ...]:
         flags.append(
             Flag(
                 "reversed",
-                f"At the largest position the force is {rough_outline.top:.3g} N, tension; compression counts positive and "
-                "so does motion towards the sample: change the sign of force or position.",
+                f"At the largest position the force is {rough_outline.top:.3g} N, tension; compression counts positive "
+                "and so does motion towards the sample: change the sign of force or position.",
             )
         )
     elif rough_outline.top <= limit and rough_outline.pull == 0.0:
         flags.append(
             Flag(
                 "no_contact",
-                f"At the largest position the force is {rough_outline.top:.3g} N, within the noise of {rough_outline.noise:.3g} N; "
-                "the tip has not touched.",
+                f"At the largest position the force is {rough_outline.top:.3g} N, within the noise of "
+                f"{rough_outline.noise:.3g} N; there is no contact.",
             )
         )
     elif saturated.size:
@@ -226,7 +226,7 @@ def examined(curve: ForceCurve) -> tuple[Flag, ...]:
 
 
 def refuse(curve: ForceCurve, but: tuple[str, ...] = ()) -> tuple[Flag, ...]:
-    """Return the flags of a curve that can be fitted; those named in `but` do not count.
+    """Return the flags of a curve that can be fitted; those named in `but` are ignored.
 
     Raises
     ------

@@ -1,7 +1,6 @@
-r"""Corrections of a force curve: baseline, drift, drag.  Each is one step that is taken on purpose.
+r"""Corrections of a force curve: baseline, drift, drag.  Each is an explicit step.
 
-Functions that look (`free_line`, `drift_rate`, `drag_force`) return a number; functions that correct (`without_...`)
-return a new curve.
+`free_line`, `drift_rate` and `drag_force` estimate a correction; functions `without_...` return a corrected curve.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ __all__ = [
 
 FEWEST = 10
 EXCLUDED_SHARE = 0.1
-"""Part of the way before contact that is not counted as free: attraction may begin there."""
+"""Part of the approach before contact that is not counted as free, because of attraction."""
 
 
 @value
@@ -58,7 +57,7 @@ class FreeLine:
 
 
 def free_part(curve: ForceCurve) -> ForceCurve:
-    """Return the points that are surely out of contact: before first touch, a tenth of the way kept clear.
+    """Return the points out of contact: before first touch, less a tenth of that distance.
 
     Raises
     ------
@@ -73,7 +72,7 @@ def free_part(curve: ForceCurve) -> ForceCurve:
         part = curve.chosen(selected)
         rough_outline = outline(part)
         end = rough_outline.contact_point
-        if rough_outline.pull > 0.0:  # a sticky tip stays in contact beyond first touch
+        if rough_outline.pull > 0.0:  # an adhesive contact extends beyond first touch
             end = min(
                 end,
                 float(part.position[part.force < rough_outline.baseline - 0.5 * rough_outline.pull].min(initial=end)),
@@ -130,7 +129,7 @@ def without_drift(curve: ForceCurve, rate: float) -> ForceCurve:
     ----------
     curve : ForceCurve
     rate : float
-        [m/s], as `drift_rate` finds it.
+        [m/s], as from `drift_rate`.
 
     Raises
     ------
@@ -158,14 +157,14 @@ def without_force_drift(curve: ForceCurve, rate: float) -> ForceCurve:
 
 
 def drag_force(curve: ForceCurve) -> float:
-    """Return the force of the liquid on the moving tip [N]: half of what approach and retraction differ by when free.
+    """Return the force of the liquid on the moving tip [N]: half the difference between approach and retraction.
 
-    Both ways must have the same speed.  Positive: it pushes against the motion.
+    Both must have the same speed.  Positive: against the motion.
 
     Raises
     ------
     InvalidInput
-        If one way is missing, or has too few free points.
+        If one direction is missing, or has too few free points.
     """
     free = free_part(curve)
     mean_forces = []
@@ -174,7 +173,7 @@ def drag_force(curve: ForceCurve) -> float:
         if np.count_nonzero(selected) < FEWEST:
             raise InvalidInput(
                 f"drag: curve '{curve.name}' has {int(np.count_nonzero(selected))} free points on {word}; at least "
-                f"{FEWEST} are needed on either way."
+                f"{FEWEST} are needed in either direction."
             )
         mean_forces.append(float(np.median(free.force[selected])))
     return 0.5 * (mean_forces[0] - mean_forces[1])
@@ -187,7 +186,7 @@ def without_drag(curve: ForceCurve, drag: float) -> ForceCurve:
     ----------
     curve : ForceCurve
     drag : float
-        [N], as `drag_force` finds it.
+        [N], as from `drag_force`.
     """
     return _with(curve, curve.position, curve.force - drag * curve.direction)
 
@@ -207,5 +206,5 @@ def _rate(curve: ForceCurve, column: Array) -> float:
     centred = elapsed - elapsed.mean()
     spread = float(centred @ centred)
     if spread == 0.0:
-        raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a stretch of time.")
+        raise InvalidInput(f"drift: all times of curve '{curve.name}' are the same; a rate needs a range of times.")
     return float(centred @ column) / spread

@@ -1,11 +1,11 @@
-r"""A measured force curve: where the machine stood, and with what force it was pressed back.
+r"""A measured force curve: position of the machine, and force.
 
-The machine moves towards the sample by D; its cantilever or frame of the stiffness :math:`k_m` gives way, and so the
-depth is
+The machine moves towards the sample by D; its cantilever or frame has the stiffness :math:`k_m`, so that
+the depth is
 
 .. math:: d = D - D_0 - F/k_m
 
-with the contact point :math:`D_0`.  A curve is kept as it was measured; `winkler.fitting.curves.corrections` returns
+with the contact point :math:`D_0`.  A curve is stored as measured; `winkler.fitting.curves.corrections` returns
 corrected ones.
 """
 
@@ -57,10 +57,10 @@ class ForceCurve:
     time : ndarray, (n,) or (0,), optional
         [s], never falling; empty (unless given) where it is unknown.
     direction : ndarray, (n,), optional
-        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it is found from position
-        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` overrules it.
+        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it follows from position
+        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces it.
     name : str, optional
-        Where the curve comes from.
+        Origin of the curve.
 
     Raises
     ------
@@ -145,7 +145,7 @@ class ForceCurve:
         return segments_of(self.direction, self.force)
 
     def with_segments(self, stated: Sequence[tuple[str, int]]) -> ForceCurve:
-        """Return the curve with the segments that are stated, whatever was found.
+        """Return the curve with stated segments in place of the detected ones.
 
         Parameters
         ----------
@@ -199,7 +199,7 @@ class ForceCurve:
 
 
 def _directions(position: Array, force: Array) -> Array:
-    """Return the directions that position and force show; nothing where they do not belong together."""
+    """Return the directions from position and force; zero if their lengths differ."""
     direction = found_directions(position, force) if position.size == force.size else np.zeros(position.size)
     direction.flags.writeable = False
     return direction

@@ -1,14 +1,14 @@
-r"""On which parts of a force curve the tip goes in, is held, and comes out: found from the curve itself.
+r"""Detection of the parts of a force curve in which the tip goes in, is held, and comes out.
 
-One of position and force is driven by the machine, and its rate is the steadier one: the samples lie evenly over its
-levels.  The driven signal turns where it comes back from an extreme by more than its noise; it is held where far more
-samples gather about one level than a steady motion leaves there,
+One of position and force is driven by the machine, and its rate is steadier: its samples are evenly distributed
+over its levels.  The driven signal turns where it returns from an extreme by more than its noise; it is held where far
+more samples lie about one level than during a steady motion,
 
 .. math:: n(L,\,2w) > K\,\nu\,2w, \qquad n(L,\,8w) < 1.7\,n(L,\,2w),
 
-with the samples :math:`\nu` per unit of level while it moves.  The second condition tells a hold, which ends sharply,
-from a smooth turn, where four times the band holds twice the samples.  All widths are parts of the whole span, or
-multiples of the noise; times are not needed.
+with the samples :math:`\nu` per unit of level while it moves.  The second condition separates a hold, which ends
+sharply, from a smooth turn, where four times the band holds twice the samples.  All widths are parts of the whole
+span, or multiples of the noise; times are not needed.
 """
 
 from __future__ import annotations
@@ -23,24 +23,24 @@ __all__ = ["HELD", "IN", "OUT", "found_directions"]
 
 IN, HELD, OUT = 1.0, 0.0, -1.0
 MOST_CELLS = 2000
-"""Most averages of neighbouring samples among which turns are sought."""
+"""Most block averages in the search for turns."""
 TURN_SHARE, TURN_TO_NOISE = 0.01, 8.0
-"""A signal turns where it comes back by this part of its span, and by so many times its noise."""
+"""Least return at a turn, in parts of the span and in multiples of the noise."""
 HOLD_BANDS = (5e-4, 1.5e-3, 5e-3)
 """Widths of a hold about its level, in parts of the span."""
 HOLD_DENSITY_RATIO, FEWEST_HOLD_POINTS, WIDE_BAND_RATIO = 6.0, 5, 1.7
-"""A hold has so many times the samples of a motion, at least so many, and less than so many times in a wide band."""
+"""Least density of samples in a hold over that of a motion, fewest samples, and greatest ratio in a wider band."""
 MOST_AVERAGED, POINTS_PER_AVERAGED = 5, 60
-"""Most neighbours that are averaged where there is noise, and samples for each of them."""
+"""Most averaged neighbours under noise, and samples required for each."""
 LEVEL_COUNT = 25
 FREE_FORCE_SHARE = 0.05
-"""Part of the span of the force below which the tip may be free."""
+"""Part of the span of the force below which the tip may be out of contact."""
 CREEP_SPEED_RATIO = 1.0 / 3.0
-"""A tip that is held under a steady force creeps at less than this part of its usual speed."""
+"""Greatest speed during a hold under a steady force, relative to the usual speed."""
 
 
 class _Signal(NamedTuple):
-    """Samples in parts of their span, the noise of neighbouring ones, and where they turn."""
+    """Samples in parts of their span, their noise, and the indices of turns."""
 
     level: Array
     noise: float
@@ -55,7 +55,7 @@ class _Plateau(NamedTuple):
 def found_directions(position: Array, force: Array) -> Array:
     """Return +1 where the tip goes in, 0 where it is held and -1 where it comes out ``(n,)``.
 
-    A point at which the tip turns without a hold belongs to the way before it.
+    A point at which the tip turns without a hold belongs to the part before it.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def found_directions(position: Array, force: Array) -> Array:
 
 
 def _held_by_force(part: _Plateau, place: Array, is_loaded: Array, speed: float) -> bool:
-    """Return whether a steady force is that of a hold: in contact, and the position does not travel on."""
+    """Return whether a steady force belongs to a hold: in contact, at a nearly constant position."""
     travel = abs(place[part.last] - place[part.first])
     return bool(np.mean(is_loaded[part.first : part.last + 1]) > 0.5) and travel < CREEP_SPEED_RATIO * speed * (
         part.last - part.first
@@ -90,7 +90,7 @@ def _held_by_force(part: _Plateau, place: Array, is_loaded: Array, speed: float)
 
 
 def _by_force(place: Array, load: _Signal, is_loaded: Array) -> Array:
-    """Return the directions of a curve whose force is driven."""
+    """Return the directions of a force-controlled curve."""
     direction = _directions_between_turns(load)
     edges = [0, *(turn + 1 for turn in load.turns[1:-1]), place.size]
     for first, end in zip(edges[:-1], edges[1:], strict=True):
@@ -112,7 +112,7 @@ def _with_holds(direction: Array, holds: list[_Plateau]) -> Array:
 
 
 def _trimmed(level: Array, parts: list[_Plateau]) -> list[_Plateau]:
-    """Return holds that end where the signal leaves their own scatter; those that overlap become one."""
+    """Return holds limited to their own scatter; overlapping ones are merged."""
     is_held = np.zeros(level.size, dtype=bool)
     for part in parts:
         is_held[part.first : part.last + 1] = True
@@ -133,7 +133,7 @@ def _signal(samples: Array, span: float) -> _Signal:
 
 
 def _turns(level: Array, least: float) -> list[int]:
-    """Return the ends, and the extremes from which the signal comes back by more than `least`."""
+    """Return the ends, and the extremes from which the signal returns by more than `least`."""
     size = -(-level.size // MOST_CELLS)
     starts = np.arange(0, level.size, size)
     cells = np.add.reduceat(level, starts) / np.diff(np.append(starts, level.size))
@@ -155,7 +155,7 @@ def _turns(level: Array, least: float) -> list[int]:
 
 
 def _directions_between_turns(signal: _Signal) -> Array:
-    """Return the direction between turns; a turn belongs to the way before it."""
+    """Return the direction between turns; a turn belongs to the part before it."""
     level, turns = signal.level, signal.turns
     direction = np.empty(level.size)
     for first, last in zip(turns[:-1], turns[1:], strict=True):
@@ -168,12 +168,12 @@ def _stretches(signal: _Signal) -> list[Array]:
 
 
 def _counts(samples: Array) -> Array:
-    """Return how many samples of a way lie in each of its levels."""
+    """Return the number of samples in each level."""
     return np.asarray(np.histogram(samples, bins=LEVEL_COUNT)[0])
 
 
 def _unevenness(signal: _Signal) -> float:
-    """Return how unevenly the samples lie over the levels: quartiles of their number, over the median."""
+    """Return the unevenness of samples over the levels: interquartile range over median."""
     parts = [samples for samples in _stretches(signal) if samples.size >= 2 * FEWEST_HOLD_POINTS]
     travels = np.array([np.ptp(samples) for samples in parts])
     if not travels.size or not travels.sum() > 0.0:
@@ -199,7 +199,7 @@ def _samples_per_level(signal: _Signal) -> float:
 
 
 def _averaged(signal: _Signal) -> int:
-    """Return of how many neighbouring samples the average is taken, an odd number, so that noise hides no hold."""
+    """Return the odd number of averaged neighbours that reduces the noise enough to detect holds."""
     return (
         max(1, min(MOST_AVERAGED, signal.level.size // POINTS_PER_AVERAGED) // 2 * 2 + 1)
         if 4.0 * signal.noise > HOLD_BANDS[0]
@@ -208,7 +208,7 @@ def _averaged(signal: _Signal) -> int:
 
 
 def _plateaus(signal: _Signal) -> list[_Plateau]:
-    """Return where a signal is held, at its turns and between them."""
+    """Return the holds of a signal, at its turns and between them."""
     turns, size = signal.turns, _averaged(signal)
     level = np.convolve(np.pad(signal.level, size // 2, mode="edge"), np.full(size, 1.0 / size), mode="valid")
     least = 4.0 * signal.noise / float(np.sqrt(size))
@@ -246,7 +246,7 @@ def _run(level: Array, turn: int, width: float, first: int, last: int) -> _Plate
 
 
 def _within(level: Array, first: int, last: int, width: float, density: float) -> list[_Plateau]:
-    """Return the holds between two turns: where many samples lie within one band."""
+    """Return the holds between two turns: bands with many samples."""
     samples = level[first : last + 1]
     ordered = np.sort(samples)
     counts = np.searchsorted(ordered, ordered + 2.0 * width, side="right") - np.arange(ordered.size)

@@ -1,16 +1,16 @@
-r"""The noise of a curve: how strong it is, and how far it remembers.
+r"""The noise of a curve: its autocorrelation and equivalent number of independent points.
 
-Neighbouring points of a force curve are rarely independent.  The residuals :math:`e_i` are taken for an autoregressive
-process :math:`e_i = \sum_k\varphi_k e_{i-k} + \epsilon_i`, whose order Schwarz' criterion chooses.  Its correlations
-:math:`\rho_k` tell how many independent points the curve is worth, and what the covariance of a least-squares fit with
-the Jacobian J really is,
+Neighbouring points of a force curve are rarely independent.  The residuals :math:`e_i` are described by an
+autoregressive process :math:`e_i = \sum_k\varphi_k e_{i-k} + \epsilon_i`, whose order follows from Schwarz' criterion.
+Its correlations :math:`\rho_k` give the number of independent points of the curve, and the covariance of a
+least-squares fit with the Jacobian J,
 
 .. math:: n_\mathrm{eff} = \frac n{1+2\sum_k\rho_k}, \qquad
           \mathrm{cov} = \sigma^2\,(J^TJ)^{-1}\,J^TRJ\,(J^TJ)^{-1}, \qquad R_{ij} = \rho_{|i-j|} .
 
-A fit takes part of the noise with it, most of what is slow: with the projection :math:`H = J(J^TJ)^{-1}J^T` residuals
-have the covariance :math:`(1-H)R(1-H)`, not R.  What its lags lack is given back to those of the
-residuals, once.
+A fit absorbs part of the noise, mostly its slow part: with the projection :math:`H = J(J^TJ)^{-1}J^T` residuals
+have the covariance :math:`(1-H)R(1-H)`, not R.  The missing lags are added to those of
+the residuals once.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ __all__ = ["Memory", "memory", "memory_of_fit", "spread"]
 
 HIGHEST_ORDER = 10
 POINTS_PER_COEFFICIENT = 20
-"""So many points are needed for every coefficient."""
+"""Points required for each coefficient."""
 LEAST_EIGENVALUE = 1e-4
-"""Least eigenvalue of correlations that are given something back; a memory of 0.999 has 5e-4."""
+"""Least eigenvalue of corrected correlations; a first-order process of 0.999 has 5e-4."""
 MOST_PARTIAL_CORRELATION = 0.9999
-"""Largest partial correlation: the process must forget."""
+"""Largest partial correlation, so that the process decays."""
 
 
 class Memory(NamedTuple):
-    """Correlations rho_0 = 1, rho_1 ... ``(n,)`` of noise, and the number of independent points it leaves."""
+    """Correlations rho_0 = 1, rho_1 ... ``(n,)`` of noise, and the equivalent number of independent points."""
 
     correlations: Array
     effective_count: float
 
 
 def memory(residuals: Array) -> Memory:
-    """Return how residuals remember each other.
+    """Return the autocorrelation of residuals.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def memory(residuals: Array) -> Memory:
 
 
 def memory_of_fit(residuals: Array, jacobian: Array) -> Memory:
-    """Return how the noise of a fit remembers itself, from the residuals it left.
+    """Return the autocorrelation of the noise of a fit from its residuals.
 
     Parameters
     ----------
@@ -75,11 +75,13 @@ def memory_of_fit(residuals: Array, jacobian: Array) -> Memory:
     variance = sums[0] / max(n - float(absorbed[0]), 1.0)
     lags = (sums / variance + np.array(absorbed)) / (n - np.arange(sums.size))
     is_positive = float(np.linalg.eigvalsh(toeplitz(lags / lags[0]))[0]) > LEAST_EIGENVALUE
-    return _process(lags / lags[0], n) if is_positive else uncorrected  # a misfit remembers more than any noise
+    return (
+        _process(lags / lags[0], n) if is_positive else uncorrected
+    )  # otherwise a misfit, which is more correlated than noise
 
 
 def _lag_sums(residuals: Array) -> Array:
-    """Return the sums of products of residuals 0, 1, 2 ... points apart, up to the highest order there may be."""
+    """Return the sums of products of residuals at lags 0, 1, 2 ... up to the highest order."""
     n = residuals.size
     highest = min(HIGHEST_ORDER, n // POINTS_PER_COEFFICIENT)
     return np.array([residuals[: n - k] @ residuals[k:] for k in range(highest + 1)])
@@ -111,7 +113,7 @@ def _process(lags: Array, n: int) -> Memory:
 
 
 def spread(jacobian: Array, correlations: Array) -> tuple[Array, float]:
-    """Return the covariance of least squares under noise of unit variance, and how many points the fit uses up.
+    """Return the covariance of least squares under noise of unit variance, and the degrees of freedom used.
 
     Parameters
     ----------

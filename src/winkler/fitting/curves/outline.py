@@ -1,4 +1,4 @@
-"""A curve in rough strokes, before any model: where contact begins, how strong the noise is, how far it goes."""
+"""Rough outline of a curve without a model: onset of contact, noise, greatest force and tension."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from winkler.numerics.types import Array
 __all__ = ["BASELINE_POINTS", "FEWEST", "SIGNAL_TO_NOISE", "CurveOutline", "far_force", "outline", "single_direction"]
 
 FEWEST = 10
-"""Points of one way, at least."""
+"""Fewest points of one direction."""
 SIGNAL_TO_NOISE = 5.0
-"""Force in contact over noise, at least."""
+"""Least force in contact over the noise."""
 BASELINE_POINTS = 10
 FAR_SHARE = 0.03
-"""Part of the points, the farthest from the sample, that are taken for free at first."""
+"""Part of the points, farthest from the sample, initially assumed free."""
 FEWEST_FAR_POINTS = 5
 
 
 class CurveOutline(NamedTuple):
-    """A curve in rough strokes.
+    """Rough outline of a curve.
 
     Parameters
     ----------
     contact_point : float
-        Position below which no force stands out of the noise [m].
+        Position below which the force stays within the noise [m].
     baseline : float
         Force of the line through the free points there [N].
     noise : float
@@ -36,7 +36,7 @@ class CurveOutline(NamedTuple):
     top : float
         Force at the largest position, above the baseline [N].
     pull : float
-        Largest tension below the baseline [N], zero if it does not stand out of the noise.
+        Largest tension below the baseline [N], zero if it is within the noise.
     before : int
         Number of points before contact.
     """
@@ -50,7 +50,7 @@ class CurveOutline(NamedTuple):
 
 
 def single_direction(curve: ForceCurve) -> tuple[Array, Array]:
-    """Return position and force going in, or coming out where nothing goes in, from afar to the sample."""
+    """Return position and force of the approach, or else of the retraction, sorted towards the sample."""
     inward = curve.direction > 0.0
     selected = inward if np.count_nonzero(inward) >= FEWEST else curve.direction < 0.0
     chosen = np.flatnonzero(selected) if np.count_nonzero(selected) >= FEWEST else np.arange(curve.count)
@@ -59,7 +59,7 @@ def single_direction(curve: ForceCurve) -> tuple[Array, Array]:
 
 
 def outline(curve: ForceCurve) -> CurveOutline:
-    """Return a curve in rough strokes: where contact begins, how strong the noise is, how far it goes."""
+    """Return the rough outline of a curve."""
     position, force = single_direction(curve)
     base = np.full(force.shape, far_force(force))
     noise = float(np.median(np.abs(np.diff(force, 2)))) / (0.6745 * math.sqrt(6.0))
@@ -86,7 +86,7 @@ def far_force(force: Array) -> float:
 
 
 def _pull(curve: ForceCurve, noise: float, top: float) -> float:
-    """Return the largest tension of either way, against its own far end."""
+    """Return the largest tension of either direction, relative to its far end."""
     largest = 0.0
     for direction in (1.0, -1.0):
         own_points = curve.direction == direction

@@ -1,4 +1,4 @@
-"""The segments of a force curve: loading, holds, partial unloadings, and the last unloading, which is read."""
+"""The segments of a force curve: loading, holds, partial unloadings, and the last unloading, which is evaluated."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from winkler.values import value
 __all__ = ["Segment", "SegmentKind", "segments_of", "stated_directions"]
 
 LEAST_PEAK_SHARE = 0.9
-"""The last unloading starts at this part of the greatest force, at least."""
+"""Least force at the start of the last unloading, relative to the greatest."""
 
 
 class SegmentKind(Enum):
-    """What the tip does in a segment."""
+    """Kinds of segments."""
 
     LOADING = "loading"
     HOLD = "hold"
@@ -32,12 +32,12 @@ KIND_DIRECTIONS = {"loading": IN, "hold": HELD, "unloading": OUT, "partial unloa
 
 @value
 class Segment:
-    """A stretch of one direction.
+    """A part of one direction.
 
     Parameters
     ----------
     kind : SegmentKind
-        loading, hold, partial unloading, or last unloading: the last way out from (nearly) the greatest force.  A hold
+        loading, hold, partial unloading, or last unloading: the last one from (nearly) the greatest force.  A hold
         within it does not end it, and what comes after that hold belongs to it.
     first, last : int
         Indices of its first and last point in the curve.
@@ -67,7 +67,7 @@ def segments_of(direction: Array, force: Array) -> tuple[Segment, ...]:
     ends = [(int(part[0]), int(part[-1])) for part in np.split(np.arange(direction.size), turns)]
     directions = [float(direction[first]) for first, _ in ends]
     tops: dict[int, float] = {}
-    """First segment of every way out, and the force from which it starts."""
+    """First segment of each unloading, and the force at its start."""
     start = -1
     for place, sign in enumerate(directions):
         if sign == IN:
@@ -114,7 +114,8 @@ def stated_directions(stated: Sequence[tuple[str, int]], count: int) -> Array:
             ) from None
         if kind not in KIND_DIRECTIONS:
             raise InvalidInput(
-                f"segments: line {place} is a '{kind}'{suggest(str(kind), KIND_DIRECTIONS)}; give loading, hold or unloading."
+                f"segments: line {place} is a '{kind}'{suggest(str(kind), KIND_DIRECTIONS)}; give loading, hold or "
+                "unloading."
             )
         is_integer = not isinstance(first, bool) and isinstance(first, int | np.integer)
         if not is_integer or not before < first < count or (place == 0 and first != 0):

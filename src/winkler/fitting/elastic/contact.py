@@ -1,9 +1,9 @@
-r"""What a model says about a measured curve: the force at every position, in contact and out of it.
+r"""Predicted force of a model at all positions of a measured curve, in contact and out of it.
 
-The model gives the force of a contact that holds.  Without adhesion it holds where D > 0.  With adhesion, where the tip
-jumps in and where it comes off is read from the curve: vibration and noise part a contact before its limit, and forces
-of long range close one before first touch.  So in every run the two stretches are told apart where the squared misfit
-is least, the branch of the contact going on a little beyond its limit, as if its edge were held.
+The model gives the force in contact.  Without adhesion there is contact where D > 0.  With adhesion, jump-in and
+pull-off are taken from the curve: vibration and noise separate a contact before its limit, and forces of long range
+close one before first touch.  In each run the transition is therefore placed at the least squared misfit, and the
+branch of the contact is continued a little beyond its limit, as if its edge were pinned.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ __all__ = [
 ]
 
 MOST_PULLS_BEYOND = 2.0
-"""So many of its greatest pulls a contact may reach beyond its limit; without end, any tension would pass for one."""
+"""Greatest tension of the continued branch, in multiples of the pull-off force."""
 
 
 class Run(NamedTuple):
-    """Points from `start` to `stop` of one direction; `turn` is the largest position [m] before it came out."""
+    """Points from `start` to `stop` of one direction; `turn` is the largest position [m] before the retraction."""
 
     start: int
     stop: int
@@ -49,18 +49,18 @@ class Run(NamedTuple):
 
 
 class HeldContact(NamedTuple):
-    """The contact as if it held at every point.
+    """The contact continued to all points.
 
     Parameters
     ----------
     force, slope, radius : ndarray, (n,)
         [N], dF/dD [N/m], a [m].
     balanced : ndarray of bool, (n,)
-        Where the edge is in the equilibrium of `response`; elsewhere it is held.
+        Where the edge is in the equilibrium of `response`; elsewhere it is pinned.
     response : Response
         Of the receding contact.
     sticky : bool
-        Whether it holds under tension.
+        Whether it is adhesive.
     """
 
     force: Array
@@ -91,7 +91,7 @@ def states_for(model: Model) -> EdgeStates:
     Raises
     ------
     InvalidInput
-        If the model is of a kind that cannot be fitted.
+        If this kind of model cannot be fitted.
     """
     match model:
         case Indentation():
@@ -106,7 +106,7 @@ def states_for(model: Model) -> EdgeStates:
 
 
 def held_contact(model: Model, compliance: float, position: Array, runs: tuple[Run, ...], origin: float) -> HeldContact:
-    """Return the contact at positions D from first touch, as if it held at all of them.
+    """Return the contact continued to all positions D from first touch.
 
     Parameters
     ----------
@@ -157,27 +157,27 @@ def held_contact(model: Model, compliance: float, position: Array, runs: tuple[R
 
 
 def moved_force(held: HeldContact, other: Model, compliance: float, where: Array) -> Array:
-    r"""Return by how much the force of nearly the same model differs, at the same positions ``(m,)``.
+    r"""Return the difference of force of a slightly changed model at the same positions ``(m,)``.
 
     With D(a) and F(a) of both, at the radius of the first, :math:`\delta F|_D = \delta F|_a - F'(D)\,\delta D|_a`.
 
     Parameters
     ----------
     held : HeldContact
-        What the model says.
+        Prediction of the model.
     other : Indentation or AdhesiveIndentation
         The other model, `comparable` with the one of `held`.
     compliance : float
         Of the machine [m/N].
     where : ndarray of bool, (n,)
-        Which points, m of them, all balanced.
+        The m points, all balanced.
     """
     level, force = held.response.differences(states_for(other), compliance, held.radius[where])
     return np.asarray(force - held.slope[where] * level)
 
 
 def comparable(model: Model, other: Model) -> bool:
-    """Return whether `other_bed_force` may compare two models: shapes with the same corners, known equally far."""
+    """Return whether `moved_force` may compare two models: equal kinks, reach and rim."""
     bed, other_bed = model.bed, other.bed
     return (bed.kinks, bed.reach, bed.rim) == (other_bed.kinks, other_bed.reach, other_bed.rim)
 
@@ -185,7 +185,7 @@ def comparable(model: Model, other: Model) -> bool:
 def _unloaded(
     bed: Bed, advancing: MachineResponse, receding: MachineResponse, compliance: float, position: Array, turn: float
 ) -> ResponseValues:
-    """Return the answers of a contact whose edge rests after the turn until opening takes it."""
+    """Return the response of a contact whose edge is at rest after the turn until it recedes."""
     top = advancing.closing(np.array([turn]))
     stiffness = bed.stiffness(top.radius)
     stiffness = stiffness / (1.0 + compliance * stiffness)
@@ -201,7 +201,7 @@ def _unloaded(
 
 
 def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights: Array) -> Array:
-    """Return at which points the contact holds.
+    """Return the points in contact.
 
     Parameters
     ----------
@@ -217,7 +217,7 @@ def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights:
     """
     if not held.sticky:
         return np.asarray(held.radius > 0.0)
-    gain = measured**2 - (measured - weights * held.force) ** 2  # what holding explains
+    gain = measured**2 - (measured - weights * held.force) ** 2  # misfit explained by contact
     pull = min(held.response.least(), 0.0)
     gain[~held.balanced & (held.force < MOST_PULLS_BEYOND * pull)] = -np.inf
     result = np.zeros(measured.shape, dtype=bool)

@@ -1,11 +1,11 @@
-r"""The force that a machine reads at every position, of a contact with or without adhesion.
+r"""Force over the position of a machine, for a contact with or without adhesion.
 
 Depth and force are explicit functions of the contact radius a, and so is the position of the machine
 
 .. math:: D(a) = d(a) + F(a)/k_m .
 
-Stable are the stretches where D rises.  An advancing contact stands on the first of them that reaches D, a receding one
-on the last that does; where a stretch ends it leaps to the next.
+Stable are the branches on which D rises.  An advancing contact follows the first of them that reaches D, a receding one
+the last; at the end of a branch it jumps to the next.
 """
 
 from __future__ import annotations
@@ -28,25 +28,25 @@ from winkler.problems.normal.solve_contact import flat_radius
 __all__ = ["MachineResponse", "ResponseValues", "response"]
 
 MOST_RELATIVE_SLOPE = 100.0
-"""Greatest slope of a force, in stiffnesses of a contact whose edge is held: at the end of a stretch it has none.
+"""Greatest slope of a force relative to the stiffness with a pinned edge; it diverges at the end of a branch.
 
-From where it is reached the force goes straight on, so that a fit meets no corner.  Of the last of a pull-off, less
-than one part in 1e4 of the way, this tells the force up to a hundredth wrong."""
+Beyond it the force is continued linearly, so that a fit meets no kink.  In the last part of 1e-4 before pull-off the
+force is wrong by up to a hundredth."""
 HALVED_STEPS = 0.5 ** np.arange(1.0, 40.0)
 NEGLIGIBLE_RADIUS_SHARE = 1e-2
-"""Part of the widest contact below which one is as good as nothing."""
+"""Contact radius below which a contact is negligible, relative to the widest."""
 MOST_DOUBLINGS = 400
 PULL_TOLERANCE = 1e-9
 MOST_BISECTIONS = 50
 FEWEST_BISECTIONS = 2
-"""How often the stretch beyond what is asked for is halved."""
+"""Fewest bisections of the range beyond the requested position."""
 SINGLE_RADIUS, GROWING_RADII, SHRINKING_RADII = np.ones(1), 2.0 ** np.arange(8), 0.5 ** np.arange(8)
 
 
 class ResponseValues(NamedTuple):
     """Forces [N] at positions, what they change by per length [N/m], and the contact radii [m].
 
-    `balanced` marks with 1 where the edge is in equilibrium, with 0 where it is held: at an end, or beyond a limit.
+    `balanced` is 1 where the edge is in equilibrium, 0 where it is pinned: at an end, or beyond a limit.
     """
 
     force: Array
@@ -56,7 +56,7 @@ class ResponseValues(NamedTuple):
 
 
 class Continuation(NamedTuple):
-    """From the position `level` [m] on downwards a force goes straight on, from `force` [N] with `slope` [N/m]."""
+    """Linear continuation of a force below the position `level` [m], from `force` [N] with `slope` [N/m]."""
 
     level: float
     force: float
@@ -64,7 +64,7 @@ class Continuation(NamedTuple):
 
 
 class MachineResponse(NamedTuple):
-    """What a contact answers to its machine.
+    """Response of a contact to its machine.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class MachineResponse(NamedTuple):
     end : tuple of float
         D [m], F [N], dF/dD [N/m] and a [m] at the last radius; where the profile ends, the contact is pinned there.
     held : tuple of Continuation
-        How each stretch goes on below.
+        Continuation of each branch below its start.
     """
 
     table: RadiusTable
@@ -81,32 +81,32 @@ class MachineResponse(NamedTuple):
     held: tuple[Continuation, ...]
 
     def loss(self) -> tuple[float, float]:
-        """Return D [m] and F [N] at which a receding contact comes off."""
+        """Return D [m] and F [N] at pull-off of a receding contact."""
         if not self.table.pieces:
             return self.end[0], self.end[1]
         first = min(self.table.pieces, key=lambda piece: float(piece.levels[0]))
         return float(first.levels[0]), float(self.table.read(self.table.start(first))[0][0])
 
     def least(self) -> float:
-        """Return the least force of all stable states [N], of the greatest pull."""
+        """Return the least force of all stable states [N], at the greatest tension."""
         table = self.table
         forces = [float(table.read(table.places(piece.places))[0].min()) for piece in table.pieces]
         return min(forces, default=self.end[1])
 
     def closing(self, position: Array) -> ResponseValues:
-        """Return what an advancing contact answers: of several states the narrowest."""
+        """Return the response of an advancing contact: the narrowest of several states."""
         return self.on(self.narrowest(position), position)
 
     def opening(self, position: Array, turn: float) -> ResponseValues:
-        """Return what a receding contact answers, which turned at the position `turn`: of several states the widest."""
+        """Return the response of a receding contact that turned at `turn` [m]: the widest of several states."""
         return self.on(self.widest(position, turn), position)
 
     def narrowest(self, position: Array) -> Array:
-        """Return on which stretch an advancing contact stands."""
+        """Return the index of the branch of an advancing contact."""
         return np.searchsorted(self._tops(), position, side="right")
 
     def widest(self, position: Array, turn: float) -> Array:
-        """Return on which stretch a receding contact stands, which turned at the position `turn`."""
+        """Return the index of the branch of a receding contact that turned at the position `turn`."""
         bottoms = np.array([piece.levels[0] for piece in self.table.pieces])
         reached = int(np.searchsorted(self._tops(), turn, side="right"))
         bottoms = bottoms[: reached + 1]
@@ -122,7 +122,7 @@ class MachineResponse(NamedTuple):
         return np.maximum.accumulate(np.array([piece.levels[-1] for piece in self.table.pieces]))
 
     def on(self, which: Array, position: Array) -> ResponseValues:
-        """Return the answers of given stretches; past the last one those of the pinned contact."""
+        """Return the response on branches given by index; past the last one that of the pinned contact."""
         columns = np.empty((4, position.size))
         for index in np.flatnonzero(np.bincount(which)):
             own_points = which == index
@@ -130,11 +130,11 @@ class MachineResponse(NamedTuple):
         return ResponseValues(*columns)
 
     def differences(self, states: EdgeStates, compliance: float, radius: Array) -> Array:
-        """Return by how much D [m] and F [N] of nearly the same states differ from these ``(2, m)``, at radii [m]."""
+        """Return the differences of D [m] and F [N] of slightly changed states ``(2, m)``, at radii [m]."""
         return self.table.differences(_curves(states, compliance), self.table.places_of(radius))
 
     def _on(self, index: int, position: Array) -> ResponseValues:
-        """Return the answers of one stretch; below it the force goes on as if the edge were held."""
+        """Return the response on one branch, with its continuation below."""
         level, force, stiffness, radius = self.end
         if index >= len(self.table.pieces):
             constants = np.full(position.shape, stiffness), np.full(position.shape, radius), np.zeros(position.shape)
@@ -166,7 +166,7 @@ def _curves(states: EdgeStates, compliance: float) -> Pair:
 
 
 def response(states: EdgeStates, compliance: float, highest: float) -> MachineResponse:
-    """Return what a contact answers to a machine, up to a position.
+    """Return the response of a contact to a machine, up to a position.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def response(states: EdgeStates, compliance: float, highest: float) -> MachineRe
     compliance : float
         1/k_m [m/N].
     highest : float
-        The largest position D that is asked for, from first touch [m].
+        The largest requested position D, from first touch [m].
 
     Raises
     ------
@@ -200,12 +200,12 @@ def response(states: EdgeStates, compliance: float, highest: float) -> MachineRe
 
 
 def _held(table: RadiusTable, piece: RisingPiece, states: EdgeStates, compliance: float, widest: float) -> Continuation:
-    """Return from where on the force of a stretch is continued."""
+    """Return the continuation of the force of a branch."""
     start = table.start(piece)
     radius = table.radius(start)
     if states.from_nothing() and radius[0] <= NEGLIGIBLE_RADIUS_SHARE * table.right[-1]:
         pull = float(table.read(start)[0][0])
-        # without attraction there is nothing below; with it, a plateau would pass for a contact that goes on for ever
+        # without attraction the force is constant below; with it, a constant force would never end the contact
         pressed = float(table.read(table.where(piece, piece.levels[-1:]))[0][0])
         attracted = pull < -PULL_TOLERANCE * abs(pressed)
         return Continuation(float(piece.levels[0]), pull, widest if attracted else 0.0)
@@ -214,7 +214,7 @@ def _held(table: RadiusTable, piece: RisingPiece, states: EdgeStates, compliance
     steps = (piece.places[-1] - piece.places[0]) * HALVED_STEPS
     slopes = np.abs(table.read(table.places(piece.places[0] + steps))[1])
     steep = int(np.argmax(slopes > steepest)) if np.any(slopes > steepest) else steps.size - 1
-    # D rises like the square of the way from its least value, so the slope falls like the inverse of the way
+    # D rises like the square of the distance from its least value, so the slope falls like its inverse
     distance = min(float(steps[steep]) * float(slopes[steep]) / steepest, float(piece.places[-1] - piece.places[0]))
     transition = table.places(piece.places[:1] + distance)
     force, slope = table.read(transition)
@@ -232,7 +232,7 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
     levels_by_radius: dict[float, float] = {}
 
     def level(radius: float, ahead: Array) -> float:
-        """Return D at a radius; what may be asked for next is computed with it."""
+        """Return D at a radius; values that may be needed next are computed with it."""
         if radius not in levels_by_radius:
             places = np.minimum(radius * ahead, end)
             levels_by_radius.update(zip(places.tolist(), _levels(curves, places).tolist(), strict=True))
@@ -240,7 +240,7 @@ def _last_radius(states: EdgeStates, compliance: float, highest: float, low: flo
 
     length = own_length(bed)
     high = max(length if math.isfinite(length) else rough_root(bed.gap, highest), 2.0 * low)
-    # layers are not asked for contacts far wider than needed: these take long
+    # on layers contacts far wider than needed are expensive
     upwards = GROWING_RADII if math.isinf(thickness_of(bed.medium)) else SINGLE_RADIUS
     below, narrowest = low, 2.0**-100 * high
     if high < end and not level(high, upwards) <= highest:
@@ -272,7 +272,7 @@ def _levels(curves: Pair, radii: Array) -> Array:
     try:
         with np.errstate(all="ignore"):
             return curves(radii)[0]
-    except (NotConverged, OutsideValidity):  # a cohesive zone that leaves the profile, or its end on layers
+    except (NotConverged, OutsideValidity):  # a cohesive zone beyond the profile, or its end on layers
         if radii.size == 1:
             return np.array([np.nan])
         return np.concatenate([_levels(curves, radii[i : i + 1]) for i in range(radii.size)])

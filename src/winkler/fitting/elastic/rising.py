@@ -1,8 +1,8 @@
-r"""Two functions of the contact radius, resolved once, so that one can be read as a function of the other.
+r"""Two functions of the contact radius, resolved once, so that one can be evaluated as a function of the other.
 
 Both are Chebyshev polynomials on panels that double in size from the axis on; above a kink b their variable is
 :math:`y = \sqrt{a^2-b^2}`.  Where the first function rises it is inverted, for thousands of values at once, by Newton's
-method on its polynomials; the functions themselves are called some hundred times.
+method on its polynomials; the functions themselves are evaluated some hundred times.
 """
 
 from __future__ import annotations
@@ -25,29 +25,29 @@ PANEL_DOUBLINGS = 10
 SAMPLES = 8
 MOST_NEWTON_STEPS = 5
 NEWTON_TOLERANCE = 1e-9
-"""A step of Newton's method, on panels from -1 to 1, after which the next one would be less than rounding."""
+"""Step of Newton's method on panels from -1 to 1, below which the next one is rounding error."""
 FALL_TOLERANCE = 1e-9
-"""Part of the largest value by which a function must fall for a turn to be believed."""
+"""Least fall of a function at a turn, relative to its largest value."""
 
 Pair = Callable[[Array], tuple[Array, Array]]
 
 
 class RisingPiece(NamedTuple):
-    """A stretch where the first function rises: places s on it, its values there, rising."""
+    """An interval on which the first function rises: coordinates s and increasing values."""
 
     places: Array
     levels: Array
 
 
 class PanelPlaces(NamedTuple):
-    """Places on the panels: which one, and where on it, from -1 to 1."""
+    """Positions on the panels: index and coordinate from -1 to 1."""
 
     panel: Array
     t: Array
 
 
 class RadiusTable(NamedTuple):
-    """Two functions, panel by panel, over a place s that counts panels.
+    """Two functions, panel by panel, over a coordinate s that counts panels.
 
     Parameters
     ----------
@@ -89,12 +89,12 @@ class RadiusTable(NamedTuple):
         return PanelPlaces(panel, np.clip((2.0 * y - left - right) / (right - left), -1.0, 1.0))
 
     def where(self, piece: RisingPiece, target: Array) -> PanelPlaces:
-        """Return where on a piece the first function takes values within it."""
+        """Return the positions on a piece at which the first function takes target values."""
         right = np.clip(np.searchsorted(piece.levels, target, side="left"), 1, len(piece.levels) - 1)
         low, high = piece.places[right - 1], piece.places[right]
         bottom, top = piece.levels[right - 1], piece.levels[right]
         share = np.clip((target - bottom) / (top - bottom), 0.0, 1.0)
-        share = np.where(right == 1, np.sqrt(share), share)  # most stretches begin like a square
+        share = np.where(right == 1, np.sqrt(share), share)  # most pieces begin like a square
         panel = np.minimum((0.5 * (low + high)).astype(int), self.base.size - 1)
         start, stop = 2.0 * (low - panel) - 1.0, 2.0 * (high - panel) - 1.0
         t = start + share * (stop - start)
@@ -102,9 +102,7 @@ class RadiusTable(NamedTuple):
         tolerance = 4.0 * np.finfo(float).eps * float(np.abs(piece.levels).max())
         for _ in range(MOST_NEWTON_STEPS):
             value, rise = _horner(series, t)
-            converged = (
-                np.abs(value - target) <= tolerance
-            )  # where a stretch begins, the next step would be noise over nothing
+            converged = np.abs(value - target) <= tolerance  # at the start of a piece the next step would be 0/0
             if converged.all():
                 break
             over = value > target
@@ -130,9 +128,9 @@ class RadiusTable(NamedTuple):
         return _horner(self.series[:, 0, places.panel], places.t)[0]
 
     def differences(self, function: Pair, places: PanelPlaces) -> Array:
-        """Return by how much two other functions differ from these ``(2, m)``, at places.
+        """Return the differences of two other functions from these ``(2, m)``, at positions.
 
-        Both must be nearly the same: they are resolved on the same panels.
+        They must be close to these, as they use the same panels.
         """
         nodes, matrix, powers = _nodes()
         y = 0.5 * (self.left + self.right)[:, None] + 0.5 * (self.right - self.left)[:, None] * nodes
@@ -150,7 +148,7 @@ def tabulated(function: Pair, low: float, high: float, kinks: Array) -> RadiusTa
     function
         Takes radii ``(m,)`` [m], returns both values, ``(m,)`` each.
     low, high : float
-        From where to where [m].
+        Range of radii [m].
     kinks : ndarray
         Radii from `low` on, below `high`, where the functions are not smooth [m].
     """
@@ -237,7 +235,7 @@ def _resolved(function: Pair, base: Array, left: Array, right: Array, high: floa
 
 
 def _pieces(rows: Array) -> tuple[RisingPiece, ...]:
-    """Return the stretches of rising D, from the Chebyshev coefficients of all panels."""
+    """Return the intervals of rising D, from the Chebyshev coefficients of all panels."""
     count = rows.shape[0]
     derivative, samples = _grids()
     derived = rows @ derivative
@@ -268,7 +266,7 @@ def _pieces(rows: Array) -> tuple[RisingPiece, ...]:
 
 
 def _rising(s: Array, level: Array, noise: float) -> tuple[RisingPiece, ...]:
-    """Return the stretches along which samples rise, falls within the noise passed over."""
+    """Return the intervals on which samples rise; falls within the tolerance are ignored."""
     pieces: list[RisingPiece] = []
     start = 0
     falls = np.flatnonzero(np.diff(level) < 0.0)

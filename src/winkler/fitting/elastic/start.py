@@ -1,7 +1,7 @@
-"""Where a fit begins: a rough contact point, moduli and works of adhesion that meet the largest and the least force.
+"""Start of a fit: a rough contact point, moduli and works of adhesion that match the largest and the least force.
 
 A force is proportional to all moduli at once, a pull-off nearly so to the work of adhesion, whatever the shape; so a
-few divisions lead from any value of the model to the right size.
+few scalings give the right magnitude from any start.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ MOST_ROUNDS = 6
 
 
 def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
-    """Return the coordinates from which a fit may begin, one for every contact point that is tried.
+    """Return the coordinates from which a fit may begin, one for each trial contact point.
 
     Parameters
     ----------
     task : Task
         Of a contact with or without adhesion.
     strokes : Outline
-        What the approach looks like.
+        Rough outline of the approach.
     """
     parameter = next((p for p in task.parameters if p.name == "contact_point"), None)
     origins = [0.0]
@@ -44,7 +44,7 @@ def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
 
 
 def _sized(task: FitTask, rough_outline: CurveOutline, origin: float) -> Array:
-    """Return coordinates with moduli and works of the right size for a contact point."""
+    """Return coordinates with moduli and works of the right magnitude for a contact point."""
     numbers: dict[str, float] = {p.name: p.start for p in task.parameters}
     stated = {p.name for p in task.parameters if p.has_start}
     if "contact_point" in numbers and "contact_point" not in stated:
@@ -61,7 +61,7 @@ def _sized(task: FitTask, rough_outline: CurveOutline, origin: float) -> Array:
 def _possible(
     task: FitTask, numbers: dict[str, float], works: list[str], depth: float
 ) -> tuple[Model, MachineResponse]:
-    """Return the model and its response, the works taken back until the theory allows them."""
+    """Return the model and its response, the works reduced until the theory is valid."""
     for _ in range(MOST_ROUNDS if works else 0):
         model = task.with_numbers(numbers)
         try:
@@ -86,7 +86,7 @@ def _named(task: FitTask, stated: set[str], unit: str, without: tuple[str, ...])
 def _scale(
     task: FitTask, rough_outline: CurveOutline, numbers: dict[str, float], moduli: list[str], works: list[str]
 ) -> None:
-    """Multiply moduli and works until the largest force and the pull-off have the right size."""
+    """Multiply moduli and works until the largest force and the pull-off force match."""
     origin = numbers.get("contact_point", 0.0)
     travel = float(task.curve.position.max()) - origin
     top = max(rough_outline.top, 1e-3 * float(np.ptp(task.curve.force)))

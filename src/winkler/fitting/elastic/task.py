@@ -39,7 +39,7 @@ __all__ = ["ElasticTask", "elastic_task"]
 
 
 class ElasticTask(FitTask):
-    """A contact without memory but that of its edge; nothing relaxes."""
+    """A contact without relaxation, with the hysteresis of its edge."""
 
     settled = 1e-10
     must_settle = True
@@ -58,7 +58,7 @@ class ElasticTask(FitTask):
         return runs_of(self.curve)
 
     def starts(self, rough_outline: CurveOutline | None) -> Iterable[Array]:
-        """Return coordinates for some contact points, moduli and works of adhesion of the right size."""
+        """Return coordinates for some contact points, moduli and works of adhesion of the right magnitude."""
         assert rough_outline is not None
         return starts(self, rough_outline)
 
@@ -68,7 +68,7 @@ class ElasticTask(FitTask):
         return np.linspace(stretch[0], stretch[-1], min(count, stretch.size)).astype(int)
 
     def held(self, numbers: dict[str, float]) -> HeldContact:
-        """Return the contact as if it held everywhere."""
+        """Return the contact continued to all points."""
         origin = numbers.get("contact_point", 0.0)
         return held_contact(self.with_numbers(numbers), self.curve.compliance, self.along(numbers), self.runs, origin)
 
@@ -106,8 +106,8 @@ class ElasticTask(FitTask):
         beyond = widest >= bed.reach and bed.reach < bed.rim
         if beyond and depth > float(states_for(model).depth(np.array([bed.reach]))[0]):
             raise OutsideValidity(
-                f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where nothing is known of the "
-                "profile; cut the curve off before, or give a profile that is known farther out."
+                f"fit: the curve leads to contact radii beyond {bed.reach:.4g} m, where the profile is not "
+                "defined; cut the curve off before, or give a profile that extends farther."
             )
         return dataclasses.replace(model, load=Depth(depth))
 
@@ -118,22 +118,22 @@ class ElasticTask(FitTask):
 
 
 def elastic_task(curve: ForceCurve, model: Model, free: dict[str, Any], noise: Array) -> ElasticTask:
-    """Return a fit as a task.
+    """Return the task of a fit.
 
     Parameters
     ----------
     curve : ForceCurve
-        Without held points.
+        Without points of holds.
     model : Indentation or AdhesiveIndentation
     free : dict
-        Name and (low, high), or a start value, or nothing in particular (an empty tuple).
+        Name and (low, high), or a start value, or neither (an empty tuple).
     noise : ndarray
-        Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here; zero: all alike.
+        Standard deviation of the forces [N], ``()`` or ``(n,)``; only its course matters here; zero: uniform.
 
     Raises
     ------
     InvalidInput
-        If a name leads nowhere, or its bounds contradict themselves.
+        If a path does not exist, or its bounds are inconsistent.
     """
     if not free:
         raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.young'.")

@@ -1,4 +1,4 @@
-r"""What stiffness, force and depth of an indentation tell, with the area of the tip at the contact depth.
+r"""Modulus and hardness from stiffness, force and depth of an indentation, with the area of the tip.
 
 .. math:: h_c = h - \epsilon\,\frac FS, \qquad E_r = \frac{\sqrt\pi}{2\beta}\,\frac S{\sqrt{A(h_c)}}, \qquad
           H = \frac F{A(h_c)}
@@ -53,7 +53,7 @@ class CalibratedArea:
     """Cross-section of a calibrated tip, A(h) = C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ..., where it was calibrated.
 
     `AreaFunction` is the body of revolution with this area, which must grow from the apex on; a `CalibratedArea` needs
-    not, because a reading asks for one depth alone.
+    not, because a reading needs one depth alone.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class CalibratedArea:
 
 
 Tip = Profile | CalibratedArea
-"""What has a cross-section at the contact depth."""
+"""A tip with a cross-section at the contact depth."""
 
 
 def polynomial(coefficients: tuple[float, ...], height: float) -> float:
@@ -105,7 +105,7 @@ def polynomial(coefficients: tuple[float, ...], height: float) -> float:
 
 @value
 class ContactReading:
-    """What one stiffness tells.
+    """Result of the evaluation of one stiffness.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ class ContactReading:
 def contact_reading(
     stiffness: float, force: float, depth: float, tip: Tip, *, intercept: float = 0.75, shape_factor: float = 1.0
 ) -> ContactReading:
-    """Return what stiffness, force and depth tell: of an unloading, or of a small oscillation while loading.
+    """Return contact depth, area, modulus and hardness, from an unloading or a small oscillation during loading.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def contact_reading(
     depth : float
         h [m].
     tip : Profile or CalibratedArea
-        What has the cross-section A.
+        Its cross-section is A.
     intercept : float, optional
         epsilon [-]; 0.75 unless given, that of a paraboloid, which most programs take.
     shape_factor : float, optional
@@ -208,7 +208,7 @@ def _radius(profile: Profile, height: float) -> float:
         outer = min(2.0 * outer, end)
     if height_above(outer) < 0.0:
         raise OutsideValidity(
-            f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is known up to a radius of "
+            f"OliverPharr: the contact depth {height:.3g} m is beyond the tip, which is defined up to a radius of "
             f"{end:.3g} m."
         )
     return between(height_above, inner, outer, relative=1e-14)

@@ -1,4 +1,4 @@
-r"""Oliver and Pharr's reading of an unloading curve: stiffness, contact depth, area, modulus, hardness.
+r"""Oliver and Pharr's evaluation of an unloading curve: stiffness, contact depth, area, modulus, hardness.
 
 The upper part of the unloading is fitted by :math:`F = B(h-h_f)^m`; its slope at the greatest depth is the stiffness S.
 The contact depth and the modulus are
@@ -42,17 +42,17 @@ __all__ = ["OliverPharr", "OliverPharrSolution"]
 FEWEST = 10
 DIFFERENCE_STEP = 1e-6
 HOLD_END_SHARE = 0.1
-"""Part of a hold at whose end the peak is read."""
+"""Last part of a hold that defines the peak."""
 
 
 @value
 class OliverPharr:
-    """An unloading curve and the tip that made it.
+    """An unloading curve and its tip.
 
     Parameters
     ----------
     curve : ForceCurve
-        What was measured; the last unloading of its `segments` is read.  Where these were found wrongly, state them:
+        The measured curve; the last unloading of its `segments` is evaluated.  Wrong segments can be stated:
         ``curve.with_segments([("loading", 0), ("hold", 120), ("unloading", 180)])``.
     profile : Profile or CalibratedArea
         The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), of which A(h_c) is all that is needed, or
@@ -92,7 +92,7 @@ class OliverPharr:
         Raises
         ------
         InvalidInput
-            If nothing comes out, or too few points lie between the limits.
+            If there is no unloading, or too few points lie between the limits.
         OutsideValidity
             If the contact depth is not positive, or beyond the profile.
         NotConverged
@@ -136,7 +136,7 @@ class OliverPharr:
 
     @property
     def peak_hold(self) -> Array:
-        """Indices of the points at which the tip was held just before the last unloading; empty if it was not."""
+        """Indices of the points of the hold just before the last unloading; empty without a hold."""
         path = self.unloading
         held = [part for part in self.curve.segments if path.size and part.last == path[0] - 1]
         hold = [part for part in held if part.kind is SegmentKind.HOLD]
@@ -147,8 +147,8 @@ class OliverPharr:
         points, hold = self.unloading, self.peak_hold
         if points.size < FEWEST:
             raise InvalidInput(
-                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; look at its "
-                "segments, and state them by with_segments where they were found wrongly."
+                f"OliverPharr: curve '{self.curve.name}' has no unloading of at least {FEWEST} points; check its "
+                "segments, and state them by with_segments if they are wrong."
             )
         depth, force = self.curve.depth(self.contact_point), self.curve.force
         end = hold[-max(1, int(HOLD_END_SHARE * hold.size)) :] if hold.size else np.array([max(points[0] - 1, 0)])
@@ -158,7 +158,7 @@ class OliverPharr:
         if not highest > 0.0 or not deepest > 0.0:
             raise InvalidInput(
                 f"OliverPharr: at the peak, {deepest:.3g} m deep, the force is {highest:.3g} N; both must be positive: "
-                "look at signs and contact_point."
+                "check signs and contact_point."
             )
         return _Unloading(points, depth[points] / deepest, force[points] / highest, deepest, highest, bool(hold.size))
 
@@ -209,12 +209,12 @@ class _Unloading(NamedTuple):
 
 @value
 class OliverPharrSolution:
-    """What an unloading curve says.
+    """Evaluation of an unloading curve.
 
     Parameters
     ----------
     problem : OliverPharr
-        What was asked.
+        The problem.
     force : float
         Force at the peak [N], where the unloading begins: measured at the end of a hold, or that of the fitted law.
     depth : float
@@ -241,7 +241,7 @@ class OliverPharrSolution:
     fitted_force : float
         Force of the fitted law at the peak's depth [N].
     fitted_points : ndarray
-        Indices of the points of the curve that were fitted.
+        Indices of the fitted points of the curve.
     """
 
     problem: OliverPharr
@@ -261,7 +261,7 @@ class OliverPharrSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the reading can be trusted: pile-up, creep, exponent, area, number of points."""
+        """Validity of the evaluation: pile-up, creep, exponent, area, number of points."""
         return unloading_notes(
             UnloadingFacts(
                 final_share=self.final_depth / self.depth,

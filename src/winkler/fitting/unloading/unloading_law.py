@@ -1,6 +1,6 @@
 r"""The power law of an unloading, F = T ((h - h_f)/(1 - h_f))^m, fitted with its covariance.
 
-Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  Noise with a memory makes
+Depths are counted in parts of the greatest depth and forces in parts of the greatest force.  Autocorrelated noise makes
 the covariance larger, see `winkler.fitting.curves.noise`.
 """
 

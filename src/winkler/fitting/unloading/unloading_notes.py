@@ -1,8 +1,8 @@
-r"""How far Oliver and Pharr's reading of an unloading can be trusted.
+r"""Validity of Oliver and Pharr's evaluation of an unloading.
 
-Each note compares one number with its limit: the depth that remains with the greatest (pile-up), the creep at the end
-of the hold with the unloading, the exponent with what effective indenter shapes give, the fitted law with the measured
-peak, the contact depth with the calibration of the tip, and the number of points with what a fit needs.
+Each note compares one number with its limit: residual over greatest depth (pile-up), the creep at the end
+of the hold with the unloading, the exponent with that of effective indenter shapes, the fitted law with the measured
+peak, the contact depth with the calibration of the tip, and the number of points.
 
 Creep adds to the apparent compliance: with its rate :math:`\dot h_c` at the end of the hold, and the unloading rate
 :math:`\dot F` there,
@@ -30,20 +30,20 @@ CREEP = "G. Feng, A. H. W. Ngan, J. Mater. Res. 17 (2002) 660-668, doi:10.1557/J
 SHAPES = "G. M. Pharr, A. Bolshakov, J. Mater. Res. 17 (2002) 2660-2671, doi:10.1557/JMR.2002.0386"
 
 PILE_UP_LIMIT = 0.7
-"""Share of the greatest depth that remains, above which pile-up may hide in the area."""
+"""Residual over greatest depth above which pile-up may affect the area."""
 LEAST_CREEP, MOST_CREEP = 0.01, 0.1
 USUAL_EXPONENTS = (1.2, 1.6)
 POSSIBLE_EXPONENTS = (1.0 + 1e-3, 2.2)
-"""Exponents beyond these belong to no indenter: a flat punch has 1, a cone 2."""
+"""Range of exponents of indenters: a flat punch has 1, a cone 2."""
 PEAK_TOLERANCE = 0.02
-"""Part by which the fitted law may miss the measured peak."""
+"""Greatest relative deviation of the fitted law from the measured peak."""
 FEW_POINTS = 50
 AREA_DEPTHS = np.geomspace(1e-6, 1.0, 2000)
-"""Parts of the contact depth at which the area function is looked at."""
+"""Relative depths at which the area function is checked."""
 
 
 class UnloadingFacts(NamedTuple):
-    """What the notes compare.
+    """Numbers compared in the notes.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class UnloadingFacts(NamedTuple):
     exponent : float
         m [-].
     creep_share : float
-        Part by which creep makes the stiffness too large [-]; nan where hold or times are missing.
+        Relative error of the stiffness by creep [-]; nan without hold or times.
     force, fitted_force : float
         At the peak, as reported and by the fitted law [N].
     points : int
@@ -79,7 +79,7 @@ class UnloadingFacts(NamedTuple):
 
 
 def unloading_notes(facts: UnloadingFacts) -> tuple[Note, ...]:
-    """Return the notes of a reading."""
+    """Return the notes of an evaluation."""
     return (
         _pile_up(facts),
         _creep(facts),
@@ -104,8 +104,8 @@ def _pile_up(facts: UnloadingFacts) -> Note:
     return Note(
         Assumption.RESPONSE,
         Standing.OUTSIDE,
-        f"{statement}; above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to 60 % too "
-        "small, and hardness and modulus too large: measure the area of the impression.",
+        f"{statement}; above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up "
+        "to 60 % too small, and hardness and modulus too large: measure the area of the impression.",
         PILE_UP,
     )
 
@@ -116,8 +116,8 @@ def _creep(facts: UnloadingFacts) -> Note:
         return Note(
             Assumption.CURVE,
             Standing.APPROXIMATE,
-            "Creep: there is no hold before the unloading, or no times, so creep and drift cannot be judged; they add "
-            "the ratio of their rate to that of the unloading to the compliance.",
+            "Creep: there is no hold before the unloading, or no times, so creep and drift cannot be assessed; they "
+            "add the ratio of their rate to that of the unloading to the compliance.",
             CREEP,
         )
     size = abs(share)
@@ -150,9 +150,9 @@ def _exponent(facts: UnloadingFacts) -> Note:
         Standing.APPROXIMATE if possible else Standing.OUTSIDE,
         f"{statement}, where impressions of sharp tips give {low:g} to {high:g}: "
         + (
-            "a wholly elastic contact may, otherwise look at drift, adhesion, contact point and frame."
+            "a wholly elastic contact may, otherwise check drift, adhesion, contact point and frame."
             if possible
-            else "no shape of a tip unloads like that; look at drift, creep, contact point and segments."
+            else "no shape of a tip has such an unloading; check drift, creep, contact point and segments."
         ),
         SHAPES,
     )
@@ -167,7 +167,7 @@ def _peak(facts: UnloadingFacts) -> tuple[Note, ...]:
             Assumption.CURVE,
             Standing.OUTSIDE,
             f"Peak: the fitted law misses the force measured at the peak by {miss:+.1%}; creep, drift or a wrong "
-            "segment bends the unloading: look at the segments, or fit another part (upper, lower).",
+            "segment distorts the unloading: check the segments, or fit another part (upper, lower).",
             READING,
         ),
     )
@@ -236,5 +236,5 @@ def _points(facts: UnloadingFacts) -> Note:
         Standing.ASYMPTOTIC if facts.points >= FEW_POINTS else Standing.APPROXIMATE,
         f"Points: {facts.points} were fitted, and scatter alone makes the modulus uncertain by {facts.error_share:.2%}"
         + ("." if facts.points >= FEW_POINTS else f"; below {FEW_POINTS} that error itself is rough."),
-        "covariance of the fit, with the memory of the noise",
+        "covariance of the fit, with the autocorrelation of the noise",
     )

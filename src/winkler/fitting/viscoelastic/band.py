@@ -1,4 +1,4 @@
-"""What a fit says about the relaxation G(t) itself, with the interval that the numbers' errors leave it."""
+"""The relaxation function of a fit, with its interval from the errors of the parameters."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class RelaxationBand(NamedTuple):
 
 
 def observed_times(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
-    """Return the sampling interval and the time in contact [s], outside of which a curve tells nothing."""
+    """Return the sampling interval and the time in contact [s], outside of which the curve has no information."""
     time = found.curve.time
     steps = np.diff(time)
     touched = np.flatnonzero(found.radius > 0.0)
@@ -36,7 +36,7 @@ def observed_times(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
 def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confidence: float = 0.95) -> RelaxationBand:
     """Return E*(t) of the fitted contact, phi(t) of a medium that relaxes in proportion, with its interval.
 
-    The errors of the numbers are carried on to first order, in the logarithm of the modulus.
+    The errors of the parameters are propagated to first order, in the logarithm of the modulus.
 
     Parameters
     ----------

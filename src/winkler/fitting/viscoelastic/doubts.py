@@ -1,15 +1,15 @@
-"""What a curve cannot tell about a relaxing solid: times outside of what was watched, terms that fall together.
+"""Doubts about a fitted relaxing solid: times outside the observed range, coinciding terms.
 
 too_slow, too_fast
-    A time is longer than the contact was watched, or shorter than the sampling.
+    A time is longer than the observed contact, or shorter than the sampling.
 collapsed
-    Two times cannot be told apart; fewer terms say the same.
+    Two times cannot be distinguished; fewer terms suffice.
 vanished
-    A term bears hardly anything.
+    A term is negligible.
 span
-    The series of a power law does not cover what was measured.
+    The series of a power law does not cover the measured times.
 drag
-    Both ways differ out of contact: a liquid drags at the cantilever, and nothing that is free describes it.
+    Approach and retraction differ out of contact: the drag of a liquid, without a free parameter for it.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 __all__ = ["unidentified"]
 
 LEAST_TIME_RATIO = 1.5
-"""Times that differ by less are one."""
+"""Least ratio of distinct times."""
 LEAST_TERM_SHARE = 5e-3
-"""Part of all moduli below which a term bears nothing."""
+"""Least modulus of a term relative to the sum."""
 SIGNAL_TO_NOISE = 3.0
 FEWEST_POINTS = 10
 LEAST_DRAG_SHARE = 1e-3
-"""Part of the range of forces below which a drag changes nothing."""
+"""Least drag relative to the range of forces."""
 
 
 def unidentified(task: FitTask, numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]:
-    """Return what a curve cannot tell about the fitted solid.
+    """Return the doubts about the fitted solid.
 
     Parameters
     ----------
@@ -62,8 +62,8 @@ def _outside(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
             flags.append(
                 Flag(
                     "too_slow",
-                    f"{name} is {time:.3g} s, but the contact was watched for {contact_time:.3g} s only: its time and "
-                    "modulus are guesses, and what relaxes later is counted as elastic.",
+                    f"{name} is {time:.3g} s, but the contact was observed for {contact_time:.3g} s only: its time and "
+                    "modulus are uncertain, and what relaxes later is counted as elastic.",
                 )
             )
         elif time < sampling:
@@ -71,7 +71,7 @@ def _outside(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
                 Flag(
                     "too_fast",
                     f"{name} is {time:.3g} s, shorter than the {sampling:.3g} s between two points: only the product "
-                    "of time and modulus, a viscosity, is told.",
+                    "of time and modulus, a viscosity, is determined.",
                 )
             )
     return flags
@@ -86,8 +86,8 @@ def _together(numbers: dict[str, float], errors: dict[str, float]) -> list[Flag]
             flags.append(
                 Flag(
                     "collapsed",
-                    f"{first} and {second} are {short:.3g} s and {long:.3g} s, one time within their errors; take one "
-                    "term less.",
+                    f"{first} and {second} are {short:.3g} s and {long:.3g} s, one time within their errors; use one "
+                    "term fewer.",
                 )
             )
     return flags
@@ -97,7 +97,7 @@ def _vanished(numbers: dict[str, float]) -> list[Flag]:
     moduli = {name: n for name, n in numbers.items() if name.rpartition(".")[2].startswith("shears[")}
     whole = sum(moduli.values())
     return [
-        Flag("vanished", f"{name} is {n / whole:.2g} of all of them; take one term less.")
+        Flag("vanished", f"{name} is {n / whole:.2g} of their sum; use one term fewer.")
         for name, n in moduli.items()
         if n < LEAST_TERM_SHARE * whole
     ]
@@ -113,7 +113,7 @@ def _span(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
     return [
         Flag(
             "span",
-            f"The solid is known between {shortest:.3g} s and {longest:.3g} s, the curve tells of {sampling:.3g} s to "
+            f"The solid is defined between {shortest:.3g} s and {longest:.3g} s, the curve covers {sampling:.3g} s to "
             f"{contact_time:.3g} s; widen shortest and longest.",
         )
     ]
@@ -126,7 +126,7 @@ def _drag(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
         return []
     try:
         half, noise = drag_force(curve), free_line(curve.approach).noise
-    except InvalidInput:  # too few free points to tell
+    except InvalidInput:  # too few free points
         return []
     if abs(half) < SIGNAL_TO_NOISE * noise / math.sqrt(FEWEST_POINTS) or abs(half) < LEAST_DRAG_SHARE * float(
         np.ptp(curve.force)
@@ -135,7 +135,7 @@ def _drag(task: FitTask, numbers: dict[str, float]) -> list[Flag]:
     return [
         Flag(
             "drag",
-            f"Out of contact both ways differ by {2.0 * half:.3g} N: a liquid drags at the cantilever; free drag, or "
+            f"Out of contact approach and retraction differ by {2.0 * half:.3g} N, the drag of a liquid; free drag, or "
             "correct it.",
         )
     ]

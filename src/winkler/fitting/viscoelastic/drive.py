@@ -1,4 +1,4 @@
-"""What is free in the fit of a relaxing contact, what drives it, and what every point weighs."""
+"""Setup of the fit of a relaxing contact: free parameters, input, and weights."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 __all__ = ["driven_task", "examined_stroke"]
 
 STEADY_CHANGE = 0.05
-"""A force that changes by less of itself is held."""
+"""Greatest relative change of a constant force."""
 EXPONENT_BOUNDS = (1e-3, 0.999)
 """Bounds of the exponent of a solid."""
 SMOOTHING_DIVISOR = 100
 """The velocity is smoothed over this part of the points."""
 SIGNAL_TO_NOISE = 5.0
-"""Positions are fitted from a force on that is so many times its noise, at least."""
+"""Least force over its noise from which on positions are fitted."""
 
 
 def examined_stroke(curve: ForceCurve) -> tuple[CurveOutline | None, tuple[Flag, ...]]:
-    """Return what the approach looks like, if there is one, and what is wrong with it.
+    """Return the rough outline of the approach, if there is one, and its flags.
 
     Raises
     ------
@@ -45,21 +45,21 @@ def examined_stroke(curve: ForceCurve) -> tuple[CurveOutline | None, tuple[Flag,
     rough_outline = curve.direction[np.concatenate([[True], np.diff(curve.direction) != 0.0])]
     out = np.flatnonzero(rough_outline < 0.0)
     if out.size and (out[0] == 0 or np.any(rough_outline[out[0] :] > 0.0)):
-        how = "begins on the way out" if out[0] == 0 else "goes in again after it came out"
-        raise InvalidInput(f"fit: curve '{curve.name}' {how}; fit one way in, with its hold and its way out.")
+        how = "begins with the retraction" if out[0] == 0 else "goes in again after the retraction"
+        raise InvalidInput(f"fit: curve '{curve.name}' {how}; fit one approach, with its hold and its retraction.")
     inward = curve.direction > 0.0
     if np.count_nonzero(inward) < FEWEST:
         return None, ()
     force = curve.force[inward]
-    if np.ptp(force) < STEADY_CHANGE * np.abs(force).max():  # a weight that stands and sinks in
+    if np.ptp(force) < STEADY_CHANGE * np.abs(force).max():  # a constant weight
         return None, ()
     approach = curve.chosen(inward)
-    flags = refuse(approach, but=("saturated",))  # a held force is no end of a detector
+    flags = refuse(approach, but=("saturated",))  # a constant force is not a saturated detector
     return outline(approach), flags
 
 
 def _velocity(curve: ForceCurve) -> Array:
-    """Return the velocity of the machine [m/s], smoothed within each stretch of one direction, zero while held."""
+    """Return the velocity of the machine [m/s], smoothed within each part of one direction, zero during holds."""
     velocity = np.zeros(curve.count)
     turns = np.flatnonzero(np.diff(curve.direction)) + 1
     for stretch in np.split(np.arange(curve.count), turns):
@@ -80,25 +80,25 @@ def driven_task(
     noise: Array,
     rough_outline: CurveOutline | None,
 ) -> RelaxingTask:
-    """Return a fit as a task.
+    """Return the task of a fit.
 
     Parameters
     ----------
     curve : ForceCurve
-        With times, one way in, held or not, and at most one way out.
+        With times, one approach, an optional hold, and at most one retraction.
     model : ViscoelasticIndentation
-        Its path is only a placeholder: of depths, and forces are fitted; of forces, and positions are.
+        Its path is a placeholder: of depths for a fit of forces; of forces for a fit of positions.
     free : dict
-        As for `winkler.fitting.elastic.task.elastic_task`; the name of a row means each of its numbers.
+        As for `winkler.fitting.elastic.task.elastic_task`; the name of an array means each of its numbers.
     noise : ndarray
-        Standard deviation of what is fitted, ``()`` or ``(n,)``; zero if it is not known.
+        Standard deviation of the fitted quantity, ``()`` or ``(n,)``; zero if unknown.
     strokes : Outline or None
-        What the approach looks like; none where there is no approach.
+        Rough outline of the approach; None without an approach.
 
     Raises
     ------
     InvalidInput
-        If a name leads nowhere, its bounds contradict themselves, or the way out is to be told from forces.
+        If a path does not exist, its bounds are inconsistent, or a retraction is to be fitted under forces.
     """
     if not free:
         raise InvalidInput("fit: nothing is free; name at least one number, as 'bed.medium.first.relaxed_shear'.")
@@ -130,18 +130,18 @@ def driven_task(
         return UnderMotion(curve, model, parameters, weights, velocity, zeros)
     if np.any(curve.direction < 0.0):
         raise InvalidInput(
-            "fit: forces drive a contact only while it grows; leave out the points that come out, or fit forces."
+            "fit: positions follow from forces only while a contact grows; leave out the retraction, or fit forces."
         )
     task = UnderForce(curve, model, parameters, weights, velocity, zeros)
     return task if rough_outline is None else _with_approach(task, rough_outline, noise)
 
 
 def _with_approach(task: UnderForce, rough_outline: CurveOutline, noise: Array) -> UnderForce:
-    """Return the task with forces fitted where the contact bears little, roughly weighed."""
+    """Return the task with forces fitted at small loads, with approximate weights."""
     curve = task.curve
     borne = curve.force - rough_outline.baseline
     little = borne < max(FORCE_FIT_SHARE * float(borne.max()), SIGNAL_TO_NOISE * rough_outline.noise)
-    many = np.count_nonzero(little[: 1 + int(np.argmax(borne))])  # as many as bear little, whatever their own noise
+    many = np.count_nonzero(little[: 1 + int(np.argmax(borne))])  # their number, independent of their noise
     early = np.arange(curve.count) < many
     late = np.flatnonzero(~early)
     rough = np.abs(np.diff(curve.position[late], 2)) if late.size > 2 else np.zeros(1)

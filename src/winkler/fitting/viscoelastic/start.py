@@ -1,7 +1,7 @@
-"""Where a fit of a relaxing contact begins: contact points, times and exponents tried, moduli by linear least squares.
+"""Start of a fit of a relaxing contact: trial contact points, times and exponents, moduli by linear least squares.
 
-At a measured depth the force is proportional to each modulus, so that moduli which are positive or nothing follow from
-one linear problem for every trial; a few points suffice to choose between the trials.
+At a measured depth the force is proportional to each modulus, so that nonnegative moduli follow from
+one linear problem for each trial; a few points suffice for the choice between trials.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ EXPONENT_TRIALS = (0.1, 0.3, 0.6)
 SINGLE_TIME_SHARES = (0.003, 0.03, 0.3)
 """Trials of a single time, over the time in contact."""
 TIME_SPREADS = ((0.003, 0.3), (0.001, 1.0), (0.01, 0.1))
-"""Trials of the shortest and the longest of several times, likewise."""
+"""Trials of the shortest and the longest of several times, over the time in contact."""
 TIMES = ("relaxation_time", "relaxation_times", "retardation_times")
 NEGLIGIBLE = 1e-6
 LEAST_MODULUS_SHARE = 1e-3
-"""A modulus that linear least squares do not want begins with this part of the greatest."""
+"""Start of a modulus that vanishes in linear least squares, relative to the greatest."""
 
 
 def window(task: FitTask) -> tuple[float, float]:
-    """Return the sampling interval and how long the contact was watched [s], held or on the way in.
+    """Return the sampling interval and the duration of approach and hold in contact [s].
 
-    Times much shorter or longer cannot be told from such a curve.
+    The curve does not determine times much shorter or longer.
     """
     curve = task.curve
     pressed = np.flatnonzero(task.weights > 0.0)
@@ -58,14 +58,14 @@ def starts(task: FitTask, rough_outline: CurveOutline | None) -> Iterator[Array]
     ----------
     task : Task
     strokes : Outline or None
-        What the approach looks like; none where there is no approach.
+        Rough outline of the approach; None without an approach.
     """
     for numbers in _trials(task, rough_outline):
         yield _sized(task.coarse, numbers)
 
 
 def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str, float]]:
-    """Return the numbers of all trials, moduli as the model has them."""
+    """Return the parameters of all trials, with the moduli of the model."""
     begin = {p.name: p.start for p in task.parameters}
     choices: list[list[dict[str, float]]] = []
     by_name = {p.name: p for p in task.parameters}
@@ -95,7 +95,7 @@ def _trials(task: FitTask, rough_outline: CurveOutline | None) -> list[dict[str,
     if shapes:
         choices.append([{p.name: p.inside(number) for p in shapes} for number in EXPONENT_TRIALS])
     combined = []
-    for many in itertools.product(*reversed(choices)):  # contact points last: the series stays known
+    for many in itertools.product(*reversed(choices)):  # contact points last, so that the series is reused
         numbers = dict(begin)
         for one in many:
             numbers |= one
@@ -108,7 +108,7 @@ def _field_name(name: str) -> str:
 
 
 def _sized(task: FitTask, numbers: dict[str, float]) -> Array:
-    """Return the coordinates of numbers whose moduli are of the right size."""
+    """Return the coordinates of parameters with moduli of the right magnitude."""
     from scipy.optimize import nnls
 
     moduli = [p for p in task.parameters if not p.has_start and _is_modulus(task, p)]
@@ -143,13 +143,13 @@ def _has_free_part(task: FitTask, depth: Array) -> bool:
 
 
 def _is_modulus(task: FitTask, parameter: Parameter) -> bool:
-    """Return whether the force at a given depth is proportional to it, or nearly, where the other body yields too."""
+    """Return whether the force at a given depth is proportional to it, or nearly so with an elastic second body."""
     own = parameter.name.startswith("bed.medium.") and _field_name(parameter.name) not in ("young", "tolerance")
     return own and unit_of(task.model, parameter.name) in ("Pa", "Pa s")
 
 
 def _at_depth(task: FitTask, numbers: dict[str, float], depth: Array) -> Array:
-    """Return the forces at measured depths; everything that is measured counts as a motion in."""
+    """Return the forces at measured depths; as of a loading."""
     model = task.with_numbers(numbers)
     highest = max(float(depth.max()), 1e-30)
     table = elastic_table(elastic_like(model.bed), highest)

@@ -1,7 +1,7 @@
-r"""The fit of a relaxing contact: what its machine does, and the derivatives of what is predicted.
+r"""The fit of a relaxing contact: common part of fits of forces and of positions.
 
-The motion drives, :math:`D_i-D_0-u\,t_i`, and forces are fitted (`winkler.fitting.viscoelastic.motion`); or the forces
-drive, and the positions are fitted (`winkler.fitting.viscoelastic.creep`).
+Forces are fitted along the motion :math:`D_i-D_0-u\,t_i` (`winkler.fitting.viscoelastic.motion`), or positions under
+the measured forces (`winkler.fitting.viscoelastic.creep`).
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from winkler.problems.viscoelastic.march import elastic_like
 __all__ = ["RelaxingTask"]
 
 COARSE_STEP = 1e-3
-"""Step of numbers that change the number of terms of a series, whose error jumps there."""
+"""Step of parameters that change the number of terms of a series, whose error is then discontinuous."""
 ROUGH_NUMBERS = ("exponent", "relaxation_time")
 
 
 class RelaxingTask(FitTask):
-    """A contact that relaxes, held points included; its subclasses say what drives, and what is fitted."""
+    """A relaxing contact, including holds; subclasses define the input and the fitted quantity."""
 
     settled = 1e-9
     must_settle = False
@@ -38,7 +38,7 @@ class RelaxingTask(FitTask):
 
     @property
     def size(self) -> float:
-        """Norm of what was measured about its mean, weighted."""
+        """Weighted norm of the measured quantity about its mean."""
         measured = self.measured * self.weights
         return float(np.linalg.norm(measured - measured.mean()))
 
@@ -54,10 +54,10 @@ class RelaxingTask(FitTask):
         return np.asarray((ahead - prediction.fitted) / step)
 
     def sample_of(self, stretch: Array) -> Array:
-        """Return points evenly spaced, and more of them where the contact has just begun to rest or is deepest."""
+        """Return evenly spaced points, and more at the start of a hold or a retraction and at the deepest contact."""
         share = max(self.coarse_count // (2 * self._stretches), 10)
         last = stretch.size - 1
-        near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # what is fast happens at once
+        near = np.geomspace(1.0, max(last, 1), min(share, stretch.size)) - 1.0  # fast relaxation occurs at once
         dense = last - near if self.curve.direction[stretch[0]] > 0.0 else near
         even = np.linspace(0, last, min(share, stretch.size))
         return np.asarray(stretch[np.concatenate([even, dense]).astype(int)])
@@ -71,11 +71,11 @@ class RelaxingTask(FitTask):
         return starts(self, rough_outline)
 
     def doubts(self, numbers: dict[str, float], errors: Array) -> list[Flag]:
-        """Return what the curve cannot tell about the solid."""
+        """Return the doubts about the solid."""
         return unidentified(self, numbers, dict(zip(numbers, errors.tolist(), strict=True)))
 
     def final(self, coordinates: Array) -> Array:
-        """Return coordinates whose terms are sorted by their times, where nothing but their order would change."""
+        """Return coordinates with terms sorted by their times, if only their order changes."""
         rows: dict[str, list[int]] = {}
         for index, parameter in enumerate(self.parameters):
             if parameter.name.endswith("]"):
@@ -93,7 +93,7 @@ class RelaxingTask(FitTask):
         return coordinates if np.array_equal(ordered, coordinates) else ordered
 
     def relaxing_fields(self, numbers: dict[str, float], prediction: Prediction) -> dict[str, Any]:
-        """Return what is found about the contact: which numbers are logarithmic, depths and radii [m]."""
+        """Return fields of the contact: logarithmic parameters, depths and radii [m]."""
         contact = prediction.contact
         table = elastic_table(elastic_like(self.with_numbers(numbers).bed), float(contact.edge.max()))
         return {

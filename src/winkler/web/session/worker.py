@@ -274,8 +274,8 @@ def beside_the_curve(sentence: str) -> str:
 
     Examples
     --------
-    >>> beside_the_curve("gel.csv: fit: not identifiable: the curve cannot tell one from the other.")
-    'fit.free: gel.csv: the curve cannot tell one from the other.'
+    >>> beside_the_curve("gel.csv: fit: not identifiable: the curve does not distinguish one from the other.")
+    'fit.free: gel.csv: the curve does not distinguish one from the other.'
     """
     if ": fit: not identifiable: " in sentence:
         return f"fit.free: {sentence.replace('fit: not identifiable: ', '')}"
