@@ -131,7 +131,7 @@ def test_an_upload_that_cannot_be_written_is_one_sentence(folder, monkeypatch):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(pathlib.Path, "write_bytes", full)
-    with pytest.raises(InvalidInput, match=r"^'tip\.csv' cannot be kept \(no space left on device\); make room"):
+    with pytest.raises(InvalidInput, match=r"^'tip\.csv' cannot be stored \(no space left on device\); free space"):
         folder.keep("tip.csv", b"1 2")
     assert folder.names == ()
 

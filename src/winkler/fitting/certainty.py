@@ -118,9 +118,9 @@ def doubts(
     ----------
     parameters : tuple of Parameter, (p,)
     coordinates : ndarray, (p,)
-    found : Estimate
+    estimate : FitEstimate
         The fit, flags of its own not yet among them.
-    sure : Certainty
+    uncertainty : Certainty
     """
     values, errors = estimate.values, estimate.standard_errors
     flags = []

@@ -25,7 +25,7 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
 
     Parameters
     ----------
-    task : Task
+    task : FitTask
     coordinates : ndarray, (p,)
         Start.
     search : Search

@@ -19,7 +19,7 @@ from winkler.laws.adhesion import ShortRange
 from winkler.limits import KEY_LETTERS
 from winkler.vocabulary import word
 
-__all__ = ["changed", "each", "found", "unit_of"]
+__all__ = ["changed", "each", "number_at", "unit_of"]
 
 STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
 
@@ -48,18 +48,18 @@ def _next(owner: Any, step: str | int, path: str) -> Any:
         row = isinstance(owner, tuple | np.ndarray)
         if not row or step >= len(owner):
             length = len(owner) if row else 0
-            raise InvalidInput(f"free: '{path}' asks for item {step} of {length}; counting begins at 0.")
+            raise InvalidInput(f"free: '{path}' names item {step} of {length}; counting begins at 0.")
         return owner[step]
-    known = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
-    if step not in known:
+    fields = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
+    if step not in fields:
         raise InvalidInput(
-            f"free: '{path}' leads nowhere: {type(owner).__name__} has no {step}{suggest(step, known)}; it has "
-            f"{', '.join(known) or 'nothing'}."
+            f"free: '{path}' leads nowhere: {type(owner).__name__} has no {step}{suggest(step, fields)}; it has "
+            f"{', '.join(fields) or 'nothing'}."
         )
     return getattr(owner, step)
 
 
-def found(model: Any, path: str) -> float:
+def number_at(model: Any, path: str) -> float:
     """Return the number at a path.
 
     Raises

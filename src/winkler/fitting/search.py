@@ -44,7 +44,7 @@ class Search:
     ----------
     time_limit : float, optional
         From now on [s].
-    hand_over : callable, optional
+    on_state : callable, optional
         Called with a `FitState` after each evaluation.
 
     Raises

@@ -23,8 +23,8 @@ def best_start(task: FitTask, rough_outline: CurveOutline | None, search: Search
 
     Parameters
     ----------
-    task : Task
-    strokes : Outline or None
+    task : FitTask
+    rough_outline : CurveOutline or None
         Rough outline of the approach; None without an approach.
     search : Search
         Counts the evaluations.

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.errors import InvalidInput, suggest
-from winkler.fitting.parameters import found, unit_of
+from winkler.fitting.parameters import number_at, unit_of
 
 __all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
 
@@ -76,7 +76,7 @@ def parameters_of(
         Name and (low, high), or a start value, or neither (an empty tuple).
     scales : dict of str to float
         Parameters of the curve itself, with their scales.
-    freely : dict of str to (float, float)
+    natural_bounds : dict of str to (float, float)
         Paths, or last names, of parameters with natural bounds.
 
     Raises
@@ -94,7 +94,7 @@ def parameters_of(
                     f"free: '{name}' is neither a path into the model nor one of {', '.join(scales)}"
                     f"{suggest(name, scales)}."
                 )
-            start = found(model, name)
+            start = number_at(model, name)
             usual = (0.0, np.inf) if start > 0.0 else (-np.inf, np.inf)
             low, high = natural_bounds.get(name, natural_bounds.get(name.rpartition(".")[2], usual))
             logarithmic = low == 0.0

@@ -57,7 +57,7 @@ class HeldContact(NamedTuple):
         [N], dF/dD [N/m], a [m].
     balanced : ndarray of bool, (n,)
         Where the edge is in the equilibrium of `response`; elsewhere it is pinned.
-    response : Response
+    response : MachineResponse
         Of the receding contact.
     sticky : bool
         Whether it is adhesive.
@@ -68,7 +68,7 @@ class HeldContact(NamedTuple):
     radius: Array
     balanced: Array
     response: MachineResponse
-    sticky: bool
+    adhesive: bool
 
 
 def runs_of(curve: ForceCurve) -> tuple[Run, ...]:
@@ -129,7 +129,7 @@ def held_contact(model: Model, compliance: float, position: Array, runs: tuple[R
         closing = law.work_closing
         states = ShortStates(model.bed, closing) if closing > 0.0 else FarStates(model.bed, 0.0)
         advancing = response(states, compliance, highest)
-    sticky = isinstance(model, AdhesiveIndentation)
+    adhesive = isinstance(model, AdhesiveIndentation)
     if hysteresis:
         columns = np.empty((4, position.size))
         for run in runs:
@@ -150,10 +150,10 @@ def held_contact(model: Model, compliance: float, position: Array, runs: tuple[R
             places = position[part]
             which[part] = receding.narrowest(places) if run.inward else receding.widest(places, run.turn - origin)
         columns = np.array(receding.on(which, position))
-    if not sticky:
+    if not adhesive:
         columns[:3, position <= 0.0] = 0.0
     force, slope, radius, balanced = columns
-    return HeldContact(force, slope, radius, balanced > 0.0, receding, sticky)
+    return HeldContact(force, slope, radius, balanced > 0.0, receding, adhesive)
 
 
 def moved_force(held: HeldContact, other: Model, compliance: float, where: Array) -> Array:
@@ -215,7 +215,7 @@ def attached(held: HeldContact, measured: Array, runs: tuple[Run, ...], weights:
     -------
     ndarray of bool, (n,)
     """
-    if not held.sticky:
+    if not held.adhesive:
         return np.asarray(held.radius > 0.0)
     gain = measured**2 - (measured - weights * held.force) ** 2  # misfit explained by contact
     pull = min(held.response.least(), 0.0)

@@ -68,7 +68,7 @@ class MachineResponse(NamedTuple):
 
     Parameters
     ----------
-    table : Tabulated
+    table : RadiusTable
         D [m] and F [N] over the contact radius.
     end : tuple of float
         D [m], F [N], dF/dD [N/m] and a [m] at the last radius; where the profile ends, the contact is pinned there.

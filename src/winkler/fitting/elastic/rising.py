@@ -55,7 +55,7 @@ class RadiusTable(NamedTuple):
         The kink [m] from which y counts, and y where the panel begins and ends [m].
     series : ndarray, (degree + 1, 2, panels)
         Power series of the two functions in the panel's own variable, from -1 to 1.
-    pieces : tuple of Piece
+    pieces : tuple of RisingPiece
         Where the first function rises, in the order of growing radii.
     """
 

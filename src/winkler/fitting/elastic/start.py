@@ -30,9 +30,9 @@ def starts(task: FitTask, rough_outline: CurveOutline) -> list[Array]:
 
     Parameters
     ----------
-    task : Task
+    task : FitTask
         Of a contact with or without adhesion.
-    strokes : Outline
+    rough_outline : CurveOutline
         Rough outline of the approach.
     """
     parameter = next((p for p in task.parameters if p.name == "contact_point"), None)

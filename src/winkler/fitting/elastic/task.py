@@ -80,7 +80,7 @@ class ElasticTask(FitTask):
         return Prediction(np.where(holds, held.force, 0.0) + line, holds, held)
 
     def slope(self, name: str, numbers: dict[str, float], prediction: Prediction) -> Any:
-        """Return the derivative with respect to a number if it is known in closed form, ``(n,)``, else None."""
+        """Return the derivative with respect to a number in closed form ``(n,)``, else None."""
         if name == "contact_point":
             return -np.where(prediction.touched, prediction.contact.slope, 0.0) - numbers.get("tilt", 0.0)
         return super().slope(name, numbers, prediction)

@@ -210,7 +210,7 @@ def _area(facts: UnloadingFacts) -> tuple[Note, ...]:
         )
     low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
     if low == 0.0 and high == math.inf:
-        statement, standing = "it is not known at which depths the area function was calibrated", Standing.APPROXIMATE
+        statement, standing = "the depths of its calibration are not stated", Standing.APPROXIMATE
     elif low <= depth <= high:
         statement, standing = f"the area function was calibrated from {low:.3g} to {high:.3g} m", Standing.ASYMPTOTIC
     else:

@@ -48,7 +48,7 @@ def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confiden
 
     Returns
     -------
-    Band
+    RelaxationBand
     """
     t = np.asarray(time, dtype=float)
     relaxation = relaxation_of("relaxation_band", found.model.bed).at(t)

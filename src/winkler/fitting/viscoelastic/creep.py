@@ -102,7 +102,7 @@ class UnderForce(RelaxingTask):
         Parameters
         ----------
         coordinates : ndarray, (p,)
-        strokes : Outline or None
+        rough_outline : CurveOutline or None
             Rough outline of the approach; its noise is that of the force out of contact [N].
         noise : ndarray
             Standard deviation of the positions [m], ``()`` or ``(n,)``; zero: estimated from the residuals.

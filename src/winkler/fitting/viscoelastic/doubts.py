@@ -42,7 +42,7 @@ def unidentified(task: FitTask, numbers: dict[str, float], errors: dict[str, flo
 
     Parameters
     ----------
-    task : Task
+    task : FitTask
     numbers, errors : dict of str to float
         The fitted numbers, and their standard errors.
     """

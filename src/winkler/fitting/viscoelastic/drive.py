@@ -92,7 +92,7 @@ def driven_task(
         As for `winkler.fitting.elastic.task.elastic_task`; the name of an array means each of its numbers.
     noise : ndarray
         Standard deviation of the fitted quantity, ``()`` or ``(n,)``; zero if unknown.
-    strokes : Outline or None
+    rough_outline : CurveOutline or None
         Rough outline of the approach; None without an approach.
 
     Raises

@@ -56,8 +56,8 @@ def starts(task: FitTask, rough_outline: CurveOutline | None) -> Iterator[Array]
 
     Parameters
     ----------
-    task : Task
-    strokes : Outline or None
+    task : FitTask
+    rough_outline : CurveOutline or None
         Rough outline of the approach; None without an approach.
     """
     for numbers in _trials(task, rough_outline):

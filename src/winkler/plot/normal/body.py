@@ -1,7 +1,7 @@
 """The body in three dimensions, cut open, in the dent that it makes: a drawing in parallel projection.
 
 Everything is a body of revolution, so the scene is built of rings cut into facets, turned towards the reader, painted
-from back to front.  Heights are stretched, because dents are shallow; two bars tell both scales.
+from back to front.  Heights are stretched, because dents are shallow; two bars show both scales.
 """
 
 from __future__ import annotations

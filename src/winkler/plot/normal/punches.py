@@ -25,7 +25,7 @@ def steps_panel(staircase: Staircase, extent: float) -> Panel:
 
     Parameters
     ----------
-    stairs : Staircase
+    staircase : Staircase
     extent : float
         Drawn up to this x on both sides [m].
     """
@@ -54,7 +54,7 @@ def pressures_panel(staircase: Staircase, extent: float) -> Panel:
 
     Parameters
     ----------
-    stairs : Staircase
+    staircase : Staircase
     extent : float
         Drawn up to this distance from the axis [m].
     """

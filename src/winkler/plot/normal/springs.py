@@ -222,7 +222,7 @@ def stretched(displaced: Array) -> Array:
 
     Parameters
     ----------
-    moved : ndarray
+    displaced : ndarray
         Compression of springs [m], negative where they are stretched.
     """
     return np.asarray(displaced < -STRETCH_TOLERANCE * float(np.max(np.abs(displaced))))

@@ -168,7 +168,7 @@ def scene(outcome: Outcome, moments: Moments, moment: int, previous: View, *, st
         Outcome of a study.
     moments, moment
         Moments of its results, and the index of the drawn one.
-    held
+    previous
         Frame of the previous pictures.
     still
         Whether that frame is kept, for another moment of the same history.

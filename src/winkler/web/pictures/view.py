@@ -42,7 +42,7 @@ def fitting(pressed: Any, previous: View = NO_VIEW) -> View:
     ----------
     pressed
         Springs of a contact.
-    held
+    previous
         Frame of the previous picture.
     """
     width, depth = around(pressed, None), _greatest_displacement(pressed)

@@ -16,7 +16,7 @@ MakeRequest = Callable[[int], Any]
 
 
 class RequestQueue:
-    """RequestQueue that wait, and the one that is being answered.
+    """Waiting requests, and the running one.
 
     A new study cancels waiting moments of the previous results, and ends its sweep or sheets.  Requests for moments and
     exports end nothing.

@@ -1,4 +1,4 @@
-"""Which requests the app answers, and the headers of its responses.
+"""Checks of requests to the app, and headers of its responses.
 
 A browser lets a page of any site send requests to this machine.  Three headers that a page cannot forge identify such
 requests: ``Host`` has the name under which the app was addressed (a foreign name that was made to point at this
@@ -157,7 +157,7 @@ class _Body:
 
 
 class _Response:
-    """A response that gets headers; the scripts in a page get the number by which they are known."""
+    """A response that gets headers; the scripts in a page get the nonce that identifies them."""
 
     def __init__(self, send: Send, policy: Callable[[str], str]) -> None:
         self._send, self._policy = send, policy

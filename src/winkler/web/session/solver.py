@@ -52,7 +52,7 @@ class Solver:
     Raises
     ------
     OSError
-        If no process can be started; also by `ask` and `stop`, after which the next request tries again.
+        If no process can be started; also by `send` and `stop`, after which the next request tries again.
     """
 
     def __init__(self, on_reply: ReplyReceiver, on_exit: Callable[[bool], None]) -> None:

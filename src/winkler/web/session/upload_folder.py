@@ -98,7 +98,7 @@ class UploadFolder:
         except OSError as error:
             place.unlink(missing_ok=True)
             raise InvalidInput(
-                f"'{name}' cannot be kept ({reason_of(error).lower()}); make room on the disk."
+                f"'{name}' cannot be stored ({reason_of(error).lower()}); free space on the disk."
             ) from None
         return plain
 
