@@ -275,5 +275,5 @@ def test_an_unknown_name_of_an_answer():
     found = fit(curve, elastic(), free=[PATH, "contact_point"])
     with pytest.raises(InvalidInput, match="'tilt' was not free"):
         found.value("tilt")
-    with pytest.raises(InvalidInput, match=r"a confidence of 95 .* between 0 and 1"):
+    with pytest.raises(InvalidInput, match=r"confidence is 95; .* between 0 and 1"):
         found.interval(PATH, 95)

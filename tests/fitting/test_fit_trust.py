@@ -99,7 +99,7 @@ def test_a_paraboloid_for_a_ball():
     share = force / hertz(depth, MODULUS, R) - 1.0
     model = wk.Indentation(bed(), wk.Depth(depth))
     note = note_on(fit_notes(model, curve(), (PATH,), curve().position > 0.0, a, 0.01), "Tip")
-    assert f"with {share:+.2%} of force" in note.statement
+    assert f"change the force by {share:+.2%}" in note.statement
     assert note.standing is Standing.APPROXIMATE
     small = note_on(
         fit_notes(dataclasses.replace(model, load=wk.Depth(1e-9)), curve(), (), curve().position > 0, 7e-8, 0.0), "Tip"

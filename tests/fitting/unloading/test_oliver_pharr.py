@@ -111,12 +111,12 @@ def test_what_cannot_be_read_is_refused():
         OliverPharr(curve, wk.Cone(half_angle=1.2), shape_factor=0.0)
     with pytest.raises(InvalidInput, match="has no unloading of at least 10 points"):
         OliverPharr(ForceCurve(DEPTH[::-1], cone(DEPTH[::-1])), wk.Cone(half_angle=1.2)).solve()
-    with pytest.raises(InvalidInput, match="look at signs and contact_point"):
+    with pytest.raises(InvalidInput, match="check signs and contact_point"):
         OliverPharr(dataclasses.replace(curve, force=-curve.force), wk.Cone(half_angle=1.2)).solve()
     with pytest.raises(InvalidInput, match="points lie between 0.4 and 0.98"):
         OliverPharr(curve.chosen(np.arange(0, 400, 35)), wk.Cone(half_angle=1.2)).solve()
     small = wk.Measured(np.linspace(0.0, 1e-8, 50), np.linspace(0.0, 1e-8, 50) / math.tan(1.2))
-    with pytest.raises(OutsideValidity, match="beyond the tip, which is known up to a radius of 1e-08 m"):
+    with pytest.raises(OutsideValidity, match="beyond the tip, which is defined up to a radius of 1e-08 m"):
         OliverPharr(curve, small).solve()
 
 
@@ -336,7 +336,7 @@ def test_what_is_known_of_the_area():
     polynomial = (math.pi * TANGENT**2,)
     for tip, standing, words in [
         (wk.Cone(half_angle=1.2), Standing.APPROXIMATE, "ideal Cone"),
-        (wk.AreaFunction(polynomial), Standing.APPROXIMATE, "not known at which depths"),
+        (wk.AreaFunction(polynomial), Standing.APPROXIMATE, "depths of its calibration are not stated"),
         (CalibratedArea(polynomial, 1e-8, 1e-6), Standing.ASYMPTOTIC, "was calibrated from 1e-08 to 1e-06 m"),
         (CalibratedArea(polynomial, 1e-8, 1e-7), Standing.OUTSIDE, "is extrapolated"),
         (CalibratedArea(polynomial, 2e-7, 1e-6), Standing.OUTSIDE, "is extrapolated"),

@@ -217,7 +217,7 @@ def test_numbers_that_cannot_be_free(free, why):
 
 
 def test_a_retraction_is_not_fitted_under_forces():
-    with pytest.raises(wk.InvalidInput, match="only while it grows"):
+    with pytest.raises(wk.InvalidInput, match="only while a contact grows"):
         fit(loop(1), model(start("loop").bed.medium.first, wk.Force), free=FREE["loop"])
 
 
