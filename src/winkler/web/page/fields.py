@@ -14,7 +14,7 @@ from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import SWITCH
 from winkler.web.pictures.words import symbol_html
 
-__all__ = ["FieldActions", "Fields"]
+__all__ = ["FieldActions", "FormFields"]
 
 NONE = "—"
 NUMBERS = "numbers below"
@@ -44,7 +44,7 @@ class FieldActions(Protocol):
         ...
 
 
-class Fields:
+class FormFields:
     """The elements of a form by the path of their key.
 
     Parameters

@@ -11,7 +11,7 @@ from winkler.study.language.explain import plain_symbol
 from winkler.study.report.markup import safe
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import StudyForm
-from winkler.web.page.fields import Fields
+from winkler.web.page.fields import FormFields
 from winkler.web.pictures.words import symbol_html
 
 __all__ = ["draw_curve", "draw_free", "draw_measurement"]
@@ -21,7 +21,7 @@ FILE_HINT = "A table with columns such as ‘piezo [nm], force [nN]’, or a fil
 BOUNDS_HINT = "Parameters are free between two bounds, from a start value in the first box, or without either."
 
 
-def draw_curve(fields: Fields, entered: StudyForm) -> None:
+def draw_curve(fields: FormFields, entered: StudyForm) -> None:
     """Draw the file of the curve, and the choice of its fitted part."""
     fields.heading("fit.curve", "The measured curve", FILE_HINT)
     with ui.element("div").classes("entry file"):
@@ -44,7 +44,7 @@ def draw_curve(fields: Fields, entered: StudyForm) -> None:
             fields.inputs[one.path] = pick
 
 
-def draw_free(fields: Fields, entered: StudyForm) -> None:
+def draw_free(fields: FormFields, entered: StudyForm) -> None:
     """Draw the free parameters, each with its bounds."""
     free_numbers, others = fit_form.free_numbers(entered.table)
     fields.heading("fit.free", "Free parameters", BOUNDS_HINT)
@@ -70,7 +70,7 @@ def draw_free(fields: Fields, entered: StudyForm) -> None:
     more.classes("choice").on_value_change(lambda event: entered.free(event.value) if event.value else None)
 
 
-def _bound(fields: Fields, line: fit_form.FreeNumber, place: int) -> Any:
+def _bound(fields: FormFields, line: fit_form.FreeNumber, place: int) -> Any:
     name, text = ("from", line.low) if place == 0 else ("to", line.high)
     field = ui.input(value=text, label=name, placeholder="free" if place else "free, or start")
     field.props("outlined dense stack-label debounce=400 no-error-icon hide-bottom-space").classes("field")
@@ -81,7 +81,7 @@ def _bound(fields: Fields, line: fit_form.FreeNumber, place: int) -> Any:
     return field
 
 
-def draw_measurement(fields: Fields, entered: StudyForm) -> None:
+def draw_measurement(fields: FormFields, entered: StudyForm) -> None:
     """Draw the entries of the measurement that the file may lack."""
     entries = fit_form.measurement(entered.table)
     title = any(entry.text for entry in entries)

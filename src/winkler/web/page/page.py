@@ -18,7 +18,7 @@ from winkler.study.language.reading import parsed
 from winkler.web.form import fit_form, form
 from winkler.web.form.study_form import TASKS, StudyForm
 from winkler.web.page.astext import AsText
-from winkler.web.page.fields import Fields
+from winkler.web.page.fields import FormFields
 from winkler.web.page.fit_fields import draw_curve, draw_free, draw_measurement
 from winkler.web.page.result import Result
 from winkler.web.page.sweep_fields import draw_sweep
@@ -125,7 +125,7 @@ class Page:
         self.choice.props["label"] = "model of the curve" if fits else "problem"
         self.meaning.text = summary(kinds()[problem.kind].cls)
         self.parts.clear()
-        self.fields = Fields(entered, self.uploads.names, self.files.picker)
+        self.fields = FormFields(entered, self.uploads.names, self.files.picker)
         with self.parts:
             if fits:
                 draw_curve(self.fields, entered)

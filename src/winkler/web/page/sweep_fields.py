@@ -11,7 +11,7 @@ from winkler.study.report.markup import safe
 from winkler.web.form import sweep_form
 from winkler.web.form.study_form import StudyForm
 from winkler.web.form.sweep_form import DESIGN_LABELS, SPACINGS, VariedNumber
-from winkler.web.page.fields import Fields
+from winkler.web.page.fields import FormFields
 from winkler.web.pictures.words import symbol_html
 from winkler.web.session.worker import MOST_POINTS
 
@@ -23,7 +23,7 @@ MEANING = (
 BOXES = {"from": "from", "to": "to", "count": "how many", "values": "values, with commas between"}
 
 
-def draw_sweep(fields: Fields, entered: StudyForm) -> None:
+def draw_sweep(fields: FormFields, entered: StudyForm) -> None:
     """Draw the fields of the sweep."""
     varied, others = sweep_form.rows(entered.table)
     with ui.expansion("Vary", value="sweep" in entered.table).classes("astext vary") as fold:
@@ -39,7 +39,7 @@ def draw_sweep(fields: Fields, entered: StudyForm) -> None:
             _design(fields, entered)
 
 
-def _row(fields: Fields, entered: StudyForm, row: VariedNumber) -> None:
+def _row(fields: FormFields, entered: StudyForm, row: VariedNumber) -> None:
     with ui.element("section").classes("part free"):
         with ui.row().classes("one"):
             unit = f" [{safe(pretty_unit(row.entry.unit))}]" if row.entry.unit else ""
@@ -68,7 +68,7 @@ def _row(fields: Fields, entered: StudyForm, row: VariedNumber) -> None:
             box.on_value_change(lambda _: entered.vary_over(row.key, row.spacing, entered_texts(), anew=False))
 
 
-def _design(fields: Fields, entered: StudyForm) -> None:
+def _design(fields: FormFields, entered: StudyForm) -> None:
     now = sweep_form.design_kind(entered.table)
     with ui.element("div").classes("entry wide"):
         pick = ui.select(DESIGN_LABELS, value=now if now in DESIGN_LABELS else None, label="which points are solved")

@@ -112,7 +112,7 @@ class Security:
         if why:
             await _say(send, 403, why)
             return
-        response = _Response(send, self._policy)
+        response = _ResponseWithHeaders(send, self._policy)
         body = _Body(receive, self.largest)
         try:
             if any(not one.isdigit() or int(one) > self.largest for one in _values(scope, b"content-length")):
@@ -156,7 +156,7 @@ class _Body:
         return message
 
 
-class _Response:
+class _ResponseWithHeaders:
     """A response that gets headers; the scripts in a page get the nonce that identifies them."""
 
     def __init__(self, send: Send, policy: Callable[[str], str]) -> None:
